@@ -1,0 +1,7 @@
+//! The scenes for rapier3d.
+
+pub use rapier3d as rapier;
+
+#[path = "engine/mod.rs"]
+mod engine;
+pub use engine::*;

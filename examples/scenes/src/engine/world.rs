@@ -1,0 +1,92 @@
+//! Everything that `PhysicsPipeline::step` asks for, except the broad phase.
+
+use super::rapier::prelude::*;
+
+/// A Rapier world without its broad phase, which is given to each step.
+pub struct World {
+    /// The acceleration of every dynamic body, in length units per second squared.
+    pub gravity: Vector<Real>,
+    /// The time step and the solver's settings.
+    pub params: IntegrationParameters,
+    /// Scratch memory of the step, and its timings.
+    pub pipeline: PhysicsPipeline,
+    /// Which bodies are awake.
+    pub islands: IslandManager,
+    /// The contacts and intersections.
+    pub narrow_phase: NarrowPhase,
+    /// The bodies.
+    pub bodies: RigidBodySet,
+    /// The colliders.
+    pub colliders: ColliderSet,
+    /// The joints between bodies.
+    pub impulse_joints: ImpulseJointSet,
+    /// The joints in reduced coordinates.
+    pub multibody_joints: MultibodyJointSet,
+    /// The solver for bodies with CCD.
+    pub ccd_solver: CCDSolver,
+}
+
+impl World {
+    /// An empty world with this gravity.
+    pub fn new(gravity: Vector<Real>) -> Self {
+        Self {
+            gravity,
+            params: IntegrationParameters::default(),
+            pipeline: PhysicsPipeline::new(),
+            islands: IslandManager::new(),
+            narrow_phase: NarrowPhase::new(),
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            impulse_joints: ImpulseJointSet::new(),
+            multibody_joints: MultibodyJointSet::new(),
+            ccd_solver: CCDSolver::new(),
+        }
+    }
+
+    /// Advances the world by one time step.
+    pub fn step(
+        &mut self,
+        broad_phase: &mut dyn BroadPhase,
+        hooks: &dyn PhysicsHooks,
+        events: &dyn EventHandler,
+    ) {
+        self.pipeline.step(
+            &self.gravity,
+            &self.params,
+            &mut self.islands,
+            broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            &mut self.ccd_solver,
+            hooks,
+            events,
+        );
+    }
+
+    /// Inserts a body with one collider.
+    pub fn insert(
+        &mut self,
+        body: impl Into<RigidBody>,
+        collider: impl Into<Collider>,
+    ) -> RigidBodyHandle {
+        let handle = self.bodies.insert(body);
+        self.colliders
+            .insert_with_parent(collider, handle, &mut self.bodies);
+        handle
+    }
+
+    /// Removes a body with its colliders and joints.
+    pub fn remove(&mut self, handle: RigidBodyHandle) {
+        self.bodies.remove(
+            handle,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            true,
+        );
+    }
+}

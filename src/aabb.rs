@@ -1,0 +1,90 @@
+//! The axis-aligned box: the one thing a broad phase looks at.
+
+use crate::Real;
+
+/// An axis-aligned bounding box in `D` dimensions, closed on every side.
+///
+/// `mins[k]` and `maxs[k]` are its least and greatest coordinates on axis `k`, in the length unit of the
+/// scene. Infinite sides are allowed (a ground plane); see [`Aabb::is_valid`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb<R, const D: usize> {
+    /// The least coordinate on each axis.
+    pub mins: [R; D],
+    /// The greatest coordinate on each axis.
+    pub maxs: [R; D],
+}
+
+impl<R: Real, const D: usize> Aabb<R, D> {
+    /// The box between two corners.
+    #[inline]
+    pub const fn new(mins: [R; D], maxs: [R; D]) -> Self {
+        Self { mins, maxs }
+    }
+
+    /// Whether the two closed boxes share a point: they do when they merely touch.
+    ///
+    /// The comparison is made on the given numbers, without any arithmetic, so it is exact. It is the
+    /// definition that every [`PairFinder`](crate::PairFinder) answers to. An invalid box (see
+    /// [`Aabb::is_valid`]) whose sides are NaN on some axis overlaps nothing.
+    #[inline]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let mut overlaps = true;
+        for k in 0..D {
+            overlaps &= (self.mins[k] <= other.maxs[k]) & (other.mins[k] <= self.maxs[k]);
+        }
+        overlaps
+    }
+
+    /// Whether `other` lies inside this box, sides included.
+    #[inline]
+    pub fn contains(&self, other: &Self) -> bool {
+        let mut contains = true;
+        for k in 0..D {
+            contains &= (self.mins[k] <= other.mins[k]) & (other.maxs[k] <= self.maxs[k]);
+        }
+        contains
+    }
+
+    /// The box with every side moved outward by `margin` (a length, at least 0).
+    ///
+    /// In floating point the margin rounds away where coordinates are large.
+    #[inline]
+    pub fn loosened(&self, margin: R) -> Self {
+        Self {
+            mins: self.mins.map(|x| x - margin),
+            maxs: self.maxs.map(|x| x + margin),
+        }
+    }
+
+    /// Whether no coordinate is NaN and `mins <= maxs` on every axis.
+    #[inline]
+    pub fn is_valid(&self) -> bool {
+        let mut valid = true;
+        for k in 0..D {
+            // False for NaN as well.
+            valid &= self.mins[k] <= self.maxs[k];
+        }
+        valid
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn touching_boxes_overlap_and_signed_zeros_are_equal() {
+        let a = Aabb::new([0.0_f32, 0.0], [1.0, 1.0]);
+        assert!(a.overlaps(&Aabb::new([1.0, 1.0], [2.0, 2.0])));
+        assert!(!a.overlaps(&Aabb::new([1.0, 1.0_f32.next_up()], [2.0, 2.0])));
+        assert!(Aabb::new([0.0_f32], [1.0]).overlaps(&Aabb::new([-1.0], [-0.0])));
+    }
+
+    #[test]
+    fn nan_and_inverted_boxes_are_invalid_and_infinite_ones_are_not() {
+        assert!(!Aabb::new([f32::NAN], [1.0]).is_valid());
+        assert!(!Aabb::new([0.0], [f64::NAN]).is_valid());
+        assert!(!Aabb::new([1.0], [0.0]).is_valid());
+        assert!(Aabb::new([f32::NEG_INFINITY], [f32::INFINITY]).is_valid());
+    }
+}

@@ -1,0 +1,42 @@
+//! The only way in which finding pairs can fail.
+
+use thiserror::Error;
+
+/// An input that a [`PairFinder`](crate::PairFinder) refuses, with the index of the offending box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("box {index} {reason}")]
+#[non_exhaustive]
+pub struct InvalidBox {
+    /// The index of the first offending box in the slice that was given.
+    pub index: usize,
+    /// What is wrong with it.
+    pub reason: InvalidBoxReason,
+}
+
+impl InvalidBox {
+    /// The index of the first offending box in the slice that was given.
+    pub const fn index(&self) -> usize {
+        self.index
+    }
+}
+
+/// What is wrong with an [`InvalidBox`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum InvalidBoxReason {
+    /// A coordinate on this axis is NaN.
+    #[error("has a NaN on axis {axis}")]
+    NotANumber {
+        /// The first axis with a NaN.
+        axis: usize,
+    },
+    /// `mins > maxs` on this axis.
+    #[error("is inverted: mins > maxs on axis {axis}")]
+    Inverted {
+        /// The first inverted axis.
+        axis: usize,
+    },
+    /// Pairs hold 32-bit indices, so there can be no box with this index.
+    #[error("is out of reach: a pair holds 32-bit indices")]
+    TooMany,
+}

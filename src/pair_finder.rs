@@ -1,0 +1,50 @@
+//! What every kernel does: boxes in, overlapping pairs out.
+
+use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
+
+/// A kernel: something that finds all overlapping pairs among boxes.
+///
+/// A finder owns nothing but scratch memory, kept between calls to spare allocations; the answer depends
+/// on the arguments alone.
+pub trait PairFinder<R, const D: usize> {
+    /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
+    ///
+    /// Overlap is closed and exact, as in [`Aabb::overlaps`]. The order of the pairs is the kernel's own;
+    /// it is the same in every run.
+    ///
+    /// # Errors
+    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first beyond the reach of
+    /// 32-bit indices; `pairs` is then empty.
+    fn find_pairs(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        pairs: &mut Vec<[u32; 2]>,
+    ) -> Result<(), InvalidBox>;
+}
+
+/// Checks what [`PairFinder::find_pairs`] asks of its input, in **O(n)**.
+pub(crate) fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), InvalidBox> {
+    let invalid = |index, reason| Err(InvalidBox { index, reason });
+    if boxes.len() > u32::MAX as usize {
+        return invalid(u32::MAX as usize, InvalidBoxReason::TooMany);
+    }
+    let Some(index) = boxes.iter().position(|b| !b.is_valid()) else {
+        return Ok(());
+    };
+    let Aabb { mins, maxs } = &boxes[index];
+    for axis in 0..D {
+        if mins[axis].is_nan() || maxs[axis].is_nan() {
+            return invalid(index, InvalidBoxReason::NotANumber { axis });
+        }
+        if mins[axis] > maxs[axis] {
+            return invalid(index, InvalidBoxReason::Inverted { axis });
+        }
+    }
+    unreachable!("a box is invalid on one of its axes")
+}
+
+/// The pair of two different indices, smaller first.
+#[inline]
+pub(crate) fn ordered(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}

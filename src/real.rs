@@ -1,0 +1,151 @@
+//! The two scalars that coordinates come in.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Sub};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A scalar that boxes can be made of: `f32` or `f64`. Sealed.
+pub trait Real:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// Greater than every number.
+    const INFINITY: Self;
+    /// Less than every number.
+    const NEG_INFINITY: Self;
+    /// The greatest finite number.
+    const MAX: Self;
+
+    /// Whether this is NaN.
+    fn is_nan(self) -> bool;
+    /// Whether this is neither NaN nor infinite.
+    fn is_finite(self) -> bool;
+    /// The least number greater than this one; infinity and NaN are kept.
+    fn next_up(self) -> Self;
+    /// An integer that is ordered as the numbers are, with both zeros alike. Of NaN nothing is promised.
+    ///
+    /// Only as many of the low bits are used as the scalar has.
+    fn order_key(self) -> u64;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// The nearest of this type to an `f64`.
+    fn from_f64(x: f64) -> Self;
+    /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
+    fn to_u32_saturating(self) -> u32;
+}
+
+macro_rules! impl_real {
+    ($real:ident, $bits:ident) => {
+        impl Real for $real {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const INFINITY: Self = $real::INFINITY;
+            const NEG_INFINITY: Self = $real::NEG_INFINITY;
+            const MAX: Self = $real::MAX;
+
+            #[inline]
+            fn is_nan(self) -> bool {
+                self.is_nan()
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                self.is_finite()
+            }
+            #[inline]
+            fn next_up(self) -> Self {
+                self.next_up()
+            }
+            #[inline]
+            fn order_key(self) -> u64 {
+                // Adding zero turns -0 into +0: the two must tie, as they do in a comparison of numbers.
+                let bits = (self + 0.0).to_bits();
+                let sign = $bits::BITS - 1;
+                // Negative numbers: all bits flipped. Others: the sign bit set.
+                let mask = (bits >> sign).wrapping_neg() | (1 << sign);
+                u64::from(bits ^ mask)
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as Self
+            }
+            #[inline]
+            fn to_u32_saturating(self) -> u32 {
+                self as u32
+            }
+        }
+    };
+}
+
+impl_real!(f32, u32);
+impl_real!(f64, u64);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn keys_are_ordered<R: Real>(sorted: &[R]) {
+        for w in sorted.windows(2) {
+            assert_eq!(
+                w[0].partial_cmp(&w[1]),
+                Some(w[0].order_key().cmp(&w[1].order_key())),
+                "{w:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn order_keys_follow_the_numbers() {
+        keys_are_ordered(&[
+            f32::NEG_INFINITY,
+            f32::MIN,
+            -1.0,
+            -f32::MIN_POSITIVE,
+            -1e-45,
+            -0.0,
+            0.0,
+            1e-45,
+            f32::MIN_POSITIVE,
+            1.0,
+            1.0_f32.next_up(),
+            f32::MAX,
+            f32::INFINITY,
+        ]);
+        keys_are_ordered(&[
+            f64::NEG_INFINITY,
+            f64::MIN,
+            -1.0,
+            -5e-324,
+            -0.0,
+            0.0,
+            5e-324,
+            1.0,
+            f64::MAX,
+            f64::INFINITY,
+        ]);
+        assert!(f32::INFINITY.order_key() <= u64::from(u32::MAX));
+    }
+}
