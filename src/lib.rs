@@ -1,13 +1,73 @@
-//! placeholder
+//! The fastest exact broad phase for boxes of about the same size, as a drop-in replacement for
+//! [Rapier](https://rapier.rs)'s.
+//!
+//! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size,
+//! and a broad phase that knows so need not maintain a tree. `unisize` sorts the boxes and sweeps over them,
+//! after Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes past them:
+//! the boxes may have any sizes, and the guarantee that time grows only with boxes and pairs, which the paper
+//! has for two dimensions, holds in three as well.
+//!
+//! # In Rapier
+//!
+//! Enable the feature `rapier2d` or `rapier3d` (for Rapier **0.27**, the last version whose broad phase can be
+//! replaced) and give Rapier another broad phase; everything else stays as it is, and so do the contacts:
+//!
+//! ```diff
+//! -let mut broad_phase = DefaultBroadPhase::new();
+//! +let mut broad_phase = unisize::rapier3d::UnisizeBroadPhase::new();
+//! ```
+//!
+//! # Without an engine
+//!
+//! The core has no features and knows no engine. A [`PairFinder`] takes boxes and returns the pairs that
+//! overlap:
+//!
+//! ```
+//! use unisize::{Aabb, GridSweep, PairFinder};
+//!
+//! // Two unit cubes that touch in a corner, and one apart.
+//! let cube = |x: f32, y: f32, z: f32| Aabb::new([x, y, z], [x + 1.0, y + 1.0, z + 1.0]);
+//! let boxes = [cube(0.0, 0.0, 0.0), cube(9.0, 9.0, 9.0), cube(1.0, 1.0, 1.0)];
+//!
+//! let mut finder = GridSweep::default(); // Keep it: it reuses its memory.
+//! let mut pairs = Vec::new();
+//! finder.find_pairs(&boxes, &mut pairs)?;
+//! assert_eq!(pairs, [[0, 2]]);
+//! # Ok::<(), unisize::InvalidBox>(())
+//! ```
+//!
+//! # Kernels
+//!
+//! | kernel | time | use it |
+//! |---|---|---|
+//! | [`GridSweep`] | O(n + pairs) for boxes of about one size | always |
+//! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
+//! | [`BruteForce`] | O(n²) | as the oracle of a test |
+//!
+//! All of them return the same set of pairs, on every input, bit for bit: closed boxes, compared as the
+//! numbers stand ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three
+//! dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
 
 mod aabb;
 mod brute_force;
+mod grid_sweep;
 mod invalid_box;
+mod lanes;
 mod pair_finder;
+mod rank_sweep;
 mod real;
+
+#[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+mod pair_tracker;
+#[cfg(feature = "rapier2d")]
+pub mod rapier2d;
+#[cfg(feature = "rapier3d")]
+pub mod rapier3d;
 
 pub use aabb::Aabb;
 pub use brute_force::BruteForce;
+pub use grid_sweep::GridSweep;
 pub use invalid_box::{InvalidBox, InvalidBoxReason};
 pub use pair_finder::PairFinder;
+pub use rank_sweep::RankSweep;
 pub use real::Real;

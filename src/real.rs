@@ -4,9 +4,19 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    use crate::lanes::{F64x8, Lanes};
+
+    /// Keeps [`Real`](super::Real) to the two scalars, and holds what is nobody else's business.
+    pub trait Sealed: Sized {
+        /// Eight of them at once.
+        type Lanes: Lanes<Self>;
+    }
+    impl Sealed for f32 {
+        type Lanes = wide::f32x8;
+    }
+    impl Sealed for f64 {
+        type Lanes = F64x8;
+    }
 }
 
 /// A scalar that boxes can be made of: `f32` or `f64`. Sealed.
@@ -35,6 +45,8 @@ pub trait Real:
     const NEG_INFINITY: Self;
     /// The greatest finite number.
     const MAX: Self;
+    /// Not a number: every comparison with it is false.
+    const NAN: Self;
 
     /// Whether this is NaN.
     fn is_nan(self) -> bool;
@@ -62,6 +74,7 @@ macro_rules! impl_real {
             const INFINITY: Self = $real::INFINITY;
             const NEG_INFINITY: Self = $real::NEG_INFINITY;
             const MAX: Self = $real::MAX;
+            const NAN: Self = $real::NAN;
 
             #[inline]
             fn is_nan(self) -> bool {

@@ -1,0 +1,261 @@
+//! The broad phase itself: Rapier's lists of colliders in, Rapier's pair events out.
+
+use std::sync::OnceLock;
+
+use super::collider_box::collider_box;
+use super::pair_filter::PairFilter;
+use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+use super::rapier::geometry::{
+    BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderPair, ColliderSet,
+};
+use super::rapier::math::{DIM, Real};
+use super::rapier::parry::partitioning::Bvh;
+use super::{Settings, Stats};
+use crate::pair_tracker::{Layers, PairChange, PairTracker};
+
+/// A broad phase for scenes of many colliders of about the same size: give it to `PhysicsPipeline::step` or
+/// `CollisionPipeline::step` in the place of `DefaultBroadPhase`.
+///
+/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports
+/// every pair whose boxes overlap, except pairs that the narrow phase would drop unseen: those of one body,
+/// and those that body types or collision groups forbid. Contacts and intersections are therefore the same.
+///
+/// An update in which no collider has left its margin costs one box comparison for each listed collider.
+/// Any other also costs one run of the [kernel](super::Kernel) over all boxes.
+#[derive(Clone)]
+pub struct UnisizeBroadPhase {
+    pub(super) tracker: PairTracker<Real, DIM, PairFilter>,
+    /// The generation of the collider in each slot, the slot being the index of its handle; `None` where
+    /// there is none.
+    generations: Vec<Option<u32>>,
+    layers: Layers<Real, DIM>,
+    settings: Settings,
+    stats: Stats,
+    has_warned: bool,
+    /// The tree for queries, if any were made since the boxes last changed.
+    pub(super) tree: OnceLock<Bvh>,
+}
+
+impl Default for UnisizeBroadPhase {
+    fn default() -> Self {
+        Self::with_settings(Settings::default())
+    }
+}
+
+impl UnisizeBroadPhase {
+    /// A broad phase without any colliders, with default [`Settings`].
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A broad phase without any colliders.
+    pub fn with_settings(settings: Settings) -> Self {
+        Self {
+            tracker: PairTracker::default(),
+            generations: Vec::new(),
+            layers: settings.kernel.layers(),
+            settings,
+            stats: Stats::default(),
+            has_warned: false,
+            tree: OnceLock::new(),
+        }
+    }
+
+    /// The settings it was made with.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// What it holds, and what the last update did. **O(1)**.
+    pub fn stats(&self) -> Stats {
+        Stats {
+            pairs: self.tracker.pair_count(),
+            moving: self.layers.moving(),
+            ..self.stats
+        }
+    }
+
+    /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
+    pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
+        let pairs = self.tracker.pairs();
+        pairs.map(|pair| collider_pair(&self.generations, pair))
+    }
+
+    /// Checks every internal invariant, with a full search for pairs. For tests.
+    ///
+    /// # Panics
+    /// If an invariant is broken, which would be a bug.
+    pub fn validate(&self) {
+        let known = self.generations.iter().flatten().count();
+        assert_eq!(self.stats.proxies + self.stats.refused, known);
+        assert_eq!(self.stats.proxies, self.tracker.proxies().count());
+        for (slot, _) in self.tracker.proxies() {
+            assert!(self.generations[slot as usize].is_some());
+        }
+        // Another kernel than the one in use, so that one checks the other.
+        let kernel = match self.settings.kernel {
+            super::Kernel::RankSweep => super::Kernel::GridSweep,
+            _ => super::Kernel::RankSweep,
+        };
+        self.tracker.validate(&mut kernel.layers());
+    }
+
+    /// Forgets a collider, if it is the one that was known under its index.
+    fn remove(&mut self, handle: ColliderHandle) {
+        let (slot, generation) = handle.into_raw_parts();
+        let Some(known) = self.generations.get_mut(slot as usize) else {
+            return;
+        };
+        if *known == Some(generation) {
+            *known = None;
+            if self.tracker.get(slot).is_some() {
+                self.stats.proxies -= 1;
+            } else {
+                self.stats.refused -= 1;
+            }
+            self.tracker.remove(slot);
+        }
+    }
+
+    /// Brings the proxy of a listed collider up to date.
+    fn modify(
+        &mut self,
+        handle: ColliderHandle,
+        collider: &Collider,
+        bodies: &RigidBodySet,
+        params: &IntegrationParameters,
+    ) {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
+        if index >= self.generations.len() {
+            self.generations.resize(index + 1, None);
+        }
+        if self.generations[index] != Some(generation) {
+            if let Some(stale) = self.generations[index] {
+                // Its removal was not reported.
+                self.remove(ColliderHandle::from_raw_parts(slot, stale));
+            }
+            self.generations[index] = Some(generation);
+            // Until its box is seen to be sound.
+            self.stats.refused += 1;
+        }
+
+        let aabb = collider_box(collider, bodies, params);
+        let filter = PairFilter::of(collider, bodies);
+        let held = self.tracker.get(slot).copied();
+        if !aabb.is_valid() {
+            if held.is_some() {
+                self.tracker.lift(slot);
+                self.stats.proxies -= 1;
+                self.stats.refused += 1;
+                self.stats.moved += 1;
+            }
+            if !self.has_warned {
+                self.has_warned = true;
+                log::warn!(
+                    "collider {handle:?} is left out of the broad phase until its box is sound again: \
+                     {aabb:?}. Further ones are only counted, in Stats::refused."
+                );
+            }
+            return;
+        }
+        match held {
+            Some(old) if old.contains(&aabb) => self.tracker.retag(slot, filter),
+            Some(_) => {
+                let margin = self.settings.margin.max(0.0) * params.length_unit;
+                let loosened = aabb.loosened(margin);
+                // An infinite side less an infinite margin would be NaN.
+                let renewed = if loosened.is_valid() { loosened } else { aabb };
+                self.tracker.place(slot, renewed, filter);
+                self.stats.moved += 1;
+            }
+            None => {
+                // A new box gets no margin, as in Rapier: what never moves never needs one.
+                self.tracker.place(slot, aabb, filter);
+                self.stats.moved += 1;
+                self.stats.proxies += 1;
+                self.stats.refused -= 1;
+            }
+        }
+    }
+}
+
+impl UnisizeBroadPhase {
+    /// Turns the changes of the pair set into events.
+    fn report(&mut self, events: &mut Vec<BroadPhasePairEvent>) {
+        if self.tracker.is_touched() {
+            self.tree = OnceLock::new();
+        }
+        let Self {
+            tracker,
+            layers,
+            generations,
+            stats,
+            ..
+        } = self;
+        tracker.finish(layers, |change| match change {
+            PairChange::Added(pair) => {
+                stats.added += 1;
+                events.push(BroadPhasePairEvent::AddPair(collider_pair(
+                    generations,
+                    pair,
+                )));
+            }
+            PairChange::Deleted(pair) => {
+                stats.deleted += 1;
+                events.push(BroadPhasePairEvent::DeletePair(collider_pair(
+                    generations,
+                    pair,
+                )));
+            }
+        });
+    }
+}
+
+impl BroadPhase for UnisizeBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        if modified_colliders.is_empty() && removed_colliders.is_empty() {
+            return;
+        }
+        self.stats = Stats {
+            updates: self.stats.updates + 1,
+            listed: modified_colliders.len() + removed_colliders.len(),
+            moved: 0,
+            added: 0,
+            deleted: 0,
+            ..self.stats
+        };
+        // Removals first: a modified collider may already have the index of a removed one.
+        for &handle in removed_colliders {
+            self.remove(handle);
+        }
+        for &handle in modified_colliders {
+            match colliders.get(handle) {
+                Some(collider) if collider.is_enabled() => {
+                    self.modify(handle, collider, bodies, params);
+                }
+                // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
+                _ => self.remove(handle),
+            }
+        }
+        self.report(events);
+    }
+}
+
+/// The handles of two slots.
+fn collider_pair(generations: &[Option<u32>], pair: [u32; 2]) -> ColliderPair {
+    let [first, second] = pair.map(|slot| {
+        let generation = generations[slot as usize];
+        let generation = generation.expect("the colliders of a held pair are known");
+        ColliderHandle::from_raw_parts(slot, generation)
+    });
+    ColliderPair::new(first, second)
+}

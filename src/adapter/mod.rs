@@ -1,0 +1,17 @@
+//! The adapter to Rapier: one source for every flavour, compiled once in each.
+//!
+//! It turns colliders into boxes and tags, and changes of the pair set into Rapier's events; how pairs are
+//! found is none of its business. The module that includes it names the engine as `rapier`.
+
+use super::rapier;
+
+mod broad_phase;
+mod collider_box;
+mod pair_filter;
+mod queries;
+mod settings;
+mod stats;
+
+pub use broad_phase::UnisizeBroadPhase;
+pub use settings::{Kernel, Settings};
+pub use stats::Stats;

@@ -1,0 +1,51 @@
+//! What a user may choose.
+
+use super::rapier::math::{DIM, Real};
+use crate::pair_tracker::{Layers, Plain};
+
+/// How an [`UnisizeBroadPhase`](super::UnisizeBroadPhase) works. The default suits every scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// What finds the pairs. It decides the speed, never the answer. Default: [`Kernel::GridSweep`].
+    pub kernel: Kernel,
+    /// How far a collider may move before its box is renewed, on every side, in multiples of
+    /// [`IntegrationParameters::length_unit`](super::rapier::dynamics::IntegrationParameters::length_unit).
+    ///
+    /// The larger, the less often boxes change and the more pairs are reported that do not touch. Usual
+    /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default,
+    /// 0.01, is the margin of Rapier's own broad phase, and makes the boxes the same as there.
+    pub margin: Real,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            kernel: Kernel::default(),
+            margin: 0.01,
+        }
+    }
+}
+
+/// What finds the pairs among the boxes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Kernel {
+    /// [`GridSweep`](crate::GridSweep), the fast one.
+    #[default]
+    GridSweep,
+    /// [`RankSweep`](crate::RankSweep), the algorithm of Capannini and Larsson, for study.
+    RankSweep,
+    /// [`BruteForce`](crate::BruteForce), every box against every other, for tests.
+    BruteForce,
+}
+
+impl Kernel {
+    /// The kernel itself, with empty layers.
+    pub(super) fn layers(self) -> Layers<Real, DIM> {
+        match self {
+            Self::GridSweep => Layers::Grid(Box::default()),
+            Self::RankSweep => Layers::Rank(Box::default()),
+            Self::BruteForce => Layers::Brute(Plain::default()),
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! What a user may want to know.
+
+/// A look at an [`UnisizeBroadPhase`](super::UnisizeBroadPhase): what it holds, and what the last update
+/// with something to do was made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Stats {
+    /// Colliders that have a proxy.
+    pub proxies: usize,
+    /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves
+    /// once it is sound.
+    pub refused: usize,
+    /// Proxies in the moving layer: those whose box was renewed since the last full run of the kernel.
+    pub moving: usize,
+    /// Pairs held.
+    pub pairs: usize,
+    /// Updates that had colliders to look at.
+    pub updates: u64,
+    /// Colliders that the last such update was given, modified and removed.
+    pub listed: usize,
+    /// Colliders of which that update renewed the box: new ones, and those that had left their margin.
+    pub moved: usize,
+    /// Pairs that it reported as new.
+    pub added: usize,
+    /// Pairs that it reported as ended.
+    pub deleted: usize,
+}

@@ -1,0 +1,189 @@
+//! The fast kernel: sorted tubes, swept eight boxes at a time.
+
+mod grid;
+mod lookup;
+mod order;
+mod sweep;
+mod tubes;
+
+use crate::pair_finder::check_boxes;
+use crate::{Aabb, InvalidBox, PairFinder, Real};
+use grid::Grid;
+use sweep::Emitter;
+use tubes::Tubes;
+
+/// Up to this many boxes, one tube is faster than a grid.
+const SMALL: usize = 24;
+
+/// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
+///
+/// Every axis but the first is cut into strips a few boxes wide. A box is entered in each tube that it
+/// reaches, in most cases one, and the pairs of each tube are found by one forward window a box, eight
+/// candidates in one step. Boxes much larger than most are a class of their own, found by the same method on
+/// a coarser grid and looked up in the finer one.
+///
+/// Exact for boxes of any sizes: the tubes decide only the speed. **O(n + pairs)** for boxes of about one
+/// size, in two and in three dimensions, but for the logarithm of sorting where boxes are very unevenly
+/// spread; **O(n + pairs)** memory always.
+///
+/// ```
+/// use unisize::{Aabb, GridSweep, PairFinder};
+///
+/// let boxes = [
+///     Aabb::new([0.0_f32, 0.0], [1.0, 1.0]),
+///     Aabb::new([1.0, 0.5], [2.0, 1.5]), // Touches the first.
+///     Aabb::new([5.0, 5.0], [6.0, 6.0]),
+/// ];
+/// let mut pairs = Vec::new();
+/// GridSweep::default().find_pairs(&boxes, &mut pairs)?;
+/// assert_eq!(pairs, [[0, 1]]);
+/// # Ok::<(), unisize::InvalidBox>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct GridSweep<R, const D: usize> {
+    /// The classes of sizes of the last run, smallest first; the rest is memory kept for further ones.
+    classes: Vec<Class<R, D>>,
+    class_count: usize,
+    /// The indices of all boxes.
+    everyone: Vec<u32>,
+}
+
+/// The boxes of one class of sizes, sorted into tubes.
+#[derive(Clone, Debug)]
+struct Class<R, const D: usize> {
+    grid: Grid<R>,
+    tubes: Tubes<R, D>,
+    /// The boxes too large for this class: the members of all following ones.
+    outsize: Vec<u32>,
+}
+
+impl<R: Real, const D: usize> Default for Class<R, D> {
+    fn default() -> Self {
+        Self {
+            grid: Grid::default(),
+            tubes: Tubes::default(),
+            outsize: Vec::new(),
+        }
+    }
+}
+
+impl<R, const D: usize> Default for GridSweep<R, D> {
+    fn default() -> Self {
+        Self {
+            classes: Vec::new(),
+            class_count: 0,
+            everyone: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
+    fn find_pairs(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        pairs: &mut Vec<[u32; 2]>,
+    ) -> Result<(), InvalidBox> {
+        pairs.clear();
+        check_boxes(boxes)?;
+        let mut everyone = std::mem::take(&mut self.everyone);
+        everyone.clear();
+        everyone.extend(0..boxes.len() as u32);
+        self.find_among(boxes, &everyone, pairs);
+        self.everyone = everyone;
+        Ok(())
+    }
+}
+
+impl<R: Real, const D: usize> GridSweep<R, D> {
+    /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
+    /// order of the members for [`look_up`](Self::look_up).
+    pub(crate) fn find_among(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let mut emitter = Emitter::new(pairs);
+        self.class_count = 0;
+        loop {
+            let index = self.class_count;
+            if index == self.classes.len() {
+                self.classes.push(Class::default());
+            }
+            let (smaller, rest) = self.classes.split_at_mut(index);
+            let class = &mut rest[0];
+            let members = smaller.last().map_or(members, |class| &class.outsize);
+            class.build(boxes, members);
+            self.class_count += 1;
+            class.tubes.sweep(&mut emitter);
+            if class.outsize.is_empty() {
+                break;
+            }
+            class.tubes.prepare_lookup();
+            for &i in &class.outsize {
+                class
+                    .tubes
+                    .look_up(&class.grid, &boxes[i as usize], i, &mut emitter);
+            }
+        }
+        emitter.finish();
+    }
+
+    /// Lets [`look_up`](Self::look_up) be called, until the next run.
+    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    pub(crate) fn prepare_lookup(&mut self) {
+        for class in &mut self.classes[..self.class_count] {
+            class.tubes.prepare_lookup();
+        }
+    }
+
+    /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its
+    /// box overlaps. Members are taken as they were then; a member's pair with itself is left in.
+    ///
+    /// About **O(log n + pairs)** a query of the size of the members.
+    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    pub(crate) fn look_up(
+        &self,
+        boxes: &[Aabb<R, D>],
+        queries: impl Iterator<Item = u32>,
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let mut emitter = Emitter::new(pairs);
+        for i in queries {
+            for class in &self.classes[..self.class_count] {
+                class
+                    .tubes
+                    .look_up(&class.grid, &boxes[i as usize], i, &mut emitter);
+            }
+        }
+        emitter.finish();
+    }
+}
+
+impl<R: Real, const D: usize> Class<R, D> {
+    /// Chooses a grid and sorts the members into its tubes, all but the outsize ones.
+    fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
+        if members.len() <= SMALL {
+            self.grid = Grid::default();
+            self.tubes
+                .build(boxes, members, &mut self.grid, &mut self.outsize);
+            return;
+        }
+        // Each class must take in a fair share of the boxes, so that there are few classes. In strips of
+        // infinite width nothing is outsize, so this ends.
+        let mut widening = 1.0;
+        loop {
+            self.grid = Grid::choose(boxes, members, widening);
+            self.tubes
+                .build(boxes, members, &mut self.grid, &mut self.outsize);
+            if self.outsize.len() <= members.len() / 8 * 7 {
+                return;
+            }
+            widening = if widening < 1e6 {
+                widening * 8.0
+            } else {
+                f64::INFINITY
+            };
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Which tube a coordinate belongs to.
+//!
+//! The axes after the first are cut into strips of equal width; a *tube* is a strip in two dimensions, and
+//! the crossing of two strips in three. Whatever the origin and the width are, the strip number is a
+//! non-decreasing function of the coordinate, and that alone makes the sweep exact: two overlapping boxes
+//! both reach the strip that holds the larger of their two `mins`. So origin and width may be guessed from
+//! a sample, and be guessed wrong.
+
+use crate::{Aabb, Real};
+
+/// How many boxes are looked at to choose the grid.
+const SAMPLE: usize = 512;
+
+/// The width of a strip in box sizes. More means fewer boxes on a border, which are entered twice, and more
+/// candidates a box.
+const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
+
+/// About how many candidates a box should meet at most: one step of the sweep looks at eight.
+const CANDIDATES: f64 = 8.0;
+
+/// One axis, cut into strips.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Strips<R> {
+    origin: R,
+    per_length: R,
+    /// The number of the last strip, in which all farther coordinates end up.
+    pub(super) last: u32,
+}
+
+impl<R: Real> Strips<R> {
+    /// The strip of a coordinate. Non-decreasing, whatever the fields are, as long as `origin` is finite and
+    /// `per_length` not negative: subtraction, multiplication and truncation round monotonously, and zero
+    /// times infinity, where it occurs, counts as strip 0 between negative and positive ones.
+    #[inline(always)]
+    pub(super) fn strip(&self, coordinate: R) -> u32 {
+        ((coordinate - self.origin) * self.per_length)
+            .to_u32_saturating()
+            .min(self.last)
+    }
+
+    fn new(origin: f64, width: f64, length: f64) -> Self {
+        let origin = R::from_f64(origin);
+        Self {
+            origin: if origin.is_finite() { origin } else { R::ZERO },
+            per_length: R::from_f64(1.0 / width),
+            last: (length / width) as u32,
+        }
+    }
+}
+
+/// The strips of the axes that are cut: the second, and in three dimensions the third.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Grid<R> {
+    pub(super) axes: [Strips<R>; 2],
+}
+
+/// The tubes that a box reaches: from `first` to `last` in each cut axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Reach {
+    pub(super) first: [u32; 2],
+    pub(super) last: [u32; 2],
+}
+
+impl Reach {
+    /// Whether it is more than two strips wide on some axis: such boxes are treated apart.
+    #[inline(always)]
+    pub(super) fn is_outsize(&self) -> bool {
+        (self.last[0] - self.first[0] > 1) | (self.last[1] - self.first[1] > 1)
+    }
+}
+
+impl<R: Real> Grid<R> {
+    /// How many tubes there are, empty ones included.
+    pub(super) fn tube_count(&self) -> u64 {
+        let [rows, columns] = self.axes.map(|axis| u64::from(axis.last) + 1);
+        rows * columns
+    }
+
+    /// Lets the strips go on as far as numbers reach.
+    pub(super) fn extend<const D: usize>(&mut self) {
+        for axis in &mut self.axes[..cut_axes::<D>()] {
+            axis.last = u32::MAX;
+        }
+    }
+
+    /// The tubes that a valid box reaches.
+    #[inline(always)]
+    pub(super) fn reach<const D: usize>(&self, aabb: &Aabb<R, D>) -> Reach {
+        let mut reach = Reach {
+            first: [0; 2],
+            last: [0; 2],
+        };
+        for cut in 0..cut_axes::<D>() {
+            reach.first[cut] = self.axes[cut].strip(aabb.mins[cut + 1]);
+            reach.last[cut] = self.axes[cut].strip(aabb.maxs[cut + 1]);
+        }
+        reach
+    }
+
+    /// A grid that suits the members, its strips widened by `widening`.
+    pub(super) fn choose<const D: usize>(
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        widening: f64,
+    ) -> Self {
+        let cuts = cut_axes::<D>();
+        let n = members.len() as f64;
+        let sample: Vec<_> = members
+            .iter()
+            .step_by(members.len().div_ceil(SAMPLE).max(1))
+            .map(|&i| &boxes[i as usize])
+            .collect();
+        let axes: [Extent; 3] = core::array::from_fn(|k| Extent::of(&sample, k.min(D - 1)));
+
+        // Boxes per unit of volume times the volume of a row of boxes: candidates a box, if strips were
+        // one box wide. Only an upper bound is wanted, so a flat axis counts as one box thick.
+        let share =
+            |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
+        let density = axes[..D].iter().fold(n, |n, axis| n * share(axis));
+        let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
+        let affordable = (CANDIDATES / density).powf(1.0 / cuts.max(1) as f64);
+        let width_in_boxes = affordable.clamp(widest / 4.0, widest) * widening;
+
+        let mut grid = Self::default();
+        for cut in 0..cuts {
+            let Extent { size, low, spread } = axes[cut + 1];
+            // Points have no size to go by: aim at some points a tube.
+            let least = spread / (n / 16.0).powf(1.0 / cuts as f64).max(1.0);
+            let width = if size > 0.0 {
+                size * width_in_boxes
+            } else {
+                least * widening
+            };
+            // Strip numbers are 32-bit; leave room for what lies outside of the sample.
+            let width = width.max(spread / f64::from(1 << 28));
+            let width = if width > 0.0 { width } else { 1.0 };
+            grid.axes[cut] = Strips::new(low - spread / 4.0, width, spread * 1.5);
+        }
+        grid
+    }
+}
+
+/// How many axes are cut in `D` dimensions.
+#[inline(always)]
+pub(super) const fn cut_axes<const D: usize>() -> usize {
+    match D {
+        0 | 1 => 0,
+        2 => 1,
+        _ => 2,
+    }
+}
+
+/// What a sample says of one axis. Robust: a few boxes far out or far larger change nothing.
+struct Extent {
+    /// The size that three boxes in four do not exceed.
+    size: f64,
+    /// The least coordinate of `mins`, but for a few.
+    low: f64,
+    /// From there to the greatest, but for a few.
+    spread: f64,
+}
+
+impl Extent {
+    fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize) -> Self {
+        let quantile = |sorted: &[f64], q: f64| match sorted.len() {
+            0 => 0.0,
+            len => sorted[((len - 1) as f64 * q) as usize],
+        };
+        let mut sizes: Vec<f64> = sample
+            .iter()
+            .map(|b| b.maxs[axis].to_f64() - b.mins[axis].to_f64())
+            .collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        let mut mins: Vec<f64> = sample
+            .iter()
+            .map(|b| b.mins[axis].to_f64())
+            .filter(|x| x.is_finite())
+            .collect();
+        mins.sort_unstable_by(f64::total_cmp);
+        let (low, high) = (quantile(&mins, 0.02), quantile(&mins, 0.98));
+        Self {
+            size: quantile(&sizes, 0.75),
+            low,
+            spread: high - low,
+        }
+    }
+}

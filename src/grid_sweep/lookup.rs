@@ -1,0 +1,67 @@
+//! One box against boxes that are already sorted.
+//!
+//! This is how boxes much larger than the rest meet the rest: a box that reaches more than two strips on an
+//! axis gets no entries, for there could be any number of them. And it is how a few boxes that have moved
+//! meet the many that have not.
+//!
+//! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too, so in each occupied
+//! tube that the box reaches a binary search finds the first entry to look at, whatever the sizes are.
+
+use super::grid::Grid;
+use super::sweep::Emitter;
+use super::tubes::{GHOST, Tube, Tubes};
+use crate::{Aabb, Real};
+
+impl<R: Real, const D: usize> Tubes<R, D> {
+    /// Lets [`look_up`](Self::look_up) be called, until the next build.
+    pub(super) fn prepare_lookup(&mut self) {
+        if !self.running_maxs.is_empty() {
+            return;
+        }
+        self.running_maxs.extend_from_slice(&self.maxs[0]);
+        for tube in &self.tubes {
+            let mut running = R::NEG_INFINITY;
+            for max in &mut self.running_maxs[tube.start as usize..tube.end as usize] {
+                running = if *max > running { *max } else { running };
+                *max = running;
+            }
+        }
+    }
+
+    /// Reports every entry that overlaps a box, each box once however many entries it has.
+    pub(super) fn look_up(
+        &self,
+        grid: &Grid<R>,
+        aabb: &Aabb<R, D>,
+        owner: u32,
+        emitter: &mut Emitter,
+    ) {
+        let reach = grid.reach(aabb);
+        let mut rest = &self.tubes[..];
+        let mut row = reach.first[0];
+        // Row after row that has tubes, and in each the tubes between the columns.
+        while row <= reach.last[0] {
+            rest = &rest[rest.partition_point(|t| t.strips < [row, reach.first[1]])..];
+            let Some(&Tube { strips, .. }) = rest.first() else {
+                return;
+            };
+            if strips[0] > row {
+                row = strips[0];
+                continue;
+            }
+            let in_row = rest.partition_point(|t| t.strips <= [row, reach.last[1]]);
+            for tube in &rest[..in_row] {
+                let ghost = (GHOST[0] * u8::from(tube.strips[0] > reach.first[0]))
+                    | (GHOST[1] * u8::from(tube.strips[1] > reach.first[1]));
+                let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
+                let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
+                self.window::<true>(start, aabb, owner, ghost, emitter);
+            }
+            rest = &rest[in_row..];
+            let Some(next) = row.checked_add(1) else {
+                return;
+            };
+            row = next;
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The order of a tube's entries along the first axis.
+//!
+//! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits the
+//! first or second level cache. Entries are dealt into buckets of about two by a linear guess, and what the
+//! guess left wrong is put right by insertion.
+
+use crate::Real;
+
+/// Up to this many numbers, insertion alone is faster than dealing.
+const SMALL: usize = 12;
+/// A bucket with more than this is sorted on its own before insertion, which would be quadratic.
+const CROWDED: u32 = 24;
+
+/// Sorts numbers into an order; keeps its memory between calls.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Order<R> {
+    numbers: Vec<(R, u32)>,
+    dealt: Vec<(R, u32)>,
+    /// For each bucket, where its next number goes.
+    cursors: Vec<u32>,
+}
+
+impl<R: Real> Order<R> {
+    /// The numbers with their positions, ascending; equal ones by position. There must be no NaN.
+    pub(super) fn sort(&mut self, numbers: impl Iterator<Item = R>) -> &[(R, u32)] {
+        self.numbers.clear();
+        self.numbers.extend(numbers.zip(0..));
+        if self.numbers.len() <= SMALL {
+            insertion_sort(&mut self.numbers);
+            return &self.numbers;
+        }
+        self.deal();
+        insertion_sort(&mut self.dealt);
+        &self.dealt
+    }
+
+    /// Brings the numbers nearly into order: each into its bucket, the buckets ascending, and stable.
+    fn deal(&mut self) {
+        let Self {
+            numbers,
+            dealt,
+            cursors,
+        } = self;
+        let (mut low, mut high) = (R::MAX, R::ZERO - R::MAX);
+        for &(x, _) in numbers.iter() {
+            // Infinite ones must not spoil the guess.
+            if x.is_finite() {
+                low = if x < low { x } else { low };
+                high = if x > high { x } else { high };
+            }
+        }
+        let buckets = numbers.len().div_ceil(2);
+        let length = (high.to_f64() - low.to_f64()).max(0.0);
+        let per_length = R::from_f64(buckets as f64 / length);
+        // Non-decreasing in x, like the strips of a grid.
+        let bucket_of =
+            |x: R| (((x - low) * per_length).to_u32_saturating() as usize).min(buckets - 1);
+
+        cursors.clear();
+        cursors.resize(buckets, 0);
+        for &(x, _) in numbers.iter() {
+            cursors[bucket_of(x)] += 1;
+        }
+        let mut end = 0;
+        let mut crowded = false;
+        for cursor in cursors.iter_mut() {
+            crowded |= *cursor > CROWDED;
+            let start = end;
+            end += std::mem::replace(cursor, start);
+        }
+        dealt.clear();
+        dealt.resize(numbers.len(), (R::ZERO, 0));
+        for &number in numbers.iter() {
+            let cursor = &mut cursors[bucket_of(number.0)];
+            dealt[*cursor as usize] = number;
+            *cursor += 1;
+        }
+        if crowded {
+            let mut start = 0;
+            // Each cursor now stands at the end of its bucket.
+            for &end in cursors.iter() {
+                if end - start > CROWDED {
+                    dealt[start as usize..end as usize]
+                        .sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("numbers are not NaN"));
+                }
+                start = end;
+            }
+        }
+    }
+}
+
+/// Sorts by insertion: fast when few numbers are far from their place. Stable.
+fn insertion_sort<R: Real>(numbers: &mut [(R, u32)]) {
+    for i in 1..numbers.len() {
+        let number = numbers[i];
+        let mut hole = i;
+        while hole > 0 && number.0 < numbers[hole - 1].0 {
+            numbers[hole] = numbers[hole - 1];
+            hole -= 1;
+        }
+        numbers[hole] = number;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(numbers: &[f32]) {
+        let mut order = Order::default();
+        let sorted = order.sort(numbers.iter().copied()).to_vec();
+        let mut expected: Vec<_> = numbers.iter().copied().zip(0..).collect();
+        expected.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap());
+        assert_eq!(sorted, expected);
+    }
+
+    #[test]
+    fn sorts_stably_whatever_the_distribution() {
+        let mut state = 1_u32;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32
+        };
+        for n in (0..60).chain([500, 3000]) {
+            let uniform: Vec<f32> = (0..n).map(|_| next()).collect();
+            check(&uniform);
+            check(&uniform.iter().map(|x| x % 7.0).collect::<Vec<_>>());
+            check(&uniform.iter().map(|x| x.exp()).collect::<Vec<_>>());
+            check(&vec![3.0; n]);
+            let mut outlier = uniform.clone();
+            outlier.extend([
+                1e30,
+                f32::NEG_INFINITY,
+                f32::INFINITY,
+                f32::MAX,
+                f32::MIN,
+                -0.0,
+                0.0,
+            ]);
+            check(&outlier);
+        }
+    }
+}

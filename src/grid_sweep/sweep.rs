@@ -1,0 +1,123 @@
+//! The sweep: windows over sorted entries, eight at a time.
+
+use super::tubes::Tubes;
+use crate::lanes::{LANES, Lanes};
+use crate::pair_finder::ordered;
+use crate::{Aabb, Real};
+
+/// How many pairs are collected before they are appended to the output.
+const BUFFER: usize = 512;
+
+/// Pairs on their way to the output.
+///
+/// Most boxes have a few candidates, and how many of them are hits is as good as random; a branch on that
+/// would be mispredicted for every other box. So a fixed number of pairs is always written, and the cursor
+/// moves on by the number of hits.
+pub(super) struct Emitter<'a> {
+    pairs: &'a mut Vec<[u32; 2]>,
+    buffer: [[u32; 2]; BUFFER],
+    len: usize,
+}
+
+impl<'a> Emitter<'a> {
+    pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>) -> Self {
+        Self {
+            pairs,
+            buffer: [[0; 2]; BUFFER],
+            len: 0,
+        }
+    }
+
+    /// Appends the pairs of `owner` with those of eight others whose bit in `hits` is set.
+    #[inline(always)]
+    fn emit(&mut self, owner: u32, others: &[u32], mut hits: u32) {
+        let others: &[u32; LANES] = others[..LANES].try_into().expect("eight lanes");
+        if self.len > BUFFER - LANES {
+            self.flush();
+        }
+        let count = hits.count_ones() as usize;
+        let written = &mut self.buffer[self.len..self.len + LANES];
+        for pair in &mut written[..2] {
+            *pair = ordered(owner, others[hits.trailing_zeros() as usize % LANES]);
+            hits &= hits.wrapping_sub(1);
+        }
+        if hits != 0 {
+            for pair in &mut written[2..count] {
+                *pair = ordered(owner, others[hits.trailing_zeros() as usize % LANES]);
+                hits &= hits - 1;
+            }
+        }
+        self.len += count;
+    }
+
+    fn flush(&mut self) {
+        self.pairs.extend_from_slice(&self.buffer[..self.len]);
+        self.len = 0;
+    }
+
+    /// Appends what is left.
+    pub(super) fn finish(mut self) {
+        self.flush();
+    }
+}
+
+impl<R: Real, const D: usize> Tubes<R, D> {
+    /// Reports every overlapping pair among the entries: in each tube those that belong to it, not those of
+    /// two ghosts on the same axis, which another tube reports.
+    pub(super) fn sweep(&self, emitter: &mut Emitter) {
+        for tube in &self.tubes {
+            for i in tube.start as usize..tube.end as usize {
+                let aabb = Aabb {
+                    mins: core::array::from_fn(|k| self.mins[k][i]),
+                    maxs: core::array::from_fn(|k| self.maxs[k][i]),
+                };
+                // Entries from i on have mins[0] no less than this one's, so only their mins[0] is compared.
+                self.window::<false>(i + 1, &aabb, self.owners[i], self.ghosts[i], emitter);
+            }
+        }
+    }
+
+    /// Reports every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies
+    /// beyond it.
+    #[inline(always)]
+    pub(super) fn window<const BOTH_SIDES: bool>(
+        &self,
+        start: usize,
+        aabb: &Aabb<R, D>,
+        owner: u32,
+        ghost: u8,
+        emitter: &mut Emitter,
+    ) {
+        let mins = aabb.mins.map(R::Lanes::splat);
+        let maxs = aabb.maxs.map(R::Lanes::splat);
+        let mut j = start;
+        loop {
+            let reached = R::Lanes::load(&self.mins[0][j..]).le(maxs[0]);
+            let mut overlap = reached;
+            if BOTH_SIDES {
+                overlap = overlap & R::Lanes::load(&self.maxs[0][j..]).ge(mins[0]);
+            }
+            for k in 1..D {
+                overlap = overlap
+                    & R::Lanes::load(&self.mins[k][j..]).le(maxs[k])
+                    & R::Lanes::load(&self.maxs[k][j..]).ge(mins[k]);
+            }
+            let reached = reached.bits();
+            // The lanes before the first that is not reached.
+            let in_window = (reached ^ (reached + 1)) >> 1;
+            let mut hits = overlap.bits() & in_window;
+            if ghost != 0 {
+                for lane in 0..LANES {
+                    if self.ghosts[j + lane] & ghost != 0 {
+                        hits &= !(1 << lane);
+                    }
+                }
+            }
+            emitter.emit(owner, &self.owners[j..], hits);
+            if reached != (1 << LANES) - 1 {
+                return;
+            }
+            j += LANES;
+        }
+    }
+}

@@ -1,0 +1,259 @@
+//! The boxes, sorted into tubes and by `mins[0]` within each tube.
+//!
+//! A box has an *entry* in each tube that it reaches: its own one in the tube of its `mins`, and a *ghost*
+//! in the others. Entries are kept as a structure of arrays, tube after tube, so that eight of them are
+//! compared at once. Behind each tube stands a sentinel whose `mins[0]` is NaN, at which every window ends.
+
+use super::grid::{Grid, Reach};
+use super::order::Order;
+use crate::lanes::LANES;
+use crate::{Aabb, Real};
+
+/// On this cut axis the entry is a ghost.
+pub(super) const GHOST: [u8; 2] = [1, 2];
+
+/// The entries of one tube are `start..end`; the sentinel is at `end`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tube {
+    /// The strip on each cut axis.
+    pub(super) strips: [u32; 2],
+    pub(super) start: u32,
+    pub(super) end: u32,
+}
+
+/// All tubes that have entries, ordered by strips.
+#[derive(Clone, Debug)]
+pub(super) struct Tubes<R, const D: usize> {
+    pub(super) tubes: Vec<Tube>,
+    pub(super) mins: [Vec<R>; D],
+    pub(super) maxs: [Vec<R>; D],
+    /// The index of the box of an entry.
+    pub(super) owners: Vec<u32>,
+    /// On which cut axes an entry is a ghost: bits of [`GHOST`].
+    pub(super) ghosts: Vec<u8>,
+    /// The running maximum of `maxs[0]` in each tube, by entry; empty unless boxes are looked up.
+    pub(super) running_maxs: Vec<R>,
+    scratch: Scratch<R, D>,
+}
+
+/// A box on its way into a tube.
+#[derive(Clone, Copy, Debug)]
+struct Entry<R, const D: usize> {
+    aabb: Aabb<R, D>,
+    owner: u32,
+    ghost: u8,
+}
+
+/// Memory kept between calls to spare allocations.
+#[derive(Clone, Debug)]
+struct Scratch<R, const D: usize> {
+    /// The entries, tube after tube, in the order of the boxes.
+    entries: Vec<Entry<R, D>>,
+    /// For each tube of the table, occupied or not, where its entries go.
+    cursors: Vec<u32>,
+    /// For each entry in the order of the boxes, its tube, where there is no table.
+    keyed: Vec<(u64, u32, u8)>,
+    order: Order<R>,
+}
+
+impl<R: Real, const D: usize> Default for Tubes<R, D> {
+    fn default() -> Self {
+        Self {
+            tubes: Vec::new(),
+            mins: core::array::from_fn(|_| Vec::new()),
+            maxs: core::array::from_fn(|_| Vec::new()),
+            owners: Vec::new(),
+            ghosts: Vec::new(),
+            running_maxs: Vec::new(),
+            scratch: Scratch {
+                entries: Vec::new(),
+                cursors: Vec::new(),
+                keyed: Vec::new(),
+                order: Order::default(),
+            },
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Tubes<R, D> {
+    /// Enters the members, indices of boxes, but for the outsize ones, which replace `outsize`. Lets the
+    /// strips of the grid go on if boxes lie far apart.
+    pub(super) fn build(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        grid: &mut Grid<R>,
+        outsize: &mut Vec<u32>,
+    ) {
+        outsize.clear();
+        self.tubes.clear();
+        self.running_maxs.clear();
+        if grid.tube_count() <= table_limit(members.len()) {
+            self.place_by_table(boxes, members, grid, outsize);
+        } else {
+            grid.extend::<D>();
+            self.place_by_sorting(boxes, members, grid, outsize);
+        }
+        self.sort_tubes();
+    }
+
+    /// Counts the entries of each tube of a table, then places them.
+    fn place_by_table(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        grid: &Grid<R>,
+        outsize: &mut Vec<u32>,
+    ) {
+        let columns = grid.axes[1].last as usize + 1;
+        let tube_of = |strips: [u32; 2]| strips[0] as usize * columns + strips[1] as usize;
+        let Scratch {
+            entries, cursors, ..
+        } = &mut self.scratch;
+        cursors.clear();
+        cursors.resize(grid.tube_count() as usize, 0);
+        for &owner in members {
+            let reach = grid.reach(&boxes[owner as usize]);
+            if reach.is_outsize() {
+                outsize.push(owner);
+            } else {
+                for_each_tube(&reach, |strips, _| cursors[tube_of(strips)] += 1);
+            }
+        }
+
+        let mut end = 0;
+        for (tube, cursor) in cursors.iter_mut().enumerate() {
+            let start = end;
+            end += std::mem::replace(cursor, start);
+            if start < end {
+                let strips = [(tube / columns) as u32, (tube % columns) as u32];
+                self.tubes.push(Tube { strips, start, end });
+            }
+        }
+
+        entries.clear();
+        entries.resize(
+            end as usize,
+            Entry {
+                aabb: Aabb::new([R::ZERO; D], [R::ZERO; D]),
+                owner: 0,
+                ghost: 0,
+            },
+        );
+        for &owner in members {
+            let aabb = boxes[owner as usize];
+            let reach = grid.reach(&aabb);
+            if !reach.is_outsize() {
+                for_each_tube(&reach, |strips, ghost| {
+                    let cursor = &mut cursors[tube_of(strips)];
+                    entries[*cursor as usize] = Entry { aabb, owner, ghost };
+                    *cursor += 1;
+                });
+            }
+        }
+    }
+
+    /// Sorts the entries by tube: for boxes so far apart that a table would be mostly empty.
+    fn place_by_sorting(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        grid: &Grid<R>,
+        outsize: &mut Vec<u32>,
+    ) {
+        let Scratch { entries, keyed, .. } = &mut self.scratch;
+        keyed.clear();
+        for &owner in members {
+            let reach = grid.reach(&boxes[owner as usize]);
+            if reach.is_outsize() {
+                outsize.push(owner);
+            } else {
+                for_each_tube(&reach, |[row, column], ghost| {
+                    keyed.push((u64::from(row) << 32 | u64::from(column), owner, ghost));
+                });
+            }
+        }
+        keyed.sort_unstable();
+        entries.clear();
+        for (position, &(key, owner, ghost)) in (0..).zip(keyed.iter()) {
+            let strips = [(key >> 32) as u32, key as u32];
+            match self.tubes.last_mut() {
+                Some(tube) if tube.strips == strips => tube.end += 1,
+                _ => self.tubes.push(Tube {
+                    strips,
+                    start: position,
+                    end: position + 1,
+                }),
+            }
+            entries.push(Entry {
+                aabb: boxes[owner as usize],
+                owner,
+                ghost,
+            });
+        }
+    }
+
+    /// Sorts each tube by `mins[0]` into the arrays that are swept, and puts the sentinels between them.
+    fn sort_tubes(&mut self) {
+        let Self {
+            tubes,
+            mins,
+            maxs,
+            owners,
+            ghosts,
+            scratch,
+            ..
+        } = self;
+        let Scratch { entries, order, .. } = scratch;
+        mins.iter_mut().chain(maxs.iter_mut()).for_each(Vec::clear);
+        owners.clear();
+        ghosts.clear();
+        for tube in tubes.iter_mut() {
+            let entries = &entries[tube.start as usize..tube.end as usize];
+            let order = order.sort(entries.iter().map(|entry| entry.aabb.mins[0]));
+            let sorted = order.iter().map(|&(_, i)| &entries[i as usize]);
+            for k in 0..D {
+                mins[k].extend(sorted.clone().map(|entry| entry.aabb.mins[k]));
+                mins[k].push(R::NAN);
+                maxs[k].extend(sorted.clone().map(|entry| entry.aabb.maxs[k]));
+                maxs[k].push(R::NAN);
+            }
+            tube.start = owners.len() as u32;
+            owners.extend(sorted.clone().map(|entry| entry.owner));
+            tube.end = owners.len() as u32;
+            owners.push(u32::MAX);
+            ghosts.extend(sorted.map(|entry| entry.ghost));
+            ghosts.push(0);
+        }
+        // Eight lanes may be read from the last entry on.
+        let padded = owners.len() + LANES;
+        mins.iter_mut()
+            .chain(maxs.iter_mut())
+            .for_each(|v| v.resize(padded, R::NAN));
+        owners.resize(padded, u32::MAX);
+        ghosts.resize(padded, 0);
+    }
+}
+
+/// The largest table of tubes for `n` boxes: it must not cost more than the boxes do.
+fn table_limit(n: usize) -> u64 {
+    n as u64 + 64
+}
+
+/// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
+#[inline(always)]
+fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
+    let Reach { first, last } = *reach;
+    enter(first, 0);
+    if first != last {
+        for row in first[0]..=last[0] {
+            for column in first[1]..=last[1] {
+                let ghost = (GHOST[0] * u8::from(row > first[0]))
+                    | (GHOST[1] * u8::from(column > first[1]));
+                if ghost != 0 {
+                    enter([row, column], ghost);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! A stable radix sort that returns where the keys are, in order, and leaves them where they are.
+//!
+//! Least significant digit first, as in section 3 of the paper: each pass deals the entries out by one digit, and since
+//! a pass keeps the order of equal digits, entries of equal keys come out in the order of their indexes. One look over
+//! the keys counts all digits beforehand; a digit that all keys share needs no pass. The first pass reads the bare
+//! keys and the last writes bare indexes, so that only the passes between move both.
+
+use core::fmt::Debug;
+
+/// The digits of many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in the
+/// first-level cache; a whole frame takes a tenth less than with digits of 8 bits.
+const LARGE_DIGIT: u32 = 11;
+/// The digits of few keys, where clearing and adding up the counts would outweigh the passes saved.
+const SMALL_DIGIT: u32 = 8;
+/// From so many keys on digits are large. Measured: half as many favour small digits, twice as many large ones, in both
+/// widths of key.
+const FEW: usize = 1 << 10;
+
+/// An unsigned integer that is sorted by.
+pub(super) trait SortKey: Copy + Ord + Debug + Default {
+    /// How many bits it has.
+    const BITS: u32;
+    /// The low bits of an [`order_key`](crate::Real::order_key).
+    fn from_order_key(key: u64) -> Self;
+    /// The number that the `BITS` bits from bit `shift` on make.
+    fn digit<const BITS: u32>(self, shift: u32) -> usize;
+}
+
+macro_rules! impl_sort_key {
+    ($int:ident) => {
+        impl SortKey for $int {
+            const BITS: u32 = $int::BITS;
+
+            #[inline]
+            fn from_order_key(key: u64) -> Self {
+                key as Self
+            }
+            #[inline]
+            fn digit<const BITS: u32>(self, shift: u32) -> usize {
+                (self >> shift) as usize & ((1 << BITS) - 1)
+            }
+        }
+    };
+}
+
+impl_sort_key!(u32);
+impl_sort_key!(u64);
+
+/// The scratch memory of the sort.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RadixSort<K> {
+    /// What the next pass reads: keys and their indexes.
+    from: Vec<(K, u32)>,
+    /// What the next pass writes.
+    to: Vec<(K, u32)>,
+    /// One row per digit: how many keys have each value, then where the next such key goes.
+    counts: Vec<u32>,
+}
+
+impl<K: SortKey> RadixSort<K> {
+    /// Replaces `order` by the indexes of `keys`, of which there are at most `u32::MAX`, in the order of the keys, and of
+    /// equal keys in the order of the indexes.
+    ///
+    /// Computes in **O(n)** time.
+    pub(super) fn sort(&mut self, keys: &[K], order: &mut Vec<u32>) {
+        if keys.len() < FEW {
+            self.sort_by_digits::<SMALL_DIGIT>(keys, order);
+        } else {
+            self.sort_by_digits::<LARGE_DIGIT>(keys, order);
+        }
+    }
+
+    fn sort_by_digits<const BITS: u32>(&mut self, keys: &[K], order: &mut Vec<u32>) {
+        let Self { from, to, counts } = self;
+        count_digits::<K, BITS>(keys, counts);
+        let indexed = || keys.iter().copied().zip(0..);
+        let mut passes = counts
+            .chunks_exact_mut(1 << BITS)
+            .zip((0..K::BITS).step_by(BITS as usize))
+            .filter(|(row, shift)| {
+                // Whether the keys have more than one value of this digit.
+                let first = keys.first().map_or(0, |key| key.digit::<BITS>(*shift));
+                row[first] as usize != keys.len()
+            })
+            .peekable();
+
+        order.clear();
+        let Some((row, shift)) = passes.next() else {
+            order.extend(0..keys.len() as u32);
+            return;
+        };
+        order.resize(keys.len(), 0);
+        if passes.peek().is_none() {
+            deal::<K, BITS>(indexed(), row, shift, |at, entry| order[at] = entry.1);
+            return;
+        }
+        from.resize(keys.len(), Default::default());
+        to.resize(keys.len(), Default::default());
+        deal::<K, BITS>(indexed(), row, shift, |at, entry| from[at] = entry);
+        while let Some((row, shift)) = passes.next() {
+            let entries = from.iter().copied();
+            if passes.peek().is_none() {
+                deal::<K, BITS>(entries, row, shift, |at, entry| order[at] = entry.1);
+            } else {
+                deal::<K, BITS>(entries, row, shift, |at, entry| to[at] = entry);
+                core::mem::swap(from, to);
+            }
+        }
+    }
+}
+
+/// Counts the values of every digit, one row of `counts` per digit.
+fn count_digits<K: SortKey, const BITS: u32>(keys: &[K], counts: &mut Vec<u32>) {
+    counts.clear();
+    counts.resize((K::BITS.div_ceil(BITS) as usize) << BITS, 0);
+    for key in keys {
+        let mut row = 0;
+        for shift in (0..K::BITS).step_by(BITS as usize) {
+            counts[row + key.digit::<BITS>(shift)] += 1;
+            row += 1 << BITS;
+        }
+    }
+}
+
+/// One pass: hands every entry to `put`, with the place that its digit gives it.
+#[inline]
+fn deal<K: SortKey, const BITS: u32>(
+    entries: impl Iterator<Item = (K, u32)>,
+    counts: &mut [u32],
+    shift: u32,
+    mut put: impl FnMut(usize, (K, u32)),
+) {
+    let mut place = 0;
+    for count in &mut *counts {
+        place += core::mem::replace(count, place);
+    }
+    for (key, index) in entries {
+        let next = &mut counts[key.digit::<BITS>(shift)];
+        put(*next as usize, (key, index));
+        *next += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check<K: SortKey>(keys: &[K]) {
+        let mut expected: Vec<u32> = (0..keys.len() as u32).collect();
+        expected.sort_by_key(|&i| keys[i as usize]);
+        let (mut sorter, mut order) = (RadixSort::default(), vec![7; 3]);
+        sorter.sort_by_digits::<SMALL_DIGIT>(keys, &mut order);
+        assert_eq!(order, expected, "{keys:?}");
+        sorter.sort_by_digits::<LARGE_DIGIT>(keys, &mut order);
+        assert_eq!(order, expected, "{keys:?}");
+        sorter.sort(keys, &mut order);
+        assert_eq!(order, expected, "{keys:?}");
+    }
+
+    /// Keys that differ in `bits` only, so that every choice of constant digits comes up.
+    fn check_bits(random: &mut oorandom::Rand64, len: usize, bits: u64) {
+        let keys: Vec<u64> = (0..len)
+            .map(|_| random.rand_u64() & bits | 0xA5A5_A5A5_A5A5_A5A5 & !bits)
+            .collect();
+        check(&keys);
+        check(&keys.iter().map(|&key| key as u32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn agrees_with_the_stable_sort_of_the_standard_library() {
+        let mut random = oorandom::Rand64::new(1);
+        for len in (0..20).chain([255, 256, 257, 1000, FEW - 1, FEW, FEW + 1]) {
+            check_bits(&mut random, len, u64::MAX);
+            check_bits(&mut random, len, 0);
+            for digit in 0..8 {
+                check_bits(&mut random, len, 0xFF << (8 * digit));
+                check_bits(&mut random, len, 0x3 << (8 * digit + 3));
+            }
+        }
+        for _ in 0..500 {
+            let len = random.rand_range(0..300) as usize;
+            let bits = random.rand_u64() & random.rand_u64() & random.rand_u64();
+            check_bits(&mut random, len, bits);
+        }
+    }
+
+    #[test]
+    fn scratch_of_another_length_does_no_harm() {
+        let mut sorter = RadixSort::<u32>::default();
+        let mut order = Vec::new();
+        for len in [5000, 3, 0, 100, 9000] {
+            let keys: Vec<u32> = (0..len).map(|i: u32| i.wrapping_mul(0x9E37_79B9)).collect();
+            sorter.sort(&keys, &mut order);
+            assert!(order.is_sorted_by_key(|&i| keys[i as usize]));
+            assert_eq!(order.len(), keys.len());
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The ranks of the endpoints of the first axis, such that no interval includes another.
+//!
+//! That no interval includes another in the order of the endpoints is the paper's Claim 1, on which the sweep rests. It
+//! says no more than that the high endpoints come in the order of their objects' low endpoints, so it is established by
+//! counting: *the k-th high endpoint belongs to the object of the k-th low endpoint.*
+//!
+//! - Boxes of one size have their high endpoints in that order anyway, but for equal ones: where coordinates are large,
+//!   `x + size` rounds different `x` to one number, and the order of object ids, which a stable sort gives, may then be the
+//!   wrong one. Handing equal endpoints out anew is all there is to do.
+//! - Boxes of different sizes are widened until it holds: an interval reaches as far as any that begins before it. That
+//!   is the least widening that will do. It never exceeds that to a common length `s`, since no interval that begins at or
+//!   before `x` reaches beyond `x + s`; and having no arithmetic it cannot round, overflow or meet `∞ - ∞`.
+
+use super::radix_sort::SortKey;
+
+/// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether that took no widening.
+///
+/// `keys` are the endpoints, lows at `i` and highs at `i + n`, each low at most its high; `order` are their indexes in
+/// stable order. Two objects overlap on the axis exactly if one of them has just one rank between the two ranks of the
+/// other, when nothing was widened; otherwise those that overlap are among these pairs. Ranks differ, and are below `2n`.
+/// `lows` is scratch memory.
+///
+/// Computes in **O(n)** time.
+pub(super) fn rank_endpoints<K: SortKey>(
+    keys: &[K],
+    order: &[u32],
+    lows: &mut Vec<u32>,
+    ranks: &mut Vec<[u32; 2]>,
+) -> bool {
+    let n = keys.len() / 2;
+    ranks.resize(n, [0; 2]);
+    lows.clear();
+    // How many high endpoints there were. They are always fewer than the lows: before a box ends it begins.
+    let mut ended = 0;
+    for (rank, &endpoint) in (0..).zip(order) {
+        let endpoint = endpoint as usize;
+        if endpoint < n {
+            ranks[endpoint][0] = rank;
+            lows.push(endpoint as u32);
+        } else {
+            let object = lows[ended] as usize;
+            if object + n != endpoint && keys[object + n] != keys[endpoint] {
+                lows.clear();
+                lows.extend(order.iter().filter(|&&endpoint| (endpoint as usize) < n));
+                rank_widened(keys, lows, ranks);
+                return false;
+            }
+            ranks[object][1] = rank;
+            ended += 1;
+        }
+    }
+    true
+}
+
+/// The same for widened intervals: both kinds of endpoints have the order of `lows`, so they need only be merged.
+fn rank_widened<K: SortKey>(keys: &[K], lows: &[u32], ranks: &mut [[u32; 2]]) {
+    let n = lows.len();
+    let high = |k: usize| keys[lows[k] as usize + n];
+    let (mut rank, mut ended, mut reach) = (0, 0, high(0));
+    for &object in lows {
+        let low = keys[object as usize];
+        // Stops before this object at the latest: its own end is not less than its beginning.
+        while reach < low {
+            ranks[lows[ended] as usize][1] = rank;
+            rank += 1;
+            ended += 1;
+            reach = reach.max(high(ended));
+        }
+        ranks[object as usize][0] = rank;
+        rank += 1;
+    }
+    for &object in &lows[ended..] {
+        ranks[object as usize][1] = rank;
+        rank += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rank_sweep::radix_sort::RadixSort;
+
+    /// Ranks intervals and checks what is promised of the ranks.
+    fn check(intervals: &[[u32; 2]]) -> bool {
+        let lows = intervals.iter().map(|interval| interval[0]);
+        let keys: Vec<u32> = lows.chain(intervals.iter().map(|i| i[1])).collect();
+        let (mut order, mut ranks) = (Vec::new(), vec![[9; 2]]);
+        RadixSort::default().sort(&keys, &mut order);
+        let exact = rank_endpoints(&keys, &order, &mut vec![3], &mut ranks);
+
+        let mut all: Vec<u32> = ranks.concat();
+        all.sort();
+        assert!(all.into_iter().eq(0..2 * intervals.len() as u32));
+        for (i, a) in ranks.iter().enumerate() {
+            assert!(a[0] < a[1]);
+            for (j, b) in ranks.iter().enumerate().filter(|(j, _)| *j != i) {
+                let within = |rank| u32::from(a[0] < rank && rank < a[1]);
+                let count = within(b[0]) + within(b[1]);
+                assert!(count < 2 && !(b[0] < a[0] && a[1] < b[1]), "{intervals:?}");
+                let [p, q] = [intervals[i], intervals[j]];
+                let overlap = p[0] <= q[1] && q[0] <= p[1];
+                assert!(overlap <= (count == 1), "{intervals:?}");
+                assert!(!exact || overlap == (count == 1), "{intervals:?}");
+            }
+        }
+        exact
+    }
+
+    #[test]
+    fn no_interval_includes_another() {
+        let mut random = oorandom::Rand32::new(1);
+        for _ in 0..3000 {
+            let (n, range) = (random.rand_range(0..12), random.rand_range(1..40));
+            let longest = random.rand_range(1..20);
+            let mut interval = |_| {
+                let low = random.rand_range(0..range);
+                [low, low + random.rand_range(0..longest)]
+            };
+            check(&(0..n).map(&mut interval).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn intervals_of_one_length_are_not_widened_even_if_it_is_rounded() {
+        let mut random = oorandom::Rand32::new(1);
+        for _ in 0..3000 {
+            let (n, range) = (random.rand_range(0..12), random.rand_range(1..40));
+            let (length, grain) = (random.rand_range(0..20), random.rand_range(1..5));
+            let mut interval = |_| {
+                let low = random.rand_range(0..range);
+                [low, (low + length).next_multiple_of(grain)]
+            };
+            assert!(check(&(0..n).map(&mut interval).collect::<Vec<_>>()));
+        }
+        // Sorted by object id, the equal ends would let object 1 include object 0.
+        assert!(check(&[[1, 8], [0, 8]]));
+        assert!(!check(&[[1, 7], [0, 8]]));
+    }
+}

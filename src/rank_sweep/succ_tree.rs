@@ -1,0 +1,270 @@
+//! The active set: a set of small integers that knows its order.
+//!
+//! A perfect 64-ary tree of one bit per node (the paper's SuccTree, from [CL16]): a bit of the lowest level says that a
+//! value is stored, a bit of a higher one that any is stored among the 64 nodes below it. The 64 are one machine word,
+//! so the neighbour of a value is found with a few shifts and bit scans per level, and levels are few: four for two
+//! million values. The stored values are linked in order as well (section 4 of the paper), so that walking from one to the
+//! next costs one step whatever lies between.
+
+/// Bits of a value that one level decides.
+const LEVEL_BITS: u32 = 6;
+/// Enough for every `u32`.
+const MAX_LEVELS: usize = 6;
+
+/// What is known of a stored value.
+#[derive(Clone, Copy, Debug, Default)]
+struct Node {
+    /// The next greater stored value, or the universe's size.
+    next: u32,
+    /// The next smaller stored value, or the universe's size.
+    prev: u32,
+    /// Whatever it was inserted with.
+    label: u32,
+}
+
+/// An ordered set of values below a bound, its *universe*, each with a label.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SuccTree {
+    /// The bits of all levels, the lowest first.
+    words: Vec<u64>,
+    /// Where in `words` each level starts.
+    starts: [usize; MAX_LEVELS],
+    /// How many levels there are; the highest is one word.
+    levels: usize,
+    /// By value. The last is no value but closes the list to a ring: its `next` is the least value stored.
+    nodes: Vec<Node>,
+    /// Values are below this, which also stands for "none".
+    universe: u32,
+}
+
+impl SuccTree {
+    /// Empties the set and makes room for the values below `universe`.
+    ///
+    /// Computes in **O(universe)** time.
+    pub(super) fn reset(&mut self, universe: u32) {
+        let mut total = 0;
+        let mut width = universe as usize;
+        self.levels = 0;
+        while self.levels == 0 || width > 1 {
+            width = width.div_ceil(1 << LEVEL_BITS).max(1);
+            self.starts[self.levels] = total;
+            self.levels += 1;
+            total += width;
+        }
+        self.words.clear();
+        self.words.resize(total, 0);
+        self.nodes.resize(universe as usize + 1, Node::default());
+        self.universe = universe;
+        let end = &mut self.nodes[universe as usize];
+        (end.next, end.prev) = (universe, universe);
+    }
+
+    /// The next greater stored value after a stored one, or the universe's size.
+    #[inline]
+    pub(super) fn next(&self, value: u32) -> u32 {
+        self.nodes[value as usize].next
+    }
+
+    /// The label of a stored value.
+    #[inline]
+    pub(super) fn label(&self, value: u32) -> u32 {
+        self.nodes[value as usize].label
+    }
+
+    /// Stores a value that is not stored and returns the next greater one, or the universe's size.
+    ///
+    /// Computes in **O(log₆₄ universe)** time.
+    #[inline]
+    pub(super) fn insert(&mut self, value: u32, label: u32) -> u32 {
+        let next = self.successor(value);
+        self.insert_before(next, value, label);
+        next
+    }
+
+    /// Stores a value that is not stored, of which the next greater one is known.
+    ///
+    /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
+    #[inline]
+    pub(super) fn insert_before(&mut self, next: u32, value: u32, label: u32) {
+        let prev = core::mem::replace(&mut self.nodes[next as usize].prev, value);
+        debug_assert!(prev == self.universe || prev < value);
+        self.nodes[prev as usize].next = value;
+        self.nodes[value as usize] = Node { next, prev, label };
+        let mut at = value as usize;
+        for level in 0..self.levels {
+            let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
+            let others = core::mem::replace(word, *word | 1 << (at & 63));
+            if others != 0 {
+                break;
+            }
+            at >>= LEVEL_BITS;
+        }
+    }
+
+    /// Takes out a stored value.
+    ///
+    /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
+    #[inline]
+    pub(super) fn remove(&mut self, value: u32) {
+        let Node { next, prev, .. } = self.nodes[value as usize];
+        self.nodes[next as usize].prev = prev;
+        self.nodes[prev as usize].next = next;
+        let mut at = value as usize;
+        for level in 0..self.levels {
+            let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
+            *word &= !(1 << (at & 63));
+            if *word != 0 {
+                break;
+            }
+            at >>= LEVEL_BITS;
+        }
+    }
+
+    /// The least stored value greater than `value`, which need not be stored; or the universe's size.
+    ///
+    /// Computes in **O(log₆₄ universe)** time.
+    #[inline]
+    pub(super) fn successor(&self, value: u32) -> u32 {
+        let mut at = value as usize;
+        for level in 0..self.levels {
+            let word = self.words[self.starts[level] + (at >> LEVEL_BITS)];
+            // Shifted in two steps: shifting by 64 is not defined.
+            let above = word & (!0 << (at & 63) << 1);
+            if above != 0 {
+                at = at & !63 | above.trailing_zeros() as usize;
+                for below in (0..level).rev() {
+                    let word = self.words[self.starts[below] + at];
+                    at = at << LEVEL_BITS | word.trailing_zeros() as usize;
+                }
+                return at as u32;
+            }
+            at >>= LEVEL_BITS;
+        }
+        self.universe
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    impl SuccTree {
+        fn contains(&self, value: u32) -> bool {
+            self.words[(value >> LEVEL_BITS) as usize] >> (value & 63) & 1 != 0
+        }
+
+        /// The greatest stored value less than `value`, or the universe's size: the links spare a search downward.
+        fn predecessor(&self, value: u32) -> u32 {
+            if self.contains(value) {
+                self.nodes[value as usize].prev
+            } else {
+                self.nodes[self.successor(value) as usize].prev
+            }
+        }
+
+        /// Compares everything with a set of the standard library.
+        fn check(&self, expected: &BTreeSet<u32>) {
+            let mut walked = Vec::new();
+            let mut at = self.next(self.universe);
+            while at != self.universe {
+                assert_eq!(self.label(at), !at);
+                walked.push(at);
+                at = self.next(at);
+            }
+            assert!(walked.iter().eq(expected));
+            let mut at = self.nodes[self.universe as usize].prev;
+            for &value in walked.iter().rev() {
+                assert_eq!(at, value);
+                at = self.nodes[at as usize].prev;
+            }
+            assert_eq!(at, self.universe);
+            let mut present: BTreeSet<usize> = expected.iter().map(|&v| v as usize).collect();
+            for level in 0..self.levels {
+                let end = self.starts[..self.levels].get(level + 1);
+                let words = &self.words[self.starts[level]..*end.unwrap_or(&self.words.len())];
+                let bits =
+                    (0..64 * words.len()).filter(|bit| words[bit / 64] >> (bit % 64) & 1 != 0);
+                assert!(bits.eq(present.iter().copied()), "level {level}");
+                present = present.iter().map(|bit| bit / 64).collect();
+            }
+            assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
+        }
+
+        fn check_neighbours(&self, expected: &BTreeSet<u32>, value: u32) {
+            let successor = expected.range(value + 1..).next();
+            let predecessor = expected.range(..value).next_back();
+            assert_eq!(self.contains(value), expected.contains(&value));
+            assert_eq!(self.successor(value), *successor.unwrap_or(&self.universe));
+            assert_eq!(
+                self.predecessor(value),
+                *predecessor.unwrap_or(&self.universe)
+            );
+        }
+    }
+
+    /// Stores and takes out random values, more of them the one or the other by turns.
+    fn exercise(tree: &mut SuccTree, universe: u32, steps: u32, random: &mut oorandom::Rand32) {
+        let mut expected = BTreeSet::new();
+        tree.reset(universe);
+        tree.check(&expected);
+        if universe == 0 {
+            return;
+        }
+        for step in 0..steps {
+            let value = random.rand_range(0..universe);
+            tree.check_neighbours(&expected, value);
+            let grow = random.rand_range(0..8) < if step & 512 == 0 { 7 } else { 1 };
+            if grow && expected.insert(value) {
+                let next = *expected.range(value + 1..).next().unwrap_or(&universe);
+                if step & 1 == 0 {
+                    assert_eq!(tree.insert(value, !value), next);
+                } else {
+                    tree.insert_before(next, value, !value);
+                }
+            } else if !grow {
+                // Also the nearest one: a random value is hardly ever stored in a large universe.
+                let nearest = expected.range(value..).next().copied();
+                if let Some(value) = nearest {
+                    expected.remove(&value);
+                    tree.remove(value);
+                }
+            }
+        }
+        tree.check(&expected);
+        for end in [0, universe - 1] {
+            tree.check_neighbours(&expected, end);
+        }
+    }
+
+    #[test]
+    fn agrees_with_a_btree_set() {
+        let mut random = oorandom::Rand32::new(1);
+        let mut tree = SuccTree::default();
+        for universe in 0..=260 {
+            exercise(&mut tree, universe, 600, &mut random);
+        }
+        for power in [64_u32, 64 * 64, 64 * 64 * 64] {
+            for universe in power - 2..=power + 2 {
+                exercise(&mut tree, universe, 5000, &mut random);
+                exercise(&mut tree, 2 * universe, 2000, &mut random);
+            }
+        }
+    }
+
+    #[test]
+    fn a_full_set_fills_and_empties_in_any_direction() {
+        let mut tree = SuccTree::default();
+        for universe in [1, 63, 64, 65, 4095, 4096, 4097, 5000] {
+            tree.reset(universe);
+            for value in (0..universe).rev() {
+                tree.insert(value, !value);
+            }
+            tree.check(&(0..universe).collect());
+            for value in 0..universe {
+                tree.remove(value);
+            }
+            tree.check(&BTreeSet::new());
+        }
+    }
+}
