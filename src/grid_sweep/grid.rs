@@ -73,7 +73,7 @@ impl<R: Real> Grid<R> {
     /// How many tubes there are, empty ones included.
     pub(super) fn tube_count(&self) -> u64 {
         let [rows, columns] = self.axes.map(|axis| u64::from(axis.last) + 1);
-        rows * columns
+        rows.saturating_mul(columns)
     }
 
     /// Lets the strips go on as far as numbers reach.

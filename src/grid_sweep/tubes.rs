@@ -131,15 +131,18 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             }
         }
 
-        entries.clear();
-        entries.resize(
-            end as usize,
-            Entry {
-                aabb: Aabb::new([R::ZERO; D], [R::ZERO; D]),
-                owner: 0,
-                ghost: 0,
-            },
-        );
+        // All that is read below is written first, so what the last call left need not be cleared.
+        if entries.len() < end as usize {
+            let aabb = Aabb::new([R::ZERO; D], [R::ZERO; D]);
+            entries.resize(
+                end as usize,
+                Entry {
+                    aabb,
+                    owner: 0,
+                    ghost: 0,
+                },
+            );
+        }
         for &owner in members {
             let aabb = boxes[owner as usize];
             let reach = grid.reach(&aabb);

@@ -1,6 +1,6 @@
 //! The active set: a set of small integers that knows its order.
 //!
-//! A perfect 64-ary tree of one bit per node (the paper's SuccTree, from [CL16]): a bit of the lowest level says that a
+//! A perfect 64-ary tree of one bit per node (the paper's SuccTree): a bit of the lowest level says that a
 //! value is stored, a bit of a higher one that any is stored among the 64 nodes below it. The 64 are one machine word,
 //! so the neighbour of a value is found with a few shifts and bit scans per level, and levels are few: four for two
 //! million values. The stored values are linked in order as well (section 4 of the paper), so that walking from one to the

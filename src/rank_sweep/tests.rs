@@ -124,12 +124,12 @@ fn scene<R: Real, const D: usize>(n: usize, recipes: [Interval; D], seed: u64) -
 fn check_scenes<R: Real, const D: usize>() {
     let mut kernel = RankSweep::default();
     for (seed, (what, recipe)) in (0..).zip(INTERVALS) {
-        for n in (0..=130).chain([2047, 2048, 2049]) {
+        for n in (0..=130).chain([2047 + seed as usize % 3]) {
             check::<R, D>(&mut kernel, &scene(n, [*recipe; D], seed), what);
         }
     }
     let mut random = oorandom::Rand64::new(D as u128);
-    for seed in 0..2000 {
+    for seed in 0..1000 {
         let mut recipe = || INTERVALS[random.rand_range(0..INTERVALS.len() as u64) as usize].1;
         let recipes = core::array::from_fn(|_| recipe());
         let n = random.rand_range(0..200) as usize;

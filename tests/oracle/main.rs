@@ -1,0 +1,73 @@
+//! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
+//!
+//! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of
+//! scene went wrong, and shows the fewest boxes found that still go wrong. `check` lists what must hold for
+//! every input; `errors` does so for inputs that must be refused; `arbitrary` looks for inputs that nobody
+//! thought of. Raise `PROPTEST_CASES` to let it look for longer.
+
+mod arbitrary;
+mod check;
+mod errors;
+mod guard;
+mod inputs;
+mod limits;
+mod order;
+mod placement;
+mod random;
+mod report;
+mod shapes;
+
+use unisize::{BruteForce, GridSweep, RankSweep};
+
+/// Instantiates the suite for one kernel: the module's name, the kernel, its scalar and its dimension.
+macro_rules! oracle_suite {
+    ($name:ident, $finder:ty, $real:ty, $dim:literal) => {
+        mod $name {
+            use super::*;
+
+            inputs::for_every_family!(test_family [$finder, $real, $dim]);
+
+            #[test]
+            fn one_finder_serves_all_inputs() {
+                check::one_finder_serves::<$finder, $real, $dim>(&inputs::all());
+            }
+
+            #[test]
+            fn invalid_boxes_are_refused() {
+                errors::check::<$finder, $real, $dim>();
+            }
+
+            #[test]
+            fn arbitrary_boxes() {
+                arbitrary::check::<$finder, $real, $dim>();
+            }
+        }
+    };
+}
+
+/// Turns every family of inputs into a test of its own.
+macro_rules! test_family {
+    ([$finder:ty, $real:ty, $dim:literal] $($family:ident)*) => {
+        $(
+            #[test]
+            fn $family() {
+                check::every::<$finder, $real, $dim>(&inputs::$family());
+            }
+        )*
+    };
+}
+
+oracle_suite!(brute_force_f32_2, BruteForce, f32, 2);
+oracle_suite!(brute_force_f32_3, BruteForce, f32, 3);
+oracle_suite!(brute_force_f64_2, BruteForce, f64, 2);
+oracle_suite!(brute_force_f64_3, BruteForce, f64, 3);
+
+oracle_suite!(grid_sweep_f32_2, GridSweep<f32, 2>, f32, 2);
+oracle_suite!(grid_sweep_f32_3, GridSweep<f32, 3>, f32, 3);
+oracle_suite!(grid_sweep_f64_2, GridSweep<f64, 2>, f64, 2);
+oracle_suite!(grid_sweep_f64_3, GridSweep<f64, 3>, f64, 3);
+
+oracle_suite!(rank_sweep_f32_2, RankSweep<f32, 2>, f32, 2);
+oracle_suite!(rank_sweep_f32_3, RankSweep<f32, 3>, f32, 3);
+oracle_suite!(rank_sweep_f64_2, RankSweep<f64, 2>, f64, 2);
+oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);

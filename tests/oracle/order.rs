@@ -1,0 +1,38 @@
+//! In what order boxes come: the arrangements of a list that already has an order.
+
+use core::cmp::Ordering;
+
+use unisize::{Aabb, Real};
+
+/// The boxes by where they begin on `axis`, least first.
+pub(crate) fn sorted<R: Real, const D: usize>(
+    mut boxes: Vec<Aabb<R, D>>,
+    axis: usize,
+) -> Vec<Aabb<R, D>> {
+    boxes.sort_by(|a, b| compare(a.mins[axis], b.mins[axis]));
+    boxes
+}
+
+/// The boxes in the opposite order.
+pub(crate) fn reversed<R: Real, const D: usize>(mut boxes: Vec<Aabb<R, D>>) -> Vec<Aabb<R, D>> {
+    boxes.reverse();
+    boxes
+}
+
+/// The boxes by where they begin on `axis`, least first, but for a few neighbours that changed places, as
+/// from one frame to the next.
+pub(crate) fn almost_sorted<R: Real, const D: usize>(
+    boxes: Vec<Aabb<R, D>>,
+    axis: usize,
+) -> Vec<Aabb<R, D>> {
+    let mut boxes = sorted(boxes, axis);
+    for pair in boxes.chunks_exact_mut(2).step_by(5) {
+        pair.swap(0, 1);
+    }
+    boxes
+}
+
+/// How two coordinates compare; a generator makes no NaN.
+fn compare<R: Real>(a: R, b: R) -> Ordering {
+    a.partial_cmp(&b).expect("the coordinates are numbers")
+}
