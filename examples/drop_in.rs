@@ -42,6 +42,9 @@ fn main() {
         );
     }
 
-    let touching = narrow_phase.contact_pairs().filter(|pair| pair.has_any_active_contact).count();
+    let touching = narrow_phase
+        .contact_pairs()
+        .filter(|pair| pair.has_any_active_contact)
+        .count();
     println!("{touching} contacts among {:?}", broad_phase.stats());
 }

@@ -185,12 +185,10 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
 
     /// Reports the held pairs whose boxes have parted. Pairs of removed proxies are passed over.
     fn report_deleted(&self, report: &mut impl FnMut(PairChange)) {
-        for [a, b] in self.pairs() {
-            if (self.touched.contains(a) | self.touched.contains(b))
-                && Self::overlap(&self.previous, [a, b])
-                && !Self::overlap(&self.boxes, [a, b])
-            {
-                report(PairChange::Deleted([a, b]));
+        for pair in self.pairs() {
+            // The present boxes first: most pairs go on.
+            if !Self::overlap(&self.boxes, pair) && Self::overlap(&self.previous, pair) {
+                report(PairChange::Deleted(pair));
             }
         }
     }

@@ -2,6 +2,8 @@
 
 pub use rapier2d as rapier;
 
+mod flavour;
+
 #[path = "engine/mod.rs"]
 mod engine;
 pub use engine::*;

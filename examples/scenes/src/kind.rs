@@ -1,20 +1,132 @@
-//! The names of the scenes.
+//! The names of the scenes, and what can be said of each without building it.
 
 /// Which world to build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SceneKind {
     /// Balls falling into a box with a floor and walls.
     FallingBalls,
+    /// A pyramid of cuboids that comes to rest and sleeps.
+    Pyramid,
+    /// Balls flying through a closed box without gravity.
+    Gas,
+    /// Chains of capsules that hang, fall over obstacles and tangle.
+    Ropes,
+    /// Grains poured through a funnel over time.
+    Hopper,
+    /// Walkers on a plane, each steering to a goal.
+    Crowd,
+    /// Kinematic bodies that all move at every step, without a solver.
+    Swarm,
+    /// Resting boxes, all asleep, among which a few balls move.
+    Sleeping,
+    /// Bodies whose sizes differ by up to a factor of 1.5, falling into a heap.
+    MixedOneAndAHalf,
+    /// Bodies whose sizes differ by up to a factor of 4, falling into a heap.
+    MixedFour,
+    /// Bodies whose sizes differ by up to a factor of 1,000: grains falling among hills.
+    MixedThousand,
+    /// Fast bullets with both kinds of continuous collision detection, shot at a thin wall and at a stack.
+    Bullets,
+    /// Balls that are inserted, removed, disabled and regrouped at every step.
+    Churn,
+    /// Every kind of collider, falling onto a height field.
+    Shapes,
 }
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 1] = [Self::FallingBalls];
+    pub const ALL: [Self; 14] = [
+        Self::FallingBalls,
+        Self::Pyramid,
+        Self::Gas,
+        Self::Ropes,
+        Self::Hopper,
+        Self::Crowd,
+        Self::Swarm,
+        Self::Sleeping,
+        Self::MixedOneAndAHalf,
+        Self::MixedFour,
+        Self::MixedThousand,
+        Self::Bullets,
+        Self::Churn,
+        Self::Shapes,
+    ];
 
     /// The name used on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::FallingBalls => "falling-balls",
+            Self::Pyramid => "pyramid",
+            Self::Gas => "gas",
+            Self::Ropes => "ropes",
+            Self::Hopper => "hopper",
+            Self::Crowd => "crowd",
+            Self::Swarm => "swarm",
+            Self::Sleeping => "sleeping",
+            Self::MixedOneAndAHalf => "mixed-1.5",
+            Self::MixedFour => "mixed-4",
+            Self::MixedThousand => "mixed-1000",
+            Self::Bullets => "bullets",
+            Self::Churn => "churn",
+            Self::Shapes => "shapes",
         }
+    }
+
+    /// The scene of this [name](Self::name), if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// What happens in the scene, in one line.
+    pub const fn description(self) -> &'static str {
+        match self {
+            Self::FallingBalls => "balls of about the same size falling into a walled box",
+            Self::Pyramid => "a pyramid of cuboids that comes to rest and sleeps",
+            Self::Gas => "elastic balls in a closed box without gravity",
+            Self::Ropes => "chains of capsules that hang, fall over obstacles and tangle",
+            Self::Hopper => "grains poured through a funnel over time",
+            Self::Crowd => "walkers on a plane, each steering to its goal",
+            Self::Swarm => "kinematic bodies and sensors that all move, without a solver",
+            Self::Sleeping => "sleeping boxes, and one moving ball to a hundred of them",
+            Self::MixedOneAndAHalf => "sizes 1 to 1.5 falling onto a half-space",
+            Self::MixedFour => "sizes 1 to 4 falling onto a half-space",
+            Self::MixedThousand => "sizes 1 to 1,000, few large, in a pit of half-spaces",
+            Self::Bullets => "fast bullets with CCD and soft CCD at a thin wall and a stack",
+            Self::Churn => "falling balls of which 2 % are replaced at every step",
+            Self::Shapes => "every kind of collider falling onto a height field",
+        }
+    }
+
+    /// A number of bodies with which the default broad phase takes a few seconds for 300 steps.
+    pub const fn default_bodies(self) -> usize {
+        match self {
+            Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping => 10_000,
+            Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes => 1_000,
+            Self::FallingBalls
+            | Self::Hopper
+            | Self::MixedOneAndAHalf
+            | Self::MixedFour
+            | Self::MixedThousand
+            | Self::Churn => 2_000,
+        }
+    }
+
+    /// Whether every body moves at every step, so that keeping the boxes of resting bodies is of no use.
+    pub const fn all_move(self) -> bool {
+        matches!(self, Self::Gas | Self::Crowd | Self::Swarm)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SceneKind;
+
+    #[test]
+    fn names_lead_back_to_their_scenes() {
+        for kind in SceneKind::ALL {
+            assert_eq!(SceneKind::from_name(kind.name()), Some(kind));
+            assert!(!kind.description().is_empty());
+        }
+        assert_eq!(SceneKind::from_name("no such scene"), None);
     }
 }

@@ -2,9 +2,25 @@
 //!
 //! [`dim2`] and [`dim3`] are one source, compiled once against rapier2d and once against rapier3d. A
 //! [`dim3::Scene`] is built from a [`SceneKind`], a number of bodies and a seed, and is stepped with any
-//! broad phase.
+//! broad phase:
+//!
+//! ```
+//! use unisize_scenes::SceneKind;
+//! use unisize_scenes::dim3::{Scene, rapier::prelude::DefaultBroadPhase};
+//!
+//! let mut scene = Scene::build(SceneKind::FallingBalls, 100, 7);
+//! let initial = scene.sanity();
+//! let mut broad_phase = DefaultBroadPhase::new();
+//! for _ in 0..10 {
+//!     scene.step(&mut broad_phase, &(), &());
+//! }
+//! assert_eq!(scene.sanity_verdict(&initial), Ok(()));
+//! ```
+//!
+//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
 
 mod kind;
+mod random;
 
 pub mod dim2;
 pub mod dim3;

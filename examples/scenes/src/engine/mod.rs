@@ -1,9 +1,19 @@
 //! The part of the scenes that touches Rapier: one source for both dimensions.
 
-use super::rapier;
+use super::{flavour, rapier};
 
+mod comparison;
+mod container;
+mod lattice;
+mod sanity;
 mod scene;
+mod scenes;
+mod script;
+mod space;
+mod stage;
 mod world;
 
+pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, Tally, Timing};
+pub use sanity::Sanity;
 pub use scene::Scene;
 pub use world::World;

@@ -1,24 +1,58 @@
 //! A world with the script that drives it.
 
+use super::container::Container;
 use super::rapier::prelude::*;
+use super::scenes;
+use super::script::{Cue, Script};
+use super::space::UP;
+use super::stage::{Link, Stage};
 use super::world::World;
 use crate::SceneKind;
+use crate::random::Random;
 
 /// A world with the script that drives it: what is moved, inserted or removed before each step.
 ///
 /// Two scenes that were built alike stay alike, bit for bit, as long as the engine does: the script draws
-/// from its own generator and depends on nothing else.
+/// from its own generator and depends on nothing else but the world. Rapier's default broad phase reports
+/// the ends of pairs in an order that differs from one instance to the next, and the solver's result
+/// depends on that order in its last bits.
 pub struct Scene {
     /// The Rapier world.
     pub world: World,
+    pub(super) containers: Vec<Container>,
+    pub(super) links: Vec<Link>,
+    pub(super) may_fall_through: usize,
+    pub(super) cue: Cue,
+    script: Box<dyn Script>,
     kind: SceneKind,
 }
 
 impl Scene {
     /// Builds a scene of about this many bodies.
-    pub fn build(kind: SceneKind, _bodies: usize, _seed: u64) -> Self {
+    ///
+    /// Fixed floors, walls and obstacles come on top. Some scenes insert their bodies over time.
+    pub fn build(kind: SceneKind, bodies: usize, seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let Stage {
+            world,
+            script,
+            containers,
+            links,
+            may_fall_through,
+        } = scenes::build(kind, bodies, &mut random);
+        let ground = containers[0].lo[UP];
         Self {
-            world: World::new(Vector::zeros()),
+            world,
+            cue: Cue {
+                step: 0,
+                random,
+                supplied: 0.0,
+                ground: if ground.is_finite() { ground } else { 0.0 },
+            },
+            containers,
+            links,
+            may_fall_through,
+            script,
             kind,
         }
     }
@@ -28,6 +62,17 @@ impl Scene {
         self.kind
     }
 
+    /// The number of bodies at present, fixed ones included.
+    pub fn body_count(&self) -> usize {
+        self.world.bodies.len()
+    }
+
+    /// Runs the script for one step. [`World::step`] has to follow.
+    pub fn prepare(&mut self) {
+        self.script.prepare(&mut self.world, &mut self.cue);
+        self.cue.step += 1;
+    }
+
     /// Runs the script, then advances the world by one time step.
     pub fn step(
         &mut self,
@@ -35,6 +80,7 @@ impl Scene {
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) {
+        self.prepare();
         self.world.step(broad_phase, hooks, events);
     }
 }

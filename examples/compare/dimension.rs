@@ -1,0 +1,99 @@
+//! Runs one comparison: one source, compiled once in each dimension.
+
+use super::{DIM, ours, scenes};
+use crate::options::{Kernel, Options};
+use crate::row::{End, Row, Sides, Times, Total};
+use ours::{Settings, UnisizeBroadPhase};
+use scenes::{Both, Candidate, Comparison, Independent, Tally, Timing};
+use unisize_scenes::SceneKind;
+
+/// Compares on one scene; `on_step` is called after each simulated step.
+pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(usize)) -> Row {
+    let comparison = Comparison {
+        steps: options.steps(),
+        contacts_every: options.contacts_every,
+        independent: options.independent(),
+        ..Comparison::new(kind, options.bodies(kind), options.seed)
+    };
+    let outcome = comparison.run(&candidate(options), on_step);
+    Row {
+        scene: kind.name(),
+        dim: DIM,
+        steps: outcome.steps,
+        bodies: outcome.bodies,
+        colliders: outcome.colliders,
+        seed: options.seed,
+        kernel: options.kernel.name(),
+        equal: outcome.is_equal(),
+        ratio: outcome.ratio(),
+        pairs: sides(&outcome.pairs, |&count| count),
+        pairs_with_dropped: sides(&outcome.pairs_with_dropped, |&count| count),
+        contacts: total(outcome.contacts),
+        intersections: total(outcome.intersections),
+        contact_checks: outcome.contact_checks,
+        redundant_events: sides(&outcome.redundant_events, |&count| count),
+        broad_phase: sides(&outcome.timing, |timing| times(timing, outcome.steps)),
+        independent: outcome
+            .independent
+            .as_ref()
+            .map(|runs| sides(runs, |run| end(run, outcome.steps))),
+        first_difference: outcome.first_difference,
+    }
+}
+
+fn candidate(options: &Options) -> Candidate<UnisizeBroadPhase> {
+    let settings = Settings {
+        kernel: match options.kernel {
+            Kernel::GridSweep => ours::Kernel::GridSweep,
+            Kernel::RankSweep => ours::Kernel::RankSweep,
+            Kernel::BruteForce => ours::Kernel::BruteForce,
+        },
+        ..Settings::default()
+    };
+    let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
+        .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect());
+    if options.validate {
+        candidate.with_validation(UnisizeBroadPhase::validate)
+    } else {
+        candidate
+    }
+}
+
+fn sides<T, U>(both: &Both<T>, convert: impl Fn(&T) -> U) -> Sides<U> {
+    Sides {
+        default: convert(&both.default),
+        ours: convert(&both.candidate),
+    }
+}
+
+fn total(tally: Tally) -> Total {
+    Total {
+        at_end: tally.at_end,
+        over_all_steps: tally.total,
+    }
+}
+
+fn times(timing: &Timing, steps: usize) -> Times {
+    let ms = |duration: std::time::Duration| duration.as_secs_f64() * 1e3;
+    Times {
+        ms_per_step: ms(timing.total) / steps as f64,
+        ms_per_busy_update: ms(timing.mean_busy()),
+        ms_worst_update: ms(timing.worst),
+        updates: timing.updates,
+        busy_updates: timing.busy_updates,
+    }
+}
+
+fn end(run: &Independent, steps: usize) -> End {
+    let sanity = &run.sanity;
+    End {
+        complaint: run.verdict.clone().err(),
+        bodies: sanity.bodies,
+        asleep: sanity.sleeping,
+        outside: sanity.fallen_through,
+        not_finite: sanity.not_finite,
+        energy: sanity.energy(),
+        max_rope_stretch: sanity.max_rope_stretch,
+        ms_per_step: run.elapsed.as_secs_f64() * 1e3 / steps as f64,
+    }
+}

@@ -1,0 +1,86 @@
+//! Does unisize do the same as Rapier's own broad phase, and how fast?
+//!
+//! ```text
+//! cargo run --release --all-features --example compare
+//! ```
+//!
+//! simulates every scene in two and three dimensions with both broad phases side by side, compares what they
+//! hold and what touches after every step, and prints a table for each dimension. What exactly is compared
+//! is told in `examples/scenes/src/engine/comparison.rs`. Ends with 1 if anything differs, and with 2 if it
+//! was called wrongly.
+
+mod dim2;
+mod dim3;
+mod options;
+mod report;
+mod row;
+mod table;
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use options::Options;
+use report::Report;
+use std::fs::File;
+use std::io::{IsTerminal, stderr};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    // Opened before the long run, which would be lost if this failed.
+    let json = match options.json.as_ref().map(File::create).transpose() {
+        Ok(json) => json,
+        Err(error) => {
+            let path = options.json.as_deref().unwrap_or("".as_ref());
+            eprintln!("error: cannot write {}: {error}", path.display());
+            return ExitCode::from(2);
+        }
+    };
+    let bar = progress_bar(&options);
+    let mut report = Report::default();
+    for dim in options.dims() {
+        table::print_header(&bar, dim);
+        for kind in options.scenes() {
+            bar.set_message(format!("{} {dim}D", kind.name()));
+            let on_step = |_| bar.inc(1);
+            let row = match dim {
+                2 => dim2::compare(kind, &options, on_step),
+                _ => dim3::compare(kind, &options, on_step),
+            };
+            table::print_row(&bar, &row);
+            report.rows.push(row);
+        }
+        table::print_footer(&bar, report.of_dim(dim));
+    }
+    bar.finish_and_clear();
+    if let Some(json) = json {
+        if let Err(error) = serde_json::to_writer_pretty(json, &report) {
+            eprintln!("error: cannot write the results: {error}");
+            return ExitCode::from(2);
+        }
+    }
+    if report.is_equal() {
+        println!("Equal in all {} comparisons.", report.rows.len());
+        ExitCode::SUCCESS
+    } else {
+        println!(
+            "{} of {} comparisons found a DIFFERENCE.",
+            report.differing(),
+            report.rows.len()
+        );
+        ExitCode::FAILURE
+    }
+}
+
+/// A progress bar over all steps, which only shows on a terminal.
+fn progress_bar(options: &Options) -> ProgressBar {
+    let target = if stderr().is_terminal() {
+        ProgressDrawTarget::stderr()
+    } else {
+        ProgressDrawTarget::hidden()
+    };
+    let bar = ProgressBar::with_draw_target(Some(options.total_steps() as u64), target);
+    match ProgressStyle::with_template("{msg:18} {wide_bar} {percent:>3} %, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

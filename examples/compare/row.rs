@@ -1,0 +1,71 @@
+//! The result of one comparison, the same type for both dimensions.
+
+use serde::Serialize;
+
+/// The result of comparing on one scene in one dimension.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Row {
+    pub(super) scene: &'static str,
+    pub(super) dim: u8,
+    pub(super) steps: usize,
+    pub(super) bodies: usize,
+    pub(super) colliders: usize,
+    pub(super) seed: u64,
+    pub(super) kernel: String,
+    pub(super) equal: bool,
+    pub(super) first_difference: Option<String>,
+    /// The default's time over ours.
+    pub(super) ratio: f64,
+    /// Held at the end, without those that the narrow phase drops anyway.
+    pub(super) pairs: Sides<usize>,
+    /// Held at the end, all together.
+    pub(super) pairs_with_dropped: Sides<usize>,
+    pub(super) contacts: Total,
+    pub(super) intersections: Total,
+    /// At how many steps the contacts were compared.
+    pub(super) contact_checks: usize,
+    pub(super) redundant_events: Sides<usize>,
+    pub(super) broad_phase: Sides<Times>,
+    /// The ends of the simulations on either broad phase alone.
+    pub(super) independent: Option<Sides<End>>,
+}
+
+/// Something of Rapier's broad phase and of ours.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Sides<T> {
+    pub(super) default: T,
+    pub(super) ours: T,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Total {
+    pub(super) at_end: usize,
+    pub(super) over_all_steps: usize,
+}
+
+/// The times of one broad phase, in milliseconds.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Times {
+    pub(super) ms_per_step: f64,
+    /// The mean over the updates that had a collider to look at.
+    pub(super) ms_per_busy_update: f64,
+    pub(super) ms_worst_update: f64,
+    pub(super) updates: usize,
+    pub(super) busy_updates: usize,
+}
+
+/// The end of a simulation on one broad phase alone.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct End {
+    /// What is wrong with the scene, if anything is.
+    pub(super) complaint: Option<String>,
+    pub(super) bodies: usize,
+    pub(super) asleep: usize,
+    /// Bodies that left their container.
+    pub(super) outside: usize,
+    pub(super) not_finite: usize,
+    pub(super) energy: f64,
+    pub(super) max_rope_stretch: Option<f64>,
+    /// The whole step, with the script, the solver and everything else.
+    pub(super) ms_per_step: f64,
+}

@@ -1,0 +1,44 @@
+//! What the scenes need and Rapier spells differently in two dimensions.
+
+use super::rapier::{na::DVector, prelude::*};
+
+/// The area of the unit ball.
+pub(super) const UNIT_BALL: Real = core::f32::consts::PI;
+
+/// The axes in which a crowd walks: it is seen from above.
+pub(super) const PLANE: [usize; 2] = [0, 1];
+
+/// The axis across the way of the movers among sleeping boxes: they pass over them.
+pub(super) const ACROSS: usize = 1;
+
+/// What keeps a walker upright on its plane.
+pub(super) const UPRIGHT: LockedAxes = LockedAxes::ROTATION_LOCKED_Z;
+
+/// What a joint of a rope holds together.
+pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
+
+/// The rotation that lifts the positive side of a horizontal axis by this angle.
+pub(super) fn tilt(_axis: usize, angle: Real) -> AngVector<Real> {
+    angle
+}
+
+/// The rotation that lays a capsule along the first axis.
+pub(super) fn lying() -> AngVector<Real> {
+    core::f32::consts::FRAC_PI_2
+}
+
+/// A height field around the origin, `cells` wide and of this extent, with the height of each column.
+pub(super) fn terrain(
+    cells: usize,
+    extent: Real,
+    mut height: impl FnMut() -> Real,
+) -> ColliderBuilder {
+    let heights = DVector::from_fn(cells + 1, |_, _| height());
+    ColliderBuilder::heightfield(heights, vector![extent, 1.0])
+}
+
+/// An open surface of segments: a ridge of this half width and height.
+pub(super) fn ridge(half: Real, height: Real) -> ColliderBuilder {
+    let vertices = vec![point![-half, 0.0], point![0.0, height], point![half, 0.0]];
+    ColliderBuilder::polyline(vertices, None)
+}

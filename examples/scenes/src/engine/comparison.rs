@@ -1,0 +1,226 @@
+//! Whether a broad phase does the same as Rapier's own, and how fast.
+//!
+//! The default broad phase drives the simulation, through a [`tee`] that gives each update to the
+//! candidate as well. After each step it is checked that
+//!
+//! - both hold the same pairs, those aside that the narrow phase drops anyway;
+//! - the candidate's own list of pairs is what its events say, and none of them was redundant;
+//! - two [narrow phases](contacts), each fed with the pairs of one, find the same contacts and intersections;
+//! - every contact and intersection of the simulation is among the pairs of the candidate.
+//!
+//! The first difference ends the checks, not the simulation, and is kept as a sentence. In the end the scene
+//! may be simulated once more on each broad phase [alone](independent).
+
+use super::rapier::{self, prelude::*};
+use super::sanity::Sanity;
+use super::scene::Scene;
+use super::world::World;
+use crate::SceneKind;
+use both::Side;
+use contacts::{ContactCheck, Touching};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use tee::Tee;
+
+mod both;
+mod contacts;
+mod held_pairs;
+mod independent;
+mod journal;
+mod outcome;
+mod pair;
+mod tee;
+#[cfg(test)]
+mod tests;
+mod timing;
+
+pub use both::Both;
+pub use outcome::{Independent, Outcome, Tally};
+pub use timing::Timing;
+
+/// The broad phase that is compared with the default: how to make one, and what it can be asked.
+///
+/// ```
+/// use unisize_scenes::dim3::{Candidate, rapier::prelude::DefaultBroadPhase};
+///
+/// let itself = Candidate::new(DefaultBroadPhase::new);
+/// ```
+pub struct Candidate<C> {
+    create: Box<dyn Fn() -> C>,
+    pairs: Option<Ask<C, Vec<ColliderPair>>>,
+    validate: Option<Ask<C, ()>>,
+}
+
+/// What a candidate is asked after each step.
+type Ask<C, T> = Box<dyn Fn(&C) -> T>;
+
+impl<C: BroadPhase> Candidate<C> {
+    /// A candidate that can only be updated.
+    pub fn new(create: impl Fn() -> C + 'static) -> Self {
+        Self {
+            create: Box::new(create),
+            pairs: None,
+            validate: None,
+        }
+    }
+
+    /// Has the list of the pairs that it holds compared with its events after each step.
+    pub fn with_pairs(mut self, pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static) -> Self {
+        self.pairs = Some(Box::new(pairs));
+        self
+    }
+
+    /// Has its invariants checked after each step by a function that panics where one is broken. The panic
+    /// is caught, and counts as a difference.
+    pub fn with_validation(mut self, validate: impl Fn(&C) + 'static) -> Self {
+        self.validate = Some(Box::new(validate));
+        self
+    }
+}
+
+/// What is to be compared: a scene, and how closely to look.
+///
+/// ```
+/// use unisize_scenes::SceneKind;
+/// use unisize_scenes::dim2::{Candidate, Comparison, rapier::prelude::DefaultBroadPhase};
+///
+/// let comparison = Comparison {
+///     steps: 20,
+///     ..Comparison::new(SceneKind::FallingBalls, 50, 7)
+/// };
+/// let outcome = comparison.run(&Candidate::new(DefaultBroadPhase::new), |_| {});
+/// assert_eq!(outcome.first_difference, None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comparison {
+    /// The scene.
+    pub kind: SceneKind,
+    /// About how many bodies it has.
+    pub bodies: usize,
+    /// The seed of its randomness.
+    pub seed: u64,
+    /// How many steps to simulate. Default: 300, five seconds.
+    pub steps: usize,
+    /// The contacts are compared at every such number of steps, and at the last. Default: 1, at every step;
+    /// 0 counts as 1. The comparison copies the world and computes every contact twice, which takes longer
+    /// than the simulation itself.
+    pub contacts_every: usize,
+    /// Whether to simulate the scene on each broad phase alone as well. Default: yes.
+    pub independent: bool,
+}
+
+impl Comparison {
+    /// A thorough comparison over 300 steps.
+    pub fn new(kind: SceneKind, bodies: usize, seed: u64) -> Self {
+        Self {
+            kind,
+            bodies,
+            seed,
+            steps: 300,
+            contacts_every: 1,
+            independent: true,
+        }
+    }
+
+    /// Compares, and calls `on_step` after each simulated step with the number of steps done: `steps` of
+    /// them, or three times as many with the independent runs.
+    pub fn run<C: BroadPhase>(
+        &self,
+        candidate: &Candidate<C>,
+        mut on_step: impl FnMut(usize),
+    ) -> Outcome {
+        let mut outcome = self.run_together(candidate, &mut on_step);
+        if self.independent {
+            let runs = self.run_alone(candidate, |step| on_step(self.steps + step));
+            if outcome.first_difference.is_none() {
+                outcome.first_difference = independent::difference(&runs);
+            }
+            outcome.independent = Some(runs);
+        }
+        outcome
+    }
+
+    fn build(&self) -> Scene {
+        Scene::build(self.kind, self.bodies, self.seed)
+    }
+
+    fn run_together<C: BroadPhase>(
+        &self,
+        candidate: &Candidate<C>,
+        on_step: &mut impl FnMut(usize),
+    ) -> Outcome {
+        let mut scene = self.build();
+        let mut tee = Tee::new((candidate.create)());
+        let mut contact_check = ContactCheck::default();
+        let mut outcome = Outcome {
+            steps: self.steps,
+            ..Outcome::default()
+        };
+        for step in 1..=self.steps {
+            tee.begin_step();
+            scene.step(&mut tee, &(), &());
+            let touching = Touching::of(&scene.world.narrow_phase);
+            outcome.contacts.record(touching.contacts.len());
+            outcome.intersections.record(touching.intersections.len());
+            if outcome.first_difference.is_none() {
+                let check_contacts = step % self.contacts_every.max(1) == 0 || step == self.steps;
+                outcome.contact_checks += usize::from(check_contacts);
+                outcome.first_difference = candidate
+                    .difference(&mut tee, &scene.world, &touching)
+                    .or_else(|| {
+                        check_contacts
+                            .then(|| contact_check.check(&scene.world, &mut tee.journals, &()))?
+                    })
+                    .map(|difference| format!("step {step}: {difference}"));
+            }
+            on_step(step);
+        }
+        outcome.bodies = scene.world.bodies.len();
+        outcome.colliders = scene.world.colliders.len();
+        outcome.pairs = Both::of(|side| tee.held.count_relevant(side, &scene.world));
+        outcome.pairs_with_dropped = Both::of(|side| tee.held.count(side));
+        outcome.redundant_events = tee.redundant;
+        outcome.timing = tee.timings;
+        outcome
+    }
+}
+
+impl<C: BroadPhase> Candidate<C> {
+    /// The first difference in what is held, all checks but that of the two narrow phases.
+    fn difference(&self, tee: &mut Tee<C>, world: &World, touching: &Touching) -> Option<String> {
+        self.broken_invariant(&tee.candidate)
+            .or_else(|| tee.first_redundant.take())
+            .or_else(|| {
+                let (side, pair, count) = tee.held.difference(world)?;
+                Some(format!(
+                    "{} is held by {} and not by {} ({count} such in all)",
+                    pair.describe(world),
+                    side.name(),
+                    side.other().name(),
+                ))
+            })
+            .or_else(|| {
+                let list = self.pairs.as_ref()?(&tee.candidate);
+                tee.held.check_list(&list)
+            })
+            .or_else(|| {
+                let missing = touching
+                    .all()
+                    .find(|&pair| !tee.held.holds(Side::Candidate, pair))?;
+                Some(format!(
+                    "{} touch in the simulation, and are not held by the candidate",
+                    missing.describe(world)
+                ))
+            })
+    }
+
+    fn broken_invariant(&self, candidate: &C) -> Option<String> {
+        let validate = self.validate.as_ref()?;
+        let panic = catch_unwind(AssertUnwindSafe(|| validate(candidate))).err()?;
+        let message = panic
+            .downcast_ref::<String>()
+            .map(String::as_str)
+            .or_else(|| panic.downcast_ref::<&str>().copied())
+            .unwrap_or("no message");
+        Some(format!("the candidate's validation panics: {message}"))
+    }
+}

@@ -1,0 +1,154 @@
+//! What two narrow phases make of the pairs of two broad phases.
+//!
+//! Each is told what its broad phase has reported and is then run by Rapier's [`CollisionPipeline`] on a copy
+//! of the same world, so that neither the order of the solver's work nor anything else than the pairs can
+//! make a difference.
+
+use super::World;
+use super::both::{Both, Side};
+use super::journal::Journal;
+use super::pair::Pair;
+use super::rapier::prelude::*;
+
+/// The colliders that touch, and the sensors that are entered.
+#[derive(Default, PartialEq, Eq)]
+pub(super) struct Touching {
+    /// The pairs with a contact that the solver would see, sorted.
+    pub(super) contacts: Vec<Pair>,
+    /// The pairs with a sensor that intersect, sorted.
+    pub(super) intersections: Vec<Pair>,
+}
+
+impl Touching {
+    /// What a narrow phase has found last.
+    pub(super) fn of(narrow_phase: &NarrowPhase) -> Self {
+        let mut contacts: Vec<_> = narrow_phase
+            .contact_pairs()
+            .filter(|pair| pair.has_any_active_contact)
+            .map(|pair| Pair::new(pair.collider1, pair.collider2))
+            .collect();
+        let mut intersections: Vec<_> = narrow_phase
+            .intersection_pairs()
+            .filter(|&(_, _, intersecting)| intersecting)
+            .map(|(a, b, _)| Pair::new(a, b))
+            .collect();
+        contacts.sort_unstable();
+        intersections.sort_unstable();
+        Self {
+            contacts,
+            intersections,
+        }
+    }
+
+    /// All of them, contacts first.
+    pub(super) fn all(&self) -> impl Iterator<Item = Pair> + '_ {
+        self.contacts.iter().chain(&self.intersections).copied()
+    }
+}
+
+/// A broad phase that reports what another has reported before.
+struct Replay(Vec<BroadPhasePairEvent>);
+
+impl BroadPhase for Replay {
+    fn update(
+        &mut self,
+        _params: &IntegrationParameters,
+        _colliders: &ColliderSet,
+        _bodies: &RigidBodySet,
+        _modified: &[ColliderHandle],
+        _removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        events.append(&mut self.0);
+    }
+}
+
+/// The two narrow phases.
+#[derive(Default)]
+pub(super) struct ContactCheck {
+    narrow_phases: Both<NarrowPhase>,
+}
+
+impl ContactCheck {
+    /// What the narrow phase of this side has found last.
+    pub(super) fn touching(&self, side: Side) -> Touching {
+        Touching::of(&self.narrow_phases[side])
+    }
+
+    /// Brings both narrow phases up to date, and says how their results differ, if they do.
+    pub(super) fn check(
+        &mut self,
+        world: &World,
+        journals: &mut Both<Journal>,
+        hooks: &dyn PhysicsHooks,
+    ) -> Option<String> {
+        let mut colliders = world.colliders.clone();
+        let mut bodies = world.bodies.clone();
+        for side in [Side::Default, Side::Candidate] {
+            let narrow_phase = &mut self.narrow_phases[side];
+            let journal = &mut journals[side];
+            narrow_phase.handle_user_changes(
+                None,
+                &[],
+                &journal.removed,
+                &mut colliders,
+                &mut bodies,
+                &(),
+            );
+            mark_modified(&mut colliders);
+            CollisionPipeline::new().step(
+                world.params.prediction_distance(),
+                &mut Replay(journal.events.drain(..).map(Into::into).collect()),
+                narrow_phase,
+                &mut bodies,
+                &mut colliders,
+                hooks,
+                &(),
+            );
+            journal.clear();
+        }
+        let touching = Both::of(|side| self.touching(side));
+        let contacts = Both::of(|side| touching[side].contacts.as_slice());
+        let intersections = Both::of(|side| touching[side].intersections.as_slice());
+        difference("touch", contacts, world)
+            .or_else(|| difference("intersect", intersections, world))
+    }
+}
+
+/// Makes Rapier compute every contact again, whatever was modified since the last look.
+fn mark_modified(colliders: &mut ColliderSet) {
+    for (_, collider) in colliders.iter_mut() {
+        let position = *collider.position();
+        collider.set_position(position);
+        // A collider may have become a sensor or ceased to be one. Only a change is taken note of.
+        let is_sensor = collider.is_sensor();
+        collider.set_sensor(!is_sensor);
+        collider.set_sensor(is_sensor);
+        // A shape of many parts may have been replaced, which makes what Rapier keeps with the pair useless.
+        if !collider.shape().is_convex() {
+            let shape = collider.shared_shape().clone();
+            collider.set_shape(shape);
+        }
+    }
+}
+
+/// The first pair that is in one of two sorted lists only, as a sentence.
+fn difference(verb: &str, pairs: Both<&[Pair]>, world: &World) -> Option<String> {
+    let only = Both::of(|side| {
+        let missing = |pair: &&Pair| pairs[side.other()].binary_search(pair).is_err();
+        pairs[side].iter().filter(missing).collect::<Vec<_>>()
+    });
+    let side = if only.default.is_empty() {
+        Side::Candidate
+    } else {
+        Side::Default
+    };
+    let pair = only[side].first()?;
+    Some(format!(
+        "{} {verb} with the pairs of {}, and do not with those of {} ({} such in all)",
+        pair.describe(world),
+        side.name(),
+        side.other().name(),
+        only.default.len() + only.candidate.len(),
+    ))
+}

@@ -1,0 +1,74 @@
+//! The result of a comparison.
+
+use super::Sanity;
+use super::both::Both;
+use super::timing::Timing;
+use std::time::Duration;
+
+/// The result of a comparison.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// How many steps were simulated.
+    pub steps: usize,
+    /// How many bodies there were at the end.
+    pub bodies: usize,
+    /// How many colliders there were at the end.
+    pub colliders: usize,
+    /// How many pairs were held at the end, those aside that the narrow phase drops anyway.
+    pub pairs: Both<usize>,
+    /// How many pairs were held at the end, all together.
+    pub pairs_with_dropped: Both<usize>,
+    /// The colliders that touched, in the run that the default drove.
+    pub contacts: Tally,
+    /// The sensors that were entered, in the run that the default drove.
+    pub intersections: Tally,
+    /// At how many steps the contacts of both were computed and compared.
+    pub contact_checks: usize,
+    /// How many events changed nothing: a pair that was held already, or the end of one that was not.
+    pub redundant_events: Both<usize>,
+    /// The first difference, with its step; nothing is checked after it.
+    pub first_difference: Option<String>,
+    /// How long the updates took.
+    pub timing: Both<Timing>,
+    /// The scene simulated on each broad phase alone, if this was asked for.
+    pub independent: Option<Both<Independent>>,
+}
+
+impl Outcome {
+    /// Whether the candidate did the same as the default, as far as was checked.
+    pub fn is_equal(&self) -> bool {
+        self.first_difference.is_none()
+    }
+
+    /// How many times as fast as the default the candidate was, over all updates; NaN without updates.
+    pub fn ratio(&self) -> f64 {
+        self.timing.default.total.as_secs_f64() / self.timing.candidate.total.as_secs_f64()
+    }
+}
+
+/// How many there were of something that each step may have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// After the last step.
+    pub at_end: usize,
+    /// Over all steps, each counted at every step at which it was there.
+    pub total: usize,
+}
+
+impl Tally {
+    pub(super) fn record(&mut self, count: usize) {
+        self.at_end = count;
+        self.total += count;
+    }
+}
+
+/// The end of a scene that was simulated on one broad phase alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Independent {
+    /// The scene in numbers.
+    pub sanity: Sanity,
+    /// Whether it is still physics, or else the first bound that it breaks.
+    pub verdict: Result<(), String>,
+    /// How long the steps took, the solver and everything else included.
+    pub elapsed: Duration,
+}

@@ -1,0 +1,369 @@
+//! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
+
+use super::contacts::ContactCheck;
+use super::rapier::{na, prelude::*};
+use super::tee::Tee;
+use super::{Candidate, Comparison, Outcome, Side, World};
+use crate::SceneKind;
+use std::sync::{Arc, Mutex};
+
+/// What a broad phase may do wrong.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fault {
+    /// Nothing.
+    None,
+    /// Every hundredth new pair with a moving body is kept secret.
+    ForgetsSome,
+    /// No pair is ever reported.
+    AddsNothing,
+    /// New pairs are reported twice.
+    AddsTwice,
+    /// Ended pairs are reported twice.
+    DeletesTwice,
+    /// The end of a pair is kept secret.
+    NeverDeletes,
+    /// The list of pairs lacks the last.
+    ListsTooFew,
+    /// The list of pairs has the last twice.
+    ListsTwice,
+}
+
+/// Rapier's broad phase with a fault.
+struct Faulty {
+    inner: DefaultBroadPhase,
+    fault: Fault,
+    list: Vec<ColliderPair>,
+    added: usize,
+    updates: usize,
+    forgotten: Arc<Mutex<Vec<(usize, ColliderPair)>>>,
+}
+
+impl Faulty {
+    fn new(fault: Fault) -> Self {
+        Self {
+            inner: DefaultBroadPhase::new(),
+            fault,
+            list: Vec::new(),
+            added: 0,
+            updates: 0,
+            forgotten: Arc::default(),
+        }
+    }
+
+    fn list(&self) -> Vec<ColliderPair> {
+        let mut list = self.list.clone();
+        match self.fault {
+            Fault::ListsTooFew => drop(list.pop()),
+            Fault::ListsTwice => list.extend(self.list.last()),
+            _ => {}
+        }
+        list
+    }
+
+    /// How often an event goes out.
+    fn copies(&mut self, added: bool, pair: ColliderPair, moves: bool) -> usize {
+        match (self.fault, added) {
+            (Fault::AddsNothing, true) | (Fault::NeverDeletes, false) => 0,
+            (Fault::AddsTwice, true) | (Fault::DeletesTwice, false) => 2,
+            (Fault::ForgetsSome, true) if moves => {
+                self.added += 1;
+                if self.added % 100 != 0 {
+                    return 1;
+                }
+                self.forgotten.lock().unwrap().push((self.updates, pair));
+                0
+            }
+            _ => 1,
+        }
+    }
+}
+
+impl BroadPhase for Faulty {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let mut inner_events = Vec::new();
+        self.inner.update(
+            params,
+            colliders,
+            bodies,
+            modified,
+            removed,
+            &mut inner_events,
+        );
+        self.list.retain(|pair| {
+            !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
+        });
+        for event in inner_events {
+            let (added, pair) = match event {
+                BroadPhasePairEvent::AddPair(pair) => (true, pair),
+                BroadPhasePairEvent::DeletePair(pair) => (false, pair),
+            };
+            let moves = [pair.collider1, pair.collider2].iter().any(|&handle| {
+                let parent = colliders[handle].parent();
+                parent.is_some_and(|body| bodies[body].is_dynamic())
+            });
+            for _ in 0..self.copies(added, pair, moves) {
+                if added {
+                    self.list.push(pair);
+                    events.push(BroadPhasePairEvent::AddPair(pair));
+                } else {
+                    self.list.retain(|&listed| listed != pair);
+                    events.push(BroadPhasePairEvent::DeletePair(pair));
+                }
+            }
+        }
+        self.updates += 1;
+    }
+}
+
+fn comparison(kind: SceneKind) -> Comparison {
+    Comparison {
+        steps: 40,
+        independent: false,
+        ..Comparison::new(kind, 150, 3)
+    }
+}
+
+fn run(fault: Fault) -> Outcome {
+    let candidate = Candidate::new(move || Faulty::new(fault)).with_pairs(Faulty::list);
+    comparison(SceneKind::FallingBalls).run(&candidate, |_| {})
+}
+
+#[test]
+fn default_equals_itself() {
+    for kind in SceneKind::ALL {
+        let candidate = Candidate::new(|| Faulty::new(Fault::None)).with_pairs(Faulty::list);
+        let outcome = comparison(kind).run(&candidate, |_| {});
+        assert_eq!(outcome.first_difference, None, "{}", kind.name());
+        assert_eq!(outcome.pairs.default, outcome.pairs.candidate);
+        assert_eq!(outcome.contact_checks, 40);
+        let timing = outcome.timing;
+        assert_eq!(timing.default.updates, timing.candidate.updates);
+        assert!(timing.default.updates >= 80);
+        assert_eq!(timing.default.busy_updates, timing.candidate.busy_updates);
+    }
+}
+
+#[test]
+fn independent_runs_are_sane() {
+    let candidate = Candidate::new(DefaultBroadPhase::new);
+    let mut steps = 0;
+    let outcome = Comparison {
+        independent: true,
+        contacts_every: 7,
+        ..comparison(SceneKind::FallingBalls)
+    }
+    .run(&candidate, |step| {
+        steps += 1;
+        assert_eq!(step, steps);
+    });
+    assert_eq!(steps, 120);
+    assert!(outcome.is_equal());
+    assert_eq!(outcome.contact_checks, 6);
+    let runs = outcome.independent.unwrap();
+    assert_eq!(runs.candidate.verdict, Ok(()));
+    assert_eq!(runs.default.sanity.bodies, runs.candidate.sanity.bodies);
+}
+
+#[test]
+fn a_forgotten_pair_is_named() {
+    let forgotten = Arc::new(Mutex::new(Vec::new()));
+    let shared = forgotten.clone();
+    let candidate = Candidate::new(move || Faulty {
+        forgotten: shared.clone(),
+        ..Faulty::new(Fault::ForgetsSome)
+    });
+    let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
+    let difference = outcome.first_difference.expect("a difference");
+
+    // Two updates in a step.
+    let forgotten = forgotten.lock().unwrap();
+    let step_of = |update: usize| update / 2 + 1;
+    let step = step_of(forgotten[0].0);
+    let named = forgotten
+        .iter()
+        .filter(|&&(update, _)| step_of(update) == step)
+        .map(|&(_, pair)| pair)
+        .any(|pair| {
+            [pair.collider1, pair.collider2].iter().all(|handle| {
+                let (index, generation) = handle.into_raw_parts();
+                difference.contains(&format!("{index}:{generation} ("))
+            })
+        });
+    assert!(named, "{difference}");
+    assert!(
+        difference.starts_with(&format!("step {step}: ")),
+        "{difference}"
+    );
+    assert!(
+        difference.contains("is held by the default and not by the candidate"),
+        "{difference}"
+    );
+}
+
+#[test]
+fn every_fault_is_reported() {
+    for (fault, words) in [
+        (
+            Fault::AddsNothing,
+            "held by the default and not by the candidate",
+        ),
+        (Fault::AddsTwice, "as new, which it holds already"),
+        (Fault::DeletesTwice, "as ended, which it does not hold"),
+        (
+            Fault::NeverDeletes,
+            "held by the candidate and not by the default",
+        ),
+        (Fault::ListsTooFew, "does not list it"),
+        (Fault::ListsTwice, "twice"),
+    ] {
+        let outcome = run(fault);
+        let difference = outcome.first_difference.expect(words);
+        assert!(difference.starts_with("step "), "{difference}");
+        assert!(difference.contains(words), "{difference}");
+        if matches!(fault, Fault::AddsTwice | Fault::DeletesTwice) {
+            assert!(outcome.redundant_events.candidate > 0);
+        }
+        assert_eq!(outcome.redundant_events.default, 0);
+    }
+}
+
+#[test]
+fn a_broken_invariant_is_reported() {
+    let candidate =
+        Candidate::new(DefaultBroadPhase::new).with_validation(|_| panic!("box {} is askew", 17));
+    let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
+    let difference = outcome.first_difference.expect("a difference");
+    assert!(difference.starts_with("step 1: "), "{difference}");
+    assert!(difference.contains("box 17 is askew"), "{difference}");
+}
+
+/// A world of balls of radius 1 without gravity, and two narrow phases that watch it.
+struct Watched {
+    world: World,
+    tee: Tee<Faulty>,
+    check: ContactCheck,
+}
+
+impl Watched {
+    fn new(fault: Fault) -> Self {
+        Self {
+            world: World::new(na::zero()),
+            tee: Tee::new(Faulty::new(fault)),
+            check: ContactCheck::default(),
+        }
+    }
+
+    /// A kinematic ball, which stays where it is put.
+    fn ball(&mut self, x: Real) -> ColliderHandle {
+        let mut translation: Vector<Real> = na::zero();
+        translation.x = x;
+        let body = RigidBodyBuilder::kinematic_position_based().translation(translation);
+        let collider =
+            ColliderBuilder::ball(1.0).active_collision_types(ActiveCollisionTypes::all());
+        let body = self.world.insert(body, collider);
+        self.world.bodies[body].colliders()[0]
+    }
+
+    fn collider(&mut self, handle: ColliderHandle) -> &mut Collider {
+        &mut self.world.colliders[handle]
+    }
+
+    fn step(&mut self) {
+        self.tee.begin_step();
+        self.world.step(&mut self.tee, &(), &());
+    }
+
+    fn difference(&mut self) -> Option<String> {
+        self.check.check(&self.world, &mut self.tee.journals, &())
+    }
+
+    /// Advances by one step, and expects this many contacts and intersections on both sides.
+    fn expect(&mut self, contacts: usize, intersections: usize) {
+        self.step();
+        assert_eq!(self.difference(), None);
+        for side in [Side::Default, Side::Candidate] {
+            let touching = self.check.touching(side);
+            assert_eq!(touching.contacts.len(), contacts);
+            assert_eq!(touching.intersections.len(), intersections);
+        }
+    }
+}
+
+#[test]
+fn narrow_phases_follow_what_is_toggled() {
+    let mut watched = Watched::new(Fault::None);
+    let [a, b, _] = [0.0, 1.5, 3.0].map(|x| watched.ball(x));
+    watched.expect(2, 0);
+    watched.collider(b).set_sensor(true);
+    watched.expect(0, 2);
+    watched.collider(b).set_sensor(false);
+    watched.expect(2, 0);
+    watched.collider(a).set_enabled(false);
+    watched.expect(1, 0);
+    watched.collider(a).set_sensor(true);
+    watched.expect(1, 0);
+    watched.collider(a).set_enabled(true);
+    watched.expect(1, 1);
+    watched.collider(a).set_enabled(false);
+    watched.step();
+    watched.collider(a).set_enabled(true);
+    watched.collider(a).set_sensor(false);
+    // Two steps between two looks.
+    watched.expect(2, 0);
+    let none = InteractionGroups::none();
+    watched.collider(b).set_collision_groups(none);
+    watched.expect(0, 0);
+    watched
+        .collider(b)
+        .set_collision_groups(InteractionGroups::all());
+    watched.expect(2, 0);
+    watched.collider(b).set_shape(SharedShape::ball(0.1));
+    watched.expect(0, 0);
+}
+
+#[test]
+fn narrow_phases_follow_what_is_replaced() {
+    let mut watched = Watched::new(Fault::None);
+    let [_, b, _] = [0.0, 1.5, 3.0].map(|x| watched.ball(x));
+    watched.expect(2, 0);
+    let body = watched.collider(b).parent().unwrap();
+    watched.world.remove(body);
+    // Its index is used again at once.
+    let again = watched.ball(1.5);
+    assert_eq!(again.into_raw_parts().0, b.into_raw_parts().0);
+    assert_ne!(again, b);
+    watched.expect(2, 0);
+    let body = watched.collider(again).parent().unwrap();
+    watched.world.remove(body);
+    watched.step();
+    watched.ball(1.5);
+    watched.ball(0.0);
+    watched.expect(4, 0);
+}
+
+#[test]
+fn contacts_that_one_lacks_are_reported() {
+    let mut watched = Watched::new(Fault::AddsNothing);
+    let [_, b] = [0.0, 1.5].map(|x| watched.ball(x));
+    watched.step();
+    let difference = watched.difference().expect("a difference");
+    assert!(
+        difference.contains("touch with the pairs of the default"),
+        "{difference}"
+    );
+    watched.collider(b).set_sensor(true);
+    watched.step();
+    let difference = watched.difference().expect("a difference");
+    assert!(
+        difference.contains("intersect with the pairs of the default"),
+        "{difference}"
+    );
+}

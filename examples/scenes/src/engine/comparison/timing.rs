@@ -1,0 +1,37 @@
+//! How long the updates of one broad phase took.
+
+use std::time::Duration;
+
+/// How long the updates of one broad phase took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Timing {
+    /// All updates together.
+    pub total: Duration,
+    /// The longest update. It is often the first, which meets every collider for the first time.
+    pub worst: Duration,
+    /// How many updates there were.
+    pub updates: usize,
+    /// How many of them had a collider to look at, modified or removed.
+    pub busy_updates: usize,
+    busy_total: Duration,
+}
+
+impl Timing {
+    pub(super) fn record(&mut self, elapsed: Duration, busy: bool) {
+        self.total += elapsed;
+        self.worst = self.worst.max(elapsed);
+        self.updates += 1;
+        if busy {
+            self.busy_total += elapsed;
+            self.busy_updates += 1;
+        }
+    }
+
+    /// The mean of the updates that had a collider to look at.
+    pub fn mean_busy(&self) -> Duration {
+        match u32::try_from(self.busy_updates) {
+            Ok(updates) if updates > 0 => self.busy_total / updates,
+            _ => Duration::ZERO,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Where the bodies of a scene are meant to stay, and the colliders that keep them there.
+
+use super::rapier::{na::Unit, prelude::*};
+use super::space::{UP, along, cuboid, horizontal, vector};
+use super::world::World;
+
+/// The thickness of floors and walls. What falls for ten seconds moves by less than this in a step.
+const THICKNESS: Real = 4.0;
+
+/// A box in which bodies are meant to stay; infinite where they are free to leave.
+#[derive(Clone, Copy)]
+pub(super) struct Container {
+    /// The lower corner.
+    pub(super) lo: Vector<Real>,
+    /// The upper corner.
+    pub(super) hi: Vector<Real>,
+}
+
+impl Container {
+    /// A box around the vertical axis that stands on height zero.
+    pub(super) fn standing(half_width: Real, height: Real) -> Self {
+        Self {
+            lo: vector(|axis| if axis == UP { 0.0 } else { -half_width }),
+            hi: vector(|axis| if axis == UP { height } else { half_width }),
+        }
+    }
+
+    /// The half-space above height zero.
+    pub(super) fn above_ground() -> Self {
+        Self::standing(Real::INFINITY, Real::INFINITY)
+    }
+
+    /// The same box, which bodies may leave through its top.
+    pub(super) fn open(mut self) -> Self {
+        self.hi[UP] = Real::INFINITY;
+        self
+    }
+
+    /// Whether a body of this size is outside by more than its size.
+    pub(super) fn is_left_by(&self, center: &Vector<Real>, size: Real) -> bool {
+        (0..center.len())
+            .any(|axis| center[axis] < self.lo[axis] - size || center[axis] > self.hi[axis] + size)
+    }
+
+    /// Inserts a floor and walls of cuboids, which have no bodies. All extents must be finite.
+    pub(super) fn wall_in(&self, world: &mut World, cover: impl Fn(ColliderBuilder) -> Collider) {
+        self.insert_side(world, UP, false, &cover);
+        for axis in horizontal() {
+            self.insert_side(world, axis, false, &cover);
+            self.insert_side(world, axis, true, &cover);
+        }
+    }
+
+    /// Inserts a lid.
+    pub(super) fn close(&self, world: &mut World, cover: impl Fn(ColliderBuilder) -> Collider) {
+        self.insert_side(world, UP, true, &cover);
+    }
+
+    /// Inserts a floor and walls of half-spaces, which have no bodies.
+    pub(super) fn dig(&self, world: &mut World) {
+        let mut insert = |outward: Vector<Real>, at: Vector<Real>| {
+            let normal = Unit::new_normalize(outward);
+            world
+                .colliders
+                .insert(ColliderBuilder::halfspace(normal).translation(at));
+        };
+        insert(along(UP, 1.0), along(UP, self.lo[UP]));
+        for axis in horizontal().filter(|&axis| self.hi[axis].is_finite()) {
+            insert(along(axis, 1.0), along(axis, self.lo[axis]));
+            insert(along(axis, -1.0), along(axis, self.hi[axis]));
+        }
+    }
+
+    fn insert_side(
+        &self,
+        world: &mut World,
+        axis: usize,
+        upper: bool,
+        cover: &impl Fn(ColliderBuilder) -> Collider,
+    ) {
+        let mut center = (self.lo + self.hi) / 2.0;
+        // The sides overlap at the edges, so that nothing slips out between them.
+        let mut half = (self.hi - self.lo) / 2.0 + vector(|_| THICKNESS);
+        center[axis] = match upper {
+            true => self.hi[axis] + THICKNESS / 2.0,
+            false => self.lo[axis] - THICKNESS / 2.0,
+        };
+        half[axis] = THICKNESS / 2.0;
+        world
+            .colliders
+            .insert(cover(cuboid(half).translation(center)));
+    }
+}

@@ -1,0 +1,167 @@
+//! Churn: falling balls of which a share is replaced at every step, so that the indices of colliders are
+//! used again at once; a few are disabled for a while or change their collision group.
+
+use super::rapier::{math::DIM, prelude::*};
+use super::{Container, Cue, Lattice, Random, Script, Stage, UP, World, along, falling, jitter};
+
+/// Radii differ by a tenth either way.
+const RADIUS: [Real; 2] = [0.45, 0.55];
+
+/// The distance between balls at the start.
+const SPACING: Real = 1.25;
+
+/// One of this many bodies is replaced at every step.
+const REPLACED: usize = 50;
+
+/// The speed at which balls are dropped in.
+const SPEED: Real = 20.0;
+
+/// The number of steps after which a ball may be dropped in at the same place.
+const CYCLE: usize = 4;
+
+/// The number of steps between two changes of what is disabled, or in the other group.
+const INTERVAL: usize = 7;
+
+/// One of this many bodies is disabled, and one is in the other group.
+const CHANGED: usize = 200;
+
+/// The speed at which Rapier pushes balls apart that were put into each other.
+const PUSHED_APART: Real = 10.0;
+
+/// Balls of this group do not touch each other, but all others.
+const GHOSTS: InteractionGroups =
+    InteractionGroups::new(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
+
+/// Replaces some bodies at every step, and changes others.
+struct Replacement {
+    balls: Vec<RigidBodyHandle>,
+    disabled: Vec<RigidBodyHandle>,
+    ghosts: Vec<RigidBodyHandle>,
+    drop_height: Real,
+    drop_cells: Lattice,
+    next_cell: usize,
+}
+
+impl Script for Replacement {
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
+        if self.balls.is_empty() {
+            return;
+        }
+        let count = self.balls.len().div_ceil(REPLACED);
+        let removed: Vec<_> = (0..count)
+            .map(|_| self.remove_any(world, &mut cue.random))
+            .collect();
+        for (index, (center, radius)) in removed.into_iter().enumerate() {
+            // Half of the new ones take the place of an old one, the others are dropped in.
+            let ball = match index % 2 {
+                0 => ball(center, 0.0),
+                _ => self.drop_in(&mut cue.random),
+            };
+            let collider = ColliderBuilder::ball(radius);
+            self.balls.push(cue.insert(world, ball, collider));
+        }
+        if cue.step % INTERVAL == 0 {
+            self.change_disabled(world, cue);
+        }
+        if cue.step % INTERVAL == INTERVAL / 2 {
+            self.change_groups(world, cue);
+        }
+    }
+}
+
+impl Replacement {
+    /// Removes any ball, and tells its place and radius.
+    fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector<Real>, Real) {
+        let handle = self.balls.swap_remove(random.index(self.balls.len()));
+        let body = &world.bodies[handle];
+        let shape = world.colliders[body.colliders()[0]].shape();
+        let radius = shape.as_ball().map_or(RADIUS[0], |ball| ball.radius);
+        let place = (*body.translation(), radius);
+        world.remove(handle);
+        place
+    }
+
+    fn drop_in(&mut self, random: &mut Random) -> RigidBodyBuilder {
+        let cell = self.drop_cells.center(self.next_cell);
+        self.next_cell = (self.next_cell + 1) % self.drop_cells.per_layer();
+        let center = cell + along(UP, self.drop_height) + jitter(random, 0.05);
+        ball(center, -SPEED)
+    }
+
+    fn change_disabled(&mut self, world: &mut World, cue: &mut Cue) {
+        for handle in self.disabled.drain(..) {
+            let Some(body) = world.bodies.get_mut(handle) else {
+                continue;
+            };
+            body.set_enabled(true);
+            let mass = body.mass();
+            allow_overlap(cue, mass);
+        }
+        for _ in 0..self.balls.len().div_ceil(CHANGED) {
+            let handle = self.balls[cue.random.index(self.balls.len())];
+            world.bodies[handle].set_enabled(false);
+            self.disabled.push(handle);
+        }
+    }
+
+    fn change_groups(&mut self, world: &mut World, cue: &mut Cue) {
+        for handle in self.ghosts.drain(..) {
+            regroup(world, cue, handle, InteractionGroups::default());
+        }
+        for _ in 0..self.balls.len().div_ceil(CHANGED) {
+            let handle = self.balls[cue.random.index(self.balls.len())];
+            regroup(world, cue, handle, GHOSTS);
+            self.ghosts.push(handle);
+        }
+    }
+}
+
+/// Moves the colliders of a ball to a group, if it is still there.
+fn regroup(world: &mut World, cue: &mut Cue, handle: RigidBodyHandle, groups: InteractionGroups) {
+    let Some(body) = world.bodies.get(handle) else {
+        return;
+    };
+    allow_overlap(cue, body.mass());
+    for &collider in body.colliders() {
+        world.colliders[collider].set_collision_groups(groups);
+    }
+}
+
+/// Accounts for what happens when a ball is put into others: it and one more are pushed apart.
+fn allow_overlap(cue: &mut Cue, mass: Real) {
+    cue.supply(2.0 * mass, PUSHED_APART.powi(2) / 2.0);
+}
+
+fn ball(center: Vector<Real>, vertical: Real) -> RigidBodyBuilder {
+    RigidBodyBuilder::dynamic()
+        .translation(center)
+        .linvel(along(UP, vertical))
+}
+
+pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+    // The top has cells enough for the balls that are dropped in during a cycle.
+    let dropped = bodies.div_ceil(REPLACED).div_ceil(2) * CYCLE;
+    let columns = (dropped as Real).powf(1.0 / (DIM - 1) as Real).ceil() as usize;
+    let columns = columns.max(Lattice::heap(bodies, SPACING, 1.0).columns);
+    let lattice = Lattice::with_columns(bodies, SPACING, columns);
+    let drop_height = lattice.height() + 3.0;
+    let walls = Container::standing(lattice.half_width() + 0.5, drop_height + 2.0);
+
+    let mut world = falling();
+    walls.wall_in(&mut world, |side| side.build());
+    let balls = (0..bodies)
+        .map(|index| {
+            let center = lattice.center(index) + jitter(random, 0.07);
+            let radius = random.range(RADIUS[0], RADIUS[1]);
+            world.insert(ball(center, 0.0), ColliderBuilder::ball(radius))
+        })
+        .collect();
+    Stage::new(world, walls.open()).with_script(Replacement {
+        balls,
+        disabled: Vec::new(),
+        ghosts: Vec::new(),
+        drop_height,
+        drop_cells: lattice,
+        next_cell: 0,
+    })
+}

@@ -1,0 +1,134 @@
+//! A crowd: walkers of one size on a plane, each steering to a goal and bumping into others.
+
+use super::rapier::{math::DIM, prelude::*};
+use super::{Container, Cue, Random, Script, Stage, UP, World, cuboid, flavour, floating, vector};
+
+/// Half the width of a walker.
+const HALF_WIDTH: Real = 0.3;
+
+/// Half the height of a walker.
+const HALF_HEIGHT: Real = 0.6;
+
+/// The distance between walkers at the start.
+const SPACING: Real = 2.5;
+
+/// The speed at which walkers like to walk.
+const SPEED: Real = 2.0;
+
+/// The share of the difference to the wanted velocity that is made up for in a step.
+const EAGERNESS: Real = 0.2;
+
+/// The speed below which a walker takes itself to be stuck, and steps to its right.
+const STUCK: Real = 0.5 * SPEED;
+
+/// The distance at which a goal counts as reached.
+const REACHED: Real = 1.5;
+
+/// Steers each walker to its goal, and finds it another one when it is there.
+struct Steering {
+    walkers: Vec<(RigidBodyHandle, Vector<Real>)>,
+    half_width: Real,
+}
+
+impl Script for Steering {
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
+        for (walker, goal) in &mut self.walkers {
+            let body = &world.bodies[*walker];
+            let velocity = *body.linvel();
+            let mut way = planar(&(*goal - body.translation()));
+            let distance = way.norm();
+            if distance < REACHED {
+                *goal = somewhere(self.half_width, &mut cue.random);
+            }
+            if velocity.norm() < STUCK {
+                way = aside(&way);
+            }
+            let wanted = way * (SPEED / distance.max(REACHED));
+            let velocity = velocity + (wanted - velocity) * EAGERNESS;
+            cue.push(world, *walker, velocity);
+        }
+    }
+}
+
+/// A place on the plane.
+fn somewhere(half_width: Real, random: &mut Random) -> Vector<Real> {
+    planar(&vector(|_| random.range(-half_width, half_width)))
+}
+
+/// A vector in the plane, turned to the right by most of a right angle.
+///
+/// Without it, walkers that meet head-on push each other forever, and the crowd becomes one jam.
+fn aside(way: &Vector<Real>) -> Vector<Real> {
+    let [first, second] = flavour::PLANE;
+    let (sine, cosine) = Real::sin_cos(1.2);
+    let mut turned = Vector::zeros();
+    turned[first] = cosine * way[first] + sine * way[second];
+    turned[second] = cosine * way[second] - sine * way[first];
+    turned
+}
+
+/// The part of a vector that is in the plane.
+fn planar(full: &Vector<Real>) -> Vector<Real> {
+    vector(|axis| {
+        if flavour::PLANE.contains(&axis) {
+            full[axis]
+        } else {
+            0.0
+        }
+    })
+}
+
+pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+    let side = ((bodies as Real).sqrt().ceil() as usize).max(1);
+    let half_width = side as Real * SPACING / 2.0;
+    let container = Container {
+        lo: vector(|axis| match flavour::PLANE.contains(&axis) {
+            true => -half_width,
+            false => -HALF_HEIGHT,
+        }),
+        hi: vector(|axis| match flavour::PLANE.contains(&axis) {
+            true => half_width,
+            false => HALF_HEIGHT,
+        }),
+    };
+    let slippery = |builder: ColliderBuilder| builder.friction(0.0).build();
+    let mut world = floating();
+    container.wall_in(&mut world, slippery);
+    if flavour::PLANE.contains(&UP) {
+        container.close(&mut world, slippery);
+    }
+
+    let walkers = (0..bodies)
+        .map(|index| {
+            let mut place = Vector::zeros();
+            for (axis, cell) in flavour::PLANE.into_iter().zip([index % side, index / side]) {
+                let jitter = random.range(-0.3, 0.3);
+                place[axis] = (cell as Real + 0.5) * SPACING - half_width + jitter;
+            }
+            let walker = world.insert(
+                RigidBodyBuilder::dynamic()
+                    .translation(place)
+                    .locked_axes(flavour::UPRIGHT)
+                    .can_sleep(false),
+                slippery(figure(index)),
+            );
+            (walker, somewhere(half_width, random))
+        })
+        .collect();
+    Stage::new(world, container).with_script(Steering {
+        walkers,
+        half_width,
+    })
+}
+
+/// A box or a round figure with the same bounds.
+fn figure(index: usize) -> ColliderBuilder {
+    match index % 2 {
+        0 => cuboid(vector(|axis| match flavour::PLANE.contains(&axis) {
+            true => HALF_WIDTH,
+            false => HALF_HEIGHT,
+        })),
+        _ if DIM == 2 => ColliderBuilder::ball(HALF_WIDTH),
+        _ => ColliderBuilder::capsule_y(HALF_HEIGHT - HALF_WIDTH, HALF_WIDTH),
+    }
+}

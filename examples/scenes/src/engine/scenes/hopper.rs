@@ -1,0 +1,97 @@
+//! A hopper: grains that are poured through a funnel in batches, so that the number of bodies grows.
+
+use super::rapier::prelude::*;
+use super::{
+    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cuboid, falling, flavour,
+    horizontal, jitter, vector,
+};
+
+/// Grains differ in radius by a tenth either way.
+const RADIUS: [Real; 2] = [0.45, 0.55];
+
+/// The distance between grains of a batch.
+const SPACING: Real = 1.25;
+
+/// The number of steps between two batches, in which the last one moves out of the way.
+const INTERVAL: usize = 6;
+
+/// The speed at which a batch starts to fall.
+const SPEED: Real = 14.0;
+
+/// Half the width of the outlet.
+const HALF_OUTLET: Real = 2.5;
+
+/// The slope of the funnel, in radians.
+const SLOPE: Real = 0.8;
+
+/// Pours a layer of grains every few steps until all are there.
+struct Pouring {
+    layer: Lattice,
+    height: Real,
+    left: usize,
+}
+
+impl Script for Pouring {
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
+        if cue.step % INTERVAL != 0 {
+            return;
+        }
+        let batch = self.layer.per_layer().min(self.left);
+        self.left -= batch;
+        for index in 0..batch {
+            let place = self.layer.center(index) + along(UP, self.height);
+            let center = place + jitter(&mut cue.random, 0.07);
+            let radius = cue.random.range(RADIUS[0], RADIUS[1]);
+            cue.insert(
+                world,
+                RigidBodyBuilder::dynamic()
+                    .translation(center)
+                    .linvel(along(UP, -SPEED)),
+                ColliderBuilder::ball(radius),
+            );
+        }
+    }
+}
+
+pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
+    let lattice = Lattice::heap(bodies, SPACING, 1.0);
+    let half_width = lattice.half_width() + 1.0;
+    // All grains find room below the outlet, and would find room above it.
+    let outlet = lattice.height() * 0.9 + 2.0;
+    let rim = outlet + half_width * SLOPE.tan();
+    let pouring = Pouring {
+        height: rim + lattice.height() + 1.0,
+        layer: lattice,
+        left: bodies,
+    };
+
+    let walls = Container::standing(half_width, pouring.height + 2.0 * SPACING);
+    let mut world = falling();
+    walls.wall_in(&mut world, |side| side.build());
+    for axis in horizontal() {
+        for side in [-1.0, 1.0] {
+            insert_panel(&mut world, axis, side, outlet, half_width);
+        }
+    }
+    Stage::new(world, walls.open()).with_script(pouring)
+}
+
+/// Inserts the panel of the funnel that leads from the outlet up to one of the walls.
+fn insert_panel(world: &mut World, axis: usize, side: Real, outlet: Real, half_width: Real) {
+    const HALF_THICKNESS: Real = 0.5;
+    // Longer than needed, so that it ends inside of the wall.
+    let half_length = (half_width - HALF_OUTLET + 2.0).max(1.0) / 2.0 / SLOPE.cos();
+    let half = vector(|other| match other {
+        UP => HALF_THICKNESS,
+        other if other == axis => half_length,
+        _ => half_width + 1.0,
+    });
+    let lower = along(axis, side * HALF_OUTLET) + along(UP, outlet);
+    let uphill = along(axis, side * SLOPE.cos()) + along(UP, SLOPE.sin());
+    world.colliders.insert(
+        cuboid(half)
+            .translation(lower + uphill * half_length)
+            .rotation(flavour::tilt(axis, side * SLOPE))
+            .friction(0.2),
+    );
+}

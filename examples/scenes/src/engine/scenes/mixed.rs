@@ -1,0 +1,88 @@
+//! Bodies of mixed sizes, falling onto half-spaces, whose boxes are as large as boxes get.
+//!
+//! A broad phase for boxes of about the same size is at home with a ratio of 1.5, has to work at 4, and has
+//! to treat the few large ones apart at 1,000.
+
+use super::rapier::prelude::*;
+use super::{Container, Lattice, Random, Stage, UP, World, cube, falling, horizontal, jitter};
+
+/// The sizes of the third scene: most bodies are near the lower end.
+const GRAIN: [Real; 2] = [0.05, 0.5];
+
+/// The sizes of the hills of the third scene.
+const HILL: [Real; 2] = [2.0, 50.0];
+
+/// By how much a hill rises above the ground.
+const RISE: [Real; 2] = [0.3, 1.0];
+
+/// One hill to this many bodies.
+const BODIES_PER_HILL: usize = 100;
+
+/// Builds a wide heap on one half-space, of balls and cubes whose sizes differ by up to `ratio`.
+pub(super) fn build_heap(bodies: usize, ratio: Real, random: &mut Random) -> Stage {
+    let sizes = [0.5 / ratio.sqrt(), 0.5 * ratio.sqrt()];
+    // A turned cube needs no more than the spacing, so that nothing overlaps at the start.
+    let lattice = Lattice::heap(bodies, 2.0 * sizes[1] * 1.1, 0.3);
+    let container = Container::above_ground();
+    let mut world = falling();
+    container.dig(&mut world);
+    for index in 0..bodies {
+        let center = lattice.center(index) + jitter(random, 0.04);
+        let half = random.log_range(sizes[0], sizes[1]);
+        insert_body(&mut world, index, half, center);
+    }
+    Stage::new(world, container)
+}
+
+/// Builds a pit of half-spaces with hills, of which only the tops show, and grains falling onto them.
+///
+/// The large ones are fixed: a solver does not cope with a body that is a billion times heavier than the
+/// one below it.
+pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
+    let hills = bodies.div_ceil(BODIES_PER_HILL).min(bodies / 2);
+    let grains = bodies - hills;
+    let lattice = Lattice::heap(grains, 2.0 * GRAIN[1] * 1.1, 0.2);
+    let half_width = lattice.half_width() + 0.5;
+    let container = Container::standing(half_width, lattice.height()).open();
+    let mut world = falling();
+    container.dig(&mut world);
+
+    for hill in 0..hills {
+        // The first hill is the largest and the first grain the smallest, so that the ratio is as named.
+        let radius = match hill {
+            0 => HILL[1],
+            _ => random.log_range(HILL[0], HILL[1]),
+        };
+        let mut center = Vector::zeros();
+        for axis in horizontal() {
+            center[axis] = random.range(-half_width, half_width);
+        }
+        center[UP] = random.range(RISE[0], RISE[1]) - radius;
+        world.insert(
+            RigidBodyBuilder::fixed().translation(center),
+            ColliderBuilder::ball(radius),
+        );
+    }
+    for index in 0..grains {
+        let mut center = lattice.center(index) + jitter(random, 0.03);
+        center[UP] += RISE[1];
+        // A product of two draws makes small ones frequent.
+        let half = match index {
+            0 => GRAIN[0],
+            _ => random
+                .log_range(GRAIN[0], GRAIN[1])
+                .min(random.log_range(GRAIN[0], GRAIN[1])),
+        };
+        insert_body(&mut world, index, half, center);
+    }
+    Stage::new(world, container)
+}
+
+/// Inserts a ball or a cube.
+fn insert_body(world: &mut World, index: usize, half: Real, center: Vector<Real>) {
+    let collider = match index % 2 {
+        0 => ColliderBuilder::ball(half),
+        _ => cube(half),
+    };
+    world.insert(RigidBodyBuilder::dynamic().translation(center), collider);
+}

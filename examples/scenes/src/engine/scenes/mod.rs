@@ -1,0 +1,54 @@
+//! The scenes, each in its own file: from a number of bodies and a generator to a stage.
+
+use super::container::Container;
+use super::lattice::Lattice;
+use super::script::{Cue, Script};
+use super::space::*;
+use super::stage::{Link, Stage};
+use super::world::World;
+use super::{flavour, rapier};
+use crate::SceneKind;
+use crate::random::Random;
+
+mod bullets;
+mod churn;
+mod crowd;
+mod falling_balls;
+mod gas;
+mod hopper;
+mod mixed;
+mod pyramid;
+mod ropes;
+mod shapes;
+mod sleeping;
+mod swarm;
+
+/// Builds the stage of a scene.
+pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stage {
+    match kind {
+        SceneKind::FallingBalls => falling_balls::build(bodies, random),
+        SceneKind::Pyramid => pyramid::build(bodies, random),
+        SceneKind::Gas => gas::build(bodies, random),
+        SceneKind::Ropes => ropes::build(bodies, random),
+        SceneKind::Hopper => hopper::build(bodies, random),
+        SceneKind::Crowd => crowd::build(bodies, random),
+        SceneKind::Swarm => swarm::build(bodies, random),
+        SceneKind::Sleeping => sleeping::build(bodies, random),
+        SceneKind::MixedOneAndAHalf => mixed::build_heap(bodies, 1.5, random),
+        SceneKind::MixedFour => mixed::build_heap(bodies, 4.0, random),
+        SceneKind::MixedThousand => mixed::build_hills(bodies, random),
+        SceneKind::Bullets => bullets::build(bodies, random),
+        SceneKind::Churn => churn::build(bodies, random),
+        SceneKind::Shapes => shapes::build(bodies, random),
+    }
+}
+
+/// A world in which things fall.
+fn falling() -> World {
+    World::new(along(UP, -GRAVITY))
+}
+
+/// A world without gravity.
+fn floating() -> World {
+    World::new(rapier::math::Vector::zeros())
+}

@@ -1,0 +1,105 @@
+//! A swarm: kinematic bodies that all move at every step, so that a step is little but the broad phase.
+//!
+//! Rapier ignores pairs of kinematic bodies unless a collider asks for them. Every fourth is a sensor that
+//! does, so that there are intersections.
+
+use super::rapier::prelude::*;
+use super::{
+    Container, Cue, Lattice, Random, Script, Stage, World, cube, floating, jitter, vector,
+};
+
+/// Half the size of a body.
+const HALF: Real = 0.5;
+
+/// The distance between bodies at the start. They overlap later.
+const SPACING: Real = 1.6;
+
+/// The largest drift along each axis, in length units per second.
+const DRIFT: Real = 3.0;
+
+/// The radius of the circles that are flown on top of the drift.
+const CIRCLE: Real = 0.5;
+
+/// A body with its flight.
+struct Flyer {
+    body: RigidBodyHandle,
+    home: Vector<Real>,
+    drift: Vector<Real>,
+    phase: Real,
+}
+
+/// Moves every body along its flight: a drift that is reflected by the box, and a circle on top of it.
+struct Flight {
+    flyers: Vec<Flyer>,
+    container: Container,
+}
+
+impl Script for Flight {
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
+        let time = (cue.step + 1) as Real * world.params.dt;
+        for flyer in &self.flyers {
+            let place = vector(|axis| {
+                let drifted = flyer.home[axis] + flyer.drift[axis] * time;
+                let (lo, hi) = (self.container.lo[axis], self.container.hi[axis]);
+                let quarter = axis as Real * core::f32::consts::FRAC_PI_2;
+                reflect(drifted, lo, hi) + CIRCLE * (2.0 * time + flyer.phase + quarter).sin()
+            });
+            world.bodies[flyer.body].set_next_kinematic_translation(place);
+        }
+    }
+}
+
+/// Folds a coordinate into `lo..hi` as if it were reflected at both ends.
+fn reflect(coordinate: Real, lo: Real, hi: Real) -> Real {
+    let width = hi - lo;
+    let period = (coordinate - lo).rem_euclid(2.0 * width);
+    lo + if period < width {
+        period
+    } else {
+        2.0 * width - period
+    }
+}
+
+pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+    let lattice = Lattice::heap(bodies, SPACING, 1.0);
+    let container = Container::standing(lattice.half_width(), lattice.height());
+    let mut world = floating();
+    let flyers = (0..bodies)
+        .map(|index| {
+            let home = lattice.center(index) + jitter(random, 0.25);
+            let shape = match index % 2 {
+                0 => ColliderBuilder::ball(HALF),
+                _ => cube(HALF * 0.8),
+            };
+            let collider = match index % 4 {
+                0 => shape
+                    .sensor(true)
+                    .active_events(ActiveEvents::COLLISION_EVENTS)
+                    .active_collision_types(ActiveCollisionTypes::all()),
+                _ => shape,
+            };
+            Flyer {
+                body: world.insert(
+                    RigidBodyBuilder::kinematic_position_based().translation(home),
+                    collider,
+                ),
+                home,
+                drift: jitter(random, DRIFT),
+                phase: random.range(0.0, 2.0 * core::f32::consts::PI),
+            }
+        })
+        .collect();
+    Stage::new(world, container).with_script(Flight { flyers, container })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reflect;
+
+    #[test]
+    fn reflection_stays_inside() {
+        for (coordinate, folded) in [(0.5, 0.5), (2.5, 1.5), (-0.5, 0.5), (4.25, 0.25)] {
+            assert_eq!(reflect(coordinate, 0.0, 2.0), folded);
+        }
+    }
+}

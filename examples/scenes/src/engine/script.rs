@@ -1,0 +1,83 @@
+//! What happens in a scene besides physics: a script inserts, removes and steers bodies before each step.
+
+use super::rapier::prelude::*;
+use super::space::{GRAVITY, UP};
+use super::world::World;
+use crate::random::Random;
+
+/// What is done to a world before each step.
+pub(super) trait Script: Send {
+    /// Prepares the world for the step of this cue.
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue);
+}
+
+/// The script of a scene that is left to itself.
+pub(super) struct Nothing;
+
+impl Script for Nothing {
+    fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
+}
+
+/// What a script has at hand, and the account of the energy that it brings into the world.
+pub(super) struct Cue {
+    /// How many steps were done before.
+    pub(super) step: usize,
+    /// The generator of the scene.
+    pub(super) random: Random,
+    /// The energy that was brought in so far. What was taken out is not subtracted.
+    pub(super) supplied: f64,
+    /// The height from which potential energy is counted.
+    pub(super) ground: Real,
+}
+
+impl Cue {
+    /// Inserts a body with one collider.
+    pub(super) fn insert(
+        &mut self,
+        world: &mut World,
+        body: impl Into<RigidBody>,
+        collider: impl Into<Collider>,
+    ) -> RigidBodyHandle {
+        let (body, collider) = (body.into(), collider.into());
+        let height = body.translation()[UP] - self.ground;
+        let potential = world.gravity.norm() * height.max(0.0);
+        self.supply(
+            collider.mass(),
+            body.linvel().norm_squared() / 2.0 + potential,
+        );
+        world.insert(body, collider)
+    }
+
+    /// Gives a body a velocity.
+    pub(super) fn push(
+        &mut self,
+        world: &mut World,
+        handle: RigidBodyHandle,
+        velocity: Vector<Real>,
+    ) {
+        let body = &mut world.bodies[handle];
+        let gain = (velocity.norm_squared() - body.linvel().norm_squared()) / 2.0;
+        self.supply(body.mass(), gain.max(0.0));
+        body.set_linvel(velocity, true);
+    }
+
+    /// Moves a body elsewhere, with another velocity.
+    pub(super) fn throw(
+        &mut self,
+        world: &mut World,
+        handle: RigidBodyHandle,
+        from: Vector<Real>,
+        velocity: Vector<Real>,
+    ) {
+        let lift = (from - world.bodies[handle].translation())[UP];
+        let mass = world.bodies[handle].mass();
+        self.supply(mass, GRAVITY * lift.max(0.0));
+        world.bodies[handle].set_translation(from, true);
+        self.push(world, handle, velocity);
+    }
+
+    /// Notes that a body of this mass gained an energy per mass.
+    pub(super) fn supply(&mut self, mass: Real, specific: Real) {
+        self.supplied += f64::from(mass) * f64::from(specific);
+    }
+}

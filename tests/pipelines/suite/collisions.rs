@@ -1,0 +1,85 @@
+//! Rapier's `CollisionPipeline`: collisions without dynamics.
+
+use super::rapier::prelude::*;
+use super::twins::{Twins, at, cube, dynamic, fixed};
+
+/// Inserts a collider without a body that meets everything.
+fn insert_loose(twins: &mut Twins, x: Real, sensor: bool) -> ColliderHandle {
+    twins.both(|world| {
+        let collider = cube()
+            .translation(at(x, 0.0))
+            .sensor(sensor)
+            .active_collision_types(ActiveCollisionTypes::all())
+            .active_events(ActiveEvents::COLLISION_EVENTS);
+        world.colliders.insert(collider)
+    })
+}
+
+#[test]
+fn colliders_without_bodies() {
+    let mut twins = Twins::weightless();
+    let solid = insert_loose(&mut twins, 0.0, false);
+    let moving = insert_loose(&mut twins, 5.0, false);
+    let sensor = insert_loose(&mut twins, -1.5, true);
+    for i in 0..60 {
+        let x = 5.0 - 0.15 * i as Real;
+        twins.change(moving, |moving| moving.set_translation(at(x, 0.0)));
+        let seen = twins.collide();
+        assert_eq!(seen.touches(solid, moving), x.abs() < 1.002, "at {x}");
+        assert_eq!(
+            seen.intersects(sensor, moving),
+            (x + 1.5).abs() <= 1.0,
+            "at {x}"
+        );
+    }
+    // Nothing has changed.
+    assert!(twins.collide().events.is_empty());
+}
+
+#[test]
+fn colliders_that_come_and_go() {
+    let mut twins = Twins::weightless();
+    let solid = insert_loose(&mut twins, 0.0, false);
+    let other = insert_loose(&mut twins, 0.9, false);
+    assert!(twins.collide().started(solid, other));
+    twins.change(other, |other| other.set_enabled(false));
+    assert!(twins.collide().stopped(solid, other, true));
+    twins.change(other, |other| other.set_enabled(true));
+    assert!(twins.collide().started(solid, other));
+    twins.both(|world| {
+        let removed = (&mut world.islands, &mut world.bodies);
+        world
+            .colliders
+            .remove(other, removed.0, removed.1, true)
+            .is_some()
+    });
+    assert!(twins.collide().stopped(solid, other, true));
+    let again = insert_loose(&mut twins, 0.9, false);
+    assert!(twins.collide().started(solid, again));
+}
+
+#[test]
+fn bodies() {
+    let mut twins = Twins::weightless();
+    let (_, left) = twins.insert(dynamic(0.0, 0.0), cube());
+    let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
+    assert!(twins.collide().touches(left, right));
+    twins.change(left, |left| left.set_translation(at(-3.0, 0.0)));
+    assert!(!twins.collide().touches(left, right));
+}
+
+/// This pipeline never clears the marks of changed bodies, so it lists the colliders of a body only at the
+/// first of its changes. The narrow phase looks at body types all the same, whenever either collider moves.
+#[test]
+fn a_body_type_that_changes_unlisted() {
+    let mut twins = Twins::weightless();
+    let (body, left) = twins.insert(fixed(0.0, 0.0), cube());
+    let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
+    assert!(!twins.collide().touches(left, right));
+    twins.change_body(body, |body| {
+        body.set_body_type(RigidBodyType::Dynamic, true)
+    });
+    twins.collide();
+    twins.change(right, |right| right.set_translation(at(0.95, 0.0)));
+    assert!(twins.collide().touches(left, right));
+}

@@ -1,0 +1,17 @@
+//! The tests: one source for both dimensions, which the module that includes it names as `rapier`.
+
+use super::rapier;
+use super::{UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
+
+mod bullets;
+mod changes;
+mod collisions;
+mod filters;
+mod floors;
+mod odd_updates;
+mod piles;
+mod queries;
+mod removals;
+mod snapshot;
+pub(crate) mod twins;
+mod wake_ups;

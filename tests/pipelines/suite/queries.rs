@@ -1,0 +1,147 @@
+//! Scene queries: the same answers as from Rapier's own tree.
+
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+
+use super::World;
+use super::rapier::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
+use super::rapier::prelude::*;
+use super::twins::{Twins, at, cube, dynamic, fixed, triple};
+
+/// Balls and cubes in a wide grid, some of them moving.
+fn scattered() -> Twins {
+    let mut twins = Twins::weightless();
+    for i in 0..8 {
+        for j in 0..8 {
+            let (x, y) = (3.0 * i as Real, 3.0 * j as Real);
+            let body = match (i + j) % 3 {
+                0 => fixed(x, y),
+                1 => dynamic(x, y),
+                _ => dynamic(x, y).linvel(at(0.3, 0.2)),
+            };
+            let collider = match i % 2 {
+                0 => cube(),
+                _ => ColliderBuilder::ball(0.6),
+            };
+            twins.insert(body, collider);
+        }
+    }
+    twins
+}
+
+/// Asks both worlds the same.
+fn same<T: PartialEq + Debug>(twins: &Twins, ask: impl Fn(QueryPipeline<'_>) -> T) -> T {
+    let dispatcher = &DefaultQueryDispatcher;
+    let filter = QueryFilter::default();
+    let (ours, theirs) = (&twins.ours, &twins.theirs);
+    let unisize = &twins.unisize;
+    let ours = unisize.as_query_pipeline(dispatcher, &ours.bodies, &ours.colliders, filter);
+    let default = &twins.default;
+    let theirs = default.as_query_pipeline(dispatcher, &theirs.bodies, &theirs.colliders, filter);
+    let answer = ask(ours);
+    assert_eq!(answer, ask(theirs));
+    answer
+}
+
+fn indices<T>(hits: impl Iterator<Item = (ColliderHandle, T)>) -> BTreeSet<u32> {
+    hits.map(|(handle, _)| handle.into_raw_parts().0).collect()
+}
+
+fn compare_queries(twins: &Twins) -> usize {
+    let mut hits = 0;
+    for i in 0..60 {
+        let (x, y) = (-2.0 + 0.45 * i as Real, 25.0 - 0.37 * i as Real);
+        let ray = Ray::new(at(x, -5.0).into(), at(0.05 * y - 0.6, 1.0));
+        hits += same(twins, |scene| scene.cast_ray(&ray, 100.0, true)).map_or(0, |_| 1);
+        hits += same(twins, |scene| {
+            let crossed = scene.intersect_ray(ray, 100.0, true);
+            indices(crossed.map(|(handle, collider, _)| (handle, collider)))
+        })
+        .len();
+        let point = at(x, 0.9 * y).into();
+        hits += same(twins, |scene| indices(scene.intersect_point(point))).len();
+        let nearest = same(twins, |scene| {
+            let nearest = scene.project_point(&point, Real::MAX, true);
+            nearest.map(|(_, projection)| projection.point)
+        });
+        assert!(nearest.is_some());
+        let pose = at(x, y).into();
+        let probe = Ball::new(1.7);
+        hits += same(twins, |scene| indices(scene.intersect_shape(pose, &probe))).len();
+        let region = Aabb::from_half_extents(point, triple([1.5; 3]));
+        hits += same(twins, |scene| {
+            indices(scene.intersect_aabb_conservative(region))
+        })
+        .len();
+        let cast = same(twins, |scene| {
+            let options = ShapeCastOptions::with_max_time_of_impact(50.0);
+            let hit = scene.cast_shape(&pose, &at(-1.0, -0.3), &probe, options);
+            hit.map(|(_, hit)| hit.time_of_impact)
+        });
+        hits += cast.map_or(0, |_| 1);
+    }
+    hits
+}
+
+#[test]
+fn as_in_rapier() {
+    let mut twins = scattered();
+    twins.step();
+    assert!(compare_queries(&twins) > 100);
+    twins.steps(30);
+    assert!(compare_queries(&twins) > 100);
+}
+
+#[test]
+fn after_changes() {
+    let mut twins = scattered();
+    twins.steps(3);
+    let handles: Vec<_> = twins
+        .ours
+        .colliders
+        .iter()
+        .map(|(handle, _)| handle)
+        .collect();
+    for (i, &handle) in handles.iter().enumerate() {
+        match i % 5 {
+            0 => twins.change(handle, |collider| collider.set_enabled(false)),
+            1 => twins.change(handle, |collider| {
+                collider.set_shape(SharedShape::ball(1.0))
+            }),
+            2 => twins.both(|world| {
+                let body = world.colliders[handle].parent();
+                world.remove(body.expect("every collider has a body"));
+            }),
+            _ => {}
+        }
+    }
+    twins.step();
+    assert!(compare_queries(&twins) > 20);
+}
+
+#[test]
+fn with_the_sets_borrowed_mutably() {
+    let mut twins = scattered();
+    twins.step();
+    let World {
+        bodies, colliders, ..
+    } = &mut twins.ours;
+    let filter = QueryFilter::only_dynamic();
+    let dispatcher = &DefaultQueryDispatcher;
+    let scene = twins
+        .unisize
+        .as_query_pipeline_mut(dispatcher, bodies, colliders, filter);
+    let ray = Ray::new(at(-5.0, 0.0).into(), at(1.0, 0.0));
+    let (hit, _) = scene.as_ref().cast_ray(&ray, 100.0, true).expect("it hits");
+    let parent = scene.colliders[hit]
+        .parent()
+        .expect("every collider has a body");
+    assert!(scene.bodies[parent].is_dynamic());
+}
+
+#[test]
+fn an_empty_world() {
+    let twins = Twins::weightless();
+    let ray = Ray::new(Point::origin(), at(1.0, 0.0));
+    assert!(same(&twins, |scene| scene.cast_ray(&ray, 100.0, true)).is_none());
+}

@@ -1,0 +1,134 @@
+//! What a user can see of a world after a step, in an order of its own.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Mutex;
+
+use super::World;
+use super::rapier::prelude::*;
+
+/// Two colliders, the smaller handle first.
+pub(super) type Pair = [(u32, u32); 2];
+
+pub(super) fn pair(a: ColliderHandle, b: ColliderHandle) -> Pair {
+    let mut pair = [a.into_raw_parts(), b.into_raw_parts()];
+    pair.sort_unstable();
+    pair
+}
+
+/// A collision or contact-force event.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Event {
+    Started(Pair, u32),
+    Stopped(Pair, u32),
+    /// With the bits of the total force.
+    Force(Pair, u32),
+}
+
+/// An event handler that keeps the events.
+#[derive(Default)]
+pub(super) struct EventLog(Mutex<Vec<Event>>);
+
+impl EventLog {
+    fn push(&self, event: Event) {
+        self.0.lock().expect("no handler panics").push(event);
+    }
+}
+
+impl EventHandler for EventLog {
+    fn handle_collision_event(
+        &self,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        event: CollisionEvent,
+        _: Option<&ContactPair>,
+    ) {
+        self.push(match event {
+            CollisionEvent::Started(a, b, flags) => Event::Started(pair(a, b), flags.bits()),
+            CollisionEvent::Stopped(a, b, flags) => Event::Stopped(pair(a, b), flags.bits()),
+        });
+    }
+
+    fn handle_contact_force_event(
+        &self,
+        _: Real,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        contact_pair: &ContactPair,
+        total_force: Real,
+    ) {
+        let pair = pair(contact_pair.collider1, contact_pair.collider2);
+        self.push(Event::Force(pair, total_force.to_bits()));
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Snapshot {
+    /// The pairs with an active contact.
+    pub(super) contacts: BTreeSet<Pair>,
+    /// The pairs with a sensor that intersect.
+    pub(super) intersections: BTreeSet<Pair>,
+    /// The events of the step, sorted.
+    pub(super) events: Vec<Event>,
+    /// The bodies that sleep.
+    pub(super) asleep: BTreeSet<u32>,
+    /// Every body's pose.
+    pub(super) poses: BTreeMap<u32, Isometry<Real>>,
+}
+
+impl Snapshot {
+    pub(super) fn of(world: &World, log: EventLog) -> Self {
+        let contacts = world.narrow_phase.contact_pairs();
+        let contacts = contacts.filter(|contact| contact.has_any_active_contact);
+        let intersections = world.narrow_phase.intersection_pairs();
+        let intersections = intersections.filter(|&(.., intersecting)| intersecting);
+        let bodies = || {
+            let bodies = world.bodies.iter();
+            bodies.map(|(handle, body)| (handle.into_raw_parts().0, body))
+        };
+        let asleep = bodies().filter(|(_, body)| body.is_sleeping());
+        let mut events = log.0.into_inner().expect("no handler panics");
+        events.sort_unstable();
+        Self {
+            contacts: contacts.map(|c| pair(c.collider1, c.collider2)).collect(),
+            intersections: intersections.map(|(a, b, _)| pair(a, b)).collect(),
+            events,
+            asleep: asleep.map(|(index, _)| index).collect(),
+            poses: bodies()
+                .map(|(index, body)| (index, *body.position()))
+                .collect(),
+        }
+    }
+
+    pub(super) fn touches(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+        self.contacts.contains(&pair(a, b))
+    }
+
+    pub(super) fn intersects(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+        self.intersections.contains(&pair(a, b))
+    }
+
+    pub(super) fn sleeps(&self, body: RigidBodyHandle) -> bool {
+        self.asleep.contains(&body.into_raw_parts().0)
+    }
+
+    pub(super) fn height(&self, body: RigidBodyHandle) -> Real {
+        self.poses[&body.into_raw_parts().0].translation.y
+    }
+
+    pub(super) fn started(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+        self.has_flags(&[Event::Started(pair(a, b), 0)])
+    }
+
+    /// Whether the two stopped touching, because of a removal or not.
+    pub(super) fn stopped(&self, a: ColliderHandle, b: ColliderHandle, removed: bool) -> bool {
+        let flags = match removed {
+            true => CollisionEventFlags::REMOVED,
+            false => CollisionEventFlags::empty(),
+        };
+        self.has_flags(&[Event::Stopped(pair(a, b), flags.bits())])
+    }
+
+    fn has_flags(&self, events: &[Event]) -> bool {
+        events.iter().all(|event| self.events.contains(event))
+    }
+}

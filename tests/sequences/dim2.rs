@@ -1,0 +1,7 @@
+//! The suite for rapier2d.
+
+use rapier2d as rapier;
+use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
+
+#[path = "suite/mod.rs"]
+mod suite;

@@ -1,0 +1,7 @@
+//! The suite for rapier3d.
+
+use rapier3d as rapier;
+use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
+
+#[path = "suite/mod.rs"]
+mod suite;

@@ -1,0 +1,13 @@
+//! The broad phase over time: random sequences of what can happen to colliders, against a model.
+//!
+//! A [`Sequence`](ops::Sequence) is a list of updates, each a list of [`Op`](ops::Op)s. It is played in three
+//! ways: with lists of colliders that the test makes itself, odd ones included (`direct`); and in the steps of
+//! Rapier's own `CollisionPipeline` and `PhysicsPipeline`, so that the lists are the engine's. Each update is
+//! checked by `CheckedBroadPhase`, which hands it on and compares the answer with that of `Model`: a brute-force
+//! reading of the contract, written without regard to the implementation.
+//!
+//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer.
+
+mod dim2;
+mod dim3;
+mod ops;

@@ -1,0 +1,123 @@
+//! A broad phase that hands every update on to ours and checks the answer.
+
+use std::collections::BTreeSet;
+
+use super::model::{Changes, Model, Pair};
+use super::rapier::parry::query;
+use super::rapier::prelude::*;
+use super::{Kernel, Settings, UnisizeBroadPhase};
+
+pub(super) struct CheckedBroadPhase {
+    inner: UnisizeBroadPhase,
+    model: Model,
+    updates: u64,
+}
+
+impl CheckedBroadPhase {
+    pub(super) fn new(kernel: Kernel, margin: Real) -> Self {
+        Self {
+            inner: UnisizeBroadPhase::with_settings(Settings { kernel, margin }),
+            model: Model::default(),
+            updates: 0,
+        }
+    }
+
+    pub(super) fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// What must hold after every update, whatever it was.
+    fn check_state(&self) {
+        let pairs: Vec<_> = self.inner.pairs().map(|p| raw(&p)).collect();
+        let stats = self.inner.stats();
+        assert_eq!(stats.pairs, pairs.len());
+        assert_eq!(&as_set(&pairs), self.model.held(), "held pairs");
+        assert_eq!(stats.proxies, self.model.proxies(), "proxies");
+        assert_eq!(stats.refused, self.model.refused(), "refused");
+        assert_eq!(stats.updates, self.updates, "updates");
+        self.inner.validate();
+    }
+}
+
+impl BroadPhase for CheckedBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let mut sent = Vec::new();
+        self.inner
+            .update(params, colliders, bodies, modified, removed, &mut sent);
+        let margin = self.inner.settings().margin;
+        let expected = self
+            .model
+            .update(margin, params, colliders, bodies, modified, removed);
+
+        assert_eq!(changes(&sent), expected, "events");
+        for pair in &expected.deleted {
+            assert_far_apart(pair, params, colliders);
+        }
+        if !modified.is_empty() || !removed.is_empty() {
+            self.updates += 1;
+            let stats = self.inner.stats();
+            assert_eq!(stats.listed, modified.len() + removed.len());
+            assert_eq!(stats.added, expected.added.len());
+            assert_eq!(stats.deleted, expected.deleted.len());
+        }
+        self.check_state();
+        events.append(&mut sent);
+    }
+}
+
+fn raw(pair: &ColliderPair) -> Pair {
+    let pair = [pair.collider1, pair.collider2].map(|handle| handle.into_raw_parts());
+    assert!(pair[0].0 < pair[1].0, "{pair:?} is not in order");
+    pair
+}
+
+/// The pairs as a set; none may occur twice.
+fn as_set(pairs: &[Pair]) -> BTreeSet<Pair> {
+    let set: BTreeSet<_> = pairs.iter().copied().collect();
+    assert_eq!(set.len(), pairs.len(), "a pair occurs twice in {pairs:?}");
+    set
+}
+
+fn changes(events: &[BroadPhasePairEvent]) -> Changes {
+    let (mut added, mut deleted) = (Vec::new(), Vec::new());
+    for event in events {
+        match event {
+            BroadPhasePairEvent::AddPair(pair) => added.push(raw(pair)),
+            BroadPhasePairEvent::DeletePair(pair) => deleted.push(raw(pair)),
+        }
+    }
+    Changes {
+        added: as_set(&added),
+        deleted: as_set(&deleted),
+    }
+}
+
+/// A deleted pair must be farther apart than the prediction distance, by the shapes and not their boxes.
+fn assert_far_apart(pair: &Pair, params: &IntegrationParameters, colliders: &ColliderSet) {
+    let [a, b] = pair.map(|(index, generation)| {
+        let handle = ColliderHandle::from_raw_parts(index, generation);
+        colliders.get(handle).expect("no deletion is due for it")
+    });
+    let coordinates = [a.translation(), b.translation()].map(|x| x.amax());
+    let magnitude = coordinates[0].max(coordinates[1]);
+    // A pose that is not a number is nowhere, and very far out the distance itself is not exact.
+    if coordinates.iter().any(|x| x.is_nan()) || magnitude > 1.0e3 {
+        return;
+    }
+    if let Ok(distance) = query::distance(a.position(), a.shape(), b.position(), b.shape()) {
+        let reach = params.prediction_distance() + a.contact_skin() + b.contact_skin();
+        let rounding = 1.0e-5 * (1.0 + magnitude);
+        assert!(
+            distance >= reach - rounding,
+            "{pair:?} is deleted at a distance of {distance}, within {reach}"
+        );
+    }
+}

@@ -1,0 +1,51 @@
+//! Sequences with lists made by hand: duplicates, handles from elsewhere and empty lists included.
+
+use super::Kernel;
+use super::checked::CheckedBroadPhase;
+use super::rapier::prelude::*;
+use super::world::World;
+use crate::ops::Sequence;
+
+pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
+    let params = IntegrationParameters {
+        length_unit: sequence.length_unit,
+        ..IntegrationParameters::default()
+    };
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut world = World::default();
+    for ops in &sequence.updates {
+        for &op in ops {
+            world.apply(op);
+        }
+        list_silent_removals(&mut world, &broad_phase);
+        broad_phase.update(
+            &params,
+            &world.colliders,
+            &world.bodies,
+            &world.modified,
+            &world.removed,
+            &mut Vec::new(),
+        );
+        world.modified.clear();
+        world.removed.clear();
+    }
+}
+
+/// Lists the colliders that were replaced in silence, but for those whose successor is listed.
+fn list_silent_removals(world: &mut World, broad_phase: &CheckedBroadPhase) {
+    let World {
+        colliders,
+        modified,
+        removed,
+        ..
+    } = world;
+    let succeeded = |index: u32| {
+        let mut successors = modified.iter().filter(|h| h.into_raw_parts().0 == index);
+        successors.any(|&h| colliders.get(h).is_some_and(|co| co.is_enabled()))
+    };
+    for handle in broad_phase.model().known() {
+        if !colliders.contains(handle) && !succeeded(handle.into_raw_parts().0) {
+            removed.push(handle);
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! What a broad phase has to answer, by brute force.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::rapier::parry::bounding_volume::BoundingVolume;
+use super::rapier::prelude::*;
+
+/// Two colliders, by index and generation, the smaller index first.
+pub(super) type Pair = [(u32, u32); 2];
+
+/// What is known of every collider in the game, and which pairs are held.
+#[derive(Default)]
+pub(super) struct Model {
+    proxies: BTreeMap<u32, Proxy>,
+    held: BTreeSet<Pair>,
+}
+
+struct Proxy {
+    generation: u32,
+    /// `None` while the collider's box is not sound.
+    aabb: Option<Aabb>,
+}
+
+/// How an update changes the held pairs.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Changes {
+    pub(super) added: BTreeSet<Pair>,
+    pub(super) deleted: BTreeSet<Pair>,
+}
+
+impl Model {
+    pub(super) fn held(&self) -> &BTreeSet<Pair> {
+        &self.held
+    }
+
+    /// The number of colliders with a sound box.
+    pub(super) fn proxies(&self) -> usize {
+        let sound = self.proxies.values().filter(|proxy| proxy.aabb.is_some());
+        sound.count()
+    }
+
+    /// The number of colliders without a sound box.
+    pub(super) fn refused(&self) -> usize {
+        self.proxies.len() - self.proxies()
+    }
+
+    /// Whether this is a collider that the model knows.
+    pub(super) fn knows(&self, handle: ColliderHandle) -> bool {
+        let (index, generation) = handle.into_raw_parts();
+        let known = self.proxies.get(&index);
+        known.is_some_and(|proxy| proxy.generation == generation)
+    }
+
+    /// The colliders that the model knows.
+    pub(super) fn known(&self) -> impl Iterator<Item = ColliderHandle> + '_ {
+        let known = self.proxies.iter();
+        known.map(|(&index, proxy)| ColliderHandle::from_raw_parts(index, proxy.generation))
+    }
+
+    pub(super) fn update(
+        &mut self,
+        margin: Real,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+    ) -> Changes {
+        for &handle in removed {
+            self.forget(handle);
+        }
+        for &handle in modified {
+            match colliders.get(handle) {
+                Some(collider) if collider.is_enabled() => {
+                    let skin = params.prediction_distance() / 2.0;
+                    let margin = margin.max(0.0) * params.length_unit;
+                    self.renew(handle, collider.compute_collision_aabb(skin), margin);
+                }
+                _ => self.forget(handle),
+            }
+        }
+
+        let before = std::mem::take(&mut self.held);
+        self.held = self.overlapping_pairs();
+        self.held
+            .retain(|pair| before.contains(pair) || may_interact(pair, colliders, bodies));
+        Changes {
+            added: self.held.difference(&before).copied().collect(),
+            deleted: before.difference(&self.held).copied().collect(),
+        }
+    }
+
+    /// Drops a collider and, without a word, its pairs.
+    fn forget(&mut self, handle: ColliderHandle) {
+        if self.knows(handle) {
+            let gone = handle.into_raw_parts();
+            self.proxies.remove(&gone.0);
+            self.held.retain(|pair| !pair.contains(&gone));
+        }
+    }
+
+    /// Takes note of a collider's present box: as it is when it had none, else with a margin and only once
+    /// it has left the last one.
+    fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
+        let (index, generation) = handle.into_raw_parts();
+        if let Some(proxy) = self.proxies.get(&index)
+            && proxy.generation != generation
+        {
+            self.forget(ColliderHandle::from_raw_parts(index, proxy.generation));
+        }
+        let last = self.proxies.get(&index).and_then(|proxy| proxy.aabb);
+        let aabb = match last {
+            _ if !is_sound(&aabb) => None,
+            None => Some(aabb),
+            Some(last) if contains(&last, &aabb) => Some(last),
+            Some(_) => Some(aabb.loosened(margin)),
+        };
+        self.proxies.insert(index, Proxy { generation, aabb });
+    }
+
+    fn overlapping_pairs(&self) -> BTreeSet<Pair> {
+        let sound: Vec<_> = self
+            .proxies
+            .iter()
+            .filter_map(|(&index, proxy)| Some(((index, proxy.generation), proxy.aabb?)))
+            .collect();
+        let mut pairs = BTreeSet::new();
+        for (i, (first, a)) in sound.iter().enumerate() {
+            for (second, b) in &sound[i + 1..] {
+                if (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k]) {
+                    pairs.insert([*first, *second]);
+                }
+            }
+        }
+        pairs
+    }
+}
+
+/// Whether the narrow phase would look at the two shapes, as `NarrowPhase::compute_contacts` decides.
+fn may_interact(pair: &Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool {
+    let [a, b] = pair.map(|(index, generation)| {
+        let handle = ColliderHandle::from_raw_parts(index, generation);
+        colliders.get(handle).expect("its removal was listed")
+    });
+    if a.parent().is_some() && a.parent() == b.parent() {
+        return false;
+    }
+    let [type_a, type_b] = [a, b].map(|collider| match collider.parent() {
+        Some(body) => bodies[body].body_type(),
+        None => RigidBodyType::Fixed,
+    });
+    if !a.active_collision_types().test(type_a, type_b)
+        && !b.active_collision_types().test(type_a, type_b)
+    {
+        return false;
+    }
+    a.collision_groups().test(b.collision_groups())
+}
+
+fn is_sound(aabb: &Aabb) -> bool {
+    (0..DIM).all(|k| aabb.mins[k] <= aabb.maxs[k])
+}
+
+fn contains(outer: &Aabb, inner: &Aabb) -> bool {
+    (0..DIM).all(|k| outer.mins[k] <= inner.mins[k] && inner.maxs[k] <= outer.maxs[k])
+}

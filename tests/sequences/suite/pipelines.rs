@@ -1,0 +1,65 @@
+//! Sequences in the steps of Rapier's own pipelines, which make the lists.
+
+use super::Kernel;
+use super::checked::CheckedBroadPhase;
+use super::rapier::prelude::*;
+use super::world::World;
+use crate::ops::Sequence;
+
+/// Plays a sequence with one step for each of its updates, and one more that nothing precedes.
+fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)) {
+    for ops in &sequence.updates {
+        for &op in ops {
+            world.apply(op);
+        }
+        step(world);
+    }
+    step(world);
+}
+
+pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut narrow_phase = NarrowPhase::new();
+    let mut pipeline = CollisionPipeline::new();
+    let mut world = World::default();
+    play(sequence, &mut world, |world| {
+        pipeline.step(
+            0.002 * sequence.length_unit,
+            &mut broad_phase,
+            &mut narrow_phase,
+            &mut world.bodies,
+            &mut world.colliders,
+            &(),
+            &(),
+        );
+    });
+}
+
+pub(super) fn play_physics(sequence: &Sequence, kernel: Kernel) {
+    let params = IntegrationParameters {
+        length_unit: sequence.length_unit,
+        ..IntegrationParameters::default()
+    };
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut narrow_phase = NarrowPhase::new();
+    let mut pipeline = PhysicsPipeline::new();
+    let mut ccd_solver = CCDSolver::new();
+    let mut world = World::default();
+    world.engine_follows_bodies = true;
+    play(sequence, &mut world, |world| {
+        pipeline.step(
+            &Vector::zeros(),
+            &params,
+            &mut world.islands,
+            &mut broad_phase,
+            &mut narrow_phase,
+            &mut world.bodies,
+            &mut world.colliders,
+            &mut world.joints,
+            &mut world.multibody_joints,
+            &mut ccd_solver,
+            &(),
+            &(),
+        );
+    });
+}

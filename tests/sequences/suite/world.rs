@@ -1,0 +1,295 @@
+//! The colliders and bodies of a sequence, and how each operation changes them.
+
+use super::rapier::prelude::*;
+use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Triple, Types};
+
+/// Rapier's sets, with the lists of what changed since the last update.
+#[derive(Default)]
+pub(super) struct World {
+    pub(super) islands: IslandManager,
+    pub(super) bodies: RigidBodySet,
+    pub(super) colliders: ColliderSet,
+    pub(super) joints: ImpulseJointSet,
+    pub(super) multibody_joints: MultibodyJointSet,
+    pub(super) modified: Vec<ColliderHandle>,
+    pub(super) removed: Vec<ColliderHandle>,
+    /// Whether an engine's pipeline carries out what a change of a body means to its colliders.
+    pub(super) engine_follows_bodies: bool,
+    live: Vec<ColliderHandle>,
+    live_bodies: Vec<RigidBodyHandle>,
+    gone: Vec<ColliderHandle>,
+}
+
+impl World {
+    pub(super) fn apply(&mut self, op: Op) {
+        match op {
+            Op::Insert(new, parent) => self.insert(new, parent),
+            Op::Push(pick, velocity) => {
+                if let Some(body) = nth(&self.live_bodies, pick) {
+                    self.bodies[body].set_linvel(vector(velocity), true);
+                }
+            }
+            Op::EnableBody(pick, on) => self.enable_body(pick, on),
+            Op::BodyType(pick, kind) => {
+                if let Some(body) = self.sound_body(pick) {
+                    self.bodies[body].set_body_type(body_type(kind), true);
+                    self.list_colliders_of(body);
+                }
+            }
+            Op::RemoveBody {
+                body,
+                with_colliders,
+            } => self.remove_body(body, with_colliders),
+            Op::ListStale(list, pick) => {
+                if let Some(handle) = nth(&self.gone, pick) {
+                    self.list(list, handle);
+                }
+            }
+            Op::ListBogus(list, index, generation) => {
+                self.list(list, ColliderHandle::from_raw_parts(index, generation));
+            }
+            Op::Move(pick, _)
+            | Op::Shift(pick, _)
+            | Op::Teleport(pick, _)
+            | Op::Spoil(pick)
+            | Op::Resize(pick, _)
+            | Op::Skin(pick, _)
+            | Op::Sensor(pick, _)
+            | Op::Enable(pick, _)
+            | Op::Regroup(pick, _)
+            | Op::Retype(pick, _)
+            | Op::Reparent(pick, _)
+            | Op::Remove(pick)
+            | Op::Replace(pick, _)
+            | Op::ListAgain(_, pick) => {
+                if let Some(handle) = nth(&self.live, pick) {
+                    self.change(handle, op);
+                }
+            }
+        }
+    }
+
+    fn list(&mut self, list: List, handle: ColliderHandle) {
+        match list {
+            List::Modified => self.modified.push(handle),
+            List::Removed => self.removed.push(handle),
+        }
+    }
+
+    fn list_colliders_of(&mut self, body: RigidBodyHandle) {
+        for &handle in self.bodies[body].colliders() {
+            // Borrowed mutably, it is listed by the engine as well.
+            self.colliders.get_mut(handle);
+            self.modified.push(handle);
+        }
+    }
+
+    /// Carries out an operation on one collider.
+    fn change(&mut self, handle: ColliderHandle, op: Op) {
+        match op {
+            Op::Remove(_) => return self.remove(handle),
+            Op::Replace(_, new) => {
+                self.remove(handle);
+                // Not reported: that another has its index must be enough.
+                self.removed.pop();
+                return self.insert(new, Parent::None);
+            }
+            Op::ListAgain(list, _) => return self.list(list, handle),
+            Op::Enable(_, true) if self.is_on_unsound_body(handle) => return,
+            _ => self.modified.push(handle),
+        }
+        match op {
+            Op::Move(_, by) => {
+                let mut pose = self.pose(handle);
+                pose.translation.vector += vector(by);
+                self.place(handle, pose);
+            }
+            Op::Teleport(_, to) => self.place(handle, translation(to)),
+            Op::Spoil(_) => self.place(handle, translation([Real::NAN; 3])),
+            Op::Reparent(_, to) => {
+                let parent = to.and_then(|pick| self.sound_body(pick));
+                self.colliders.set_parent(handle, parent, &mut self.bodies);
+            }
+            _ => {}
+        }
+        let collider = &mut self.colliders[handle];
+        match op {
+            Op::Shift(_, by) => {
+                let pose = *collider.position() * translation(by);
+                if let Some(local) = collider.position_wrt_parent().copied() {
+                    collider.set_position_wrt_parent(local * translation(by));
+                }
+                collider.set_position(pose);
+            }
+            Op::Resize(_, shape) => collider.set_shape(shared_shape(shape)),
+            Op::Skin(_, skin) => collider.set_contact_skin(skin),
+            Op::Sensor(_, on) => collider.set_sensor(on),
+            Op::Enable(_, on) => collider.set_enabled(on),
+            Op::Regroup(_, groups) => collider.set_collision_groups(interaction_groups(groups)),
+            Op::Retype(_, types) => collider.set_active_collision_types(collision_types(types)),
+            _ => {}
+        }
+    }
+
+    /// A body, unless it is one that an engine's solver must be spared: it panics when a disabled body has an
+    /// enabled collider, or changes its type.
+    fn sound_body(&self, pick: usize) -> Option<RigidBodyHandle> {
+        let body = nth(&self.live_bodies, pick)?;
+        (self.bodies[body].is_enabled() || !self.engine_follows_bodies).then_some(body)
+    }
+
+    fn is_on_unsound_body(&self, handle: ColliderHandle) -> bool {
+        let parent = self.colliders[handle].parent();
+        self.engine_follows_bodies && parent.is_some_and(|body| !self.bodies[body].is_enabled())
+    }
+
+    /// The pose of a collider's body, or its own if it has none.
+    fn pose(&self, handle: ColliderHandle) -> Isometry<Real> {
+        let collider = &self.colliders[handle];
+        match collider.parent() {
+            Some(body) => *self.bodies[body].position(),
+            None => *collider.position(),
+        }
+    }
+
+    /// Puts a collider there, or its body with all that is on it.
+    fn place(&mut self, handle: ColliderHandle, pose: Isometry<Real>) {
+        let Some(parent) = self.colliders[handle].parent() else {
+            self.colliders[handle].set_position(pose);
+            return;
+        };
+        let body = &mut self.bodies[parent];
+        body.set_position(pose, true);
+        body.set_vels(RigidBodyVelocity::zero(), true);
+        for &handle in self.bodies[parent].colliders() {
+            let collider = &mut self.colliders[handle];
+            let local = collider.position_wrt_parent().expect("it is on a body");
+            let pose = pose * local;
+            collider.set_position(pose);
+        }
+        self.list_colliders_of(parent);
+    }
+
+    fn insert(&mut self, new: NewCollider, parent: Parent) {
+        let collider = ColliderBuilder::new(shared_shape(new.shape))
+            .sensor(new.sensor)
+            .enabled(new.enabled)
+            .collision_groups(interaction_groups(new.groups))
+            .active_collision_types(collision_types(new.types));
+        let parent = match parent {
+            Parent::None => None,
+            Parent::New(kind) => {
+                let body = RigidBodyBuilder::new(body_type(kind)).translation(vector(new.at));
+                self.live_bodies.push(self.bodies.insert(body));
+                self.live_bodies.last().copied()
+            }
+            Parent::Existing(pick) => self.sound_body(pick),
+        };
+        let handle = match parent {
+            Some(parent) => self
+                .colliders
+                .insert_with_parent(collider, parent, &mut self.bodies),
+            None => self.colliders.insert(collider.translation(vector(new.at))),
+        };
+        self.live.push(handle);
+        self.modified.push(handle);
+    }
+
+    fn remove(&mut self, handle: ColliderHandle) {
+        // Waking a body whose type has just changed would upset the engine's list of active bodies.
+        self.colliders
+            .remove(handle, &mut self.islands, &mut self.bodies, false);
+        self.bury(handle);
+    }
+
+    fn bury(&mut self, handle: ColliderHandle) {
+        self.live.retain(|&other| other != handle);
+        self.gone.push(handle);
+        self.removed.push(handle);
+    }
+
+    fn enable_body(&mut self, pick: usize, on: bool) {
+        let Some(body) = nth(&self.live_bodies, pick) else {
+            return;
+        };
+        self.bodies[body].set_enabled(on);
+        if !self.engine_follows_bodies {
+            for &handle in self.bodies[body].colliders() {
+                self.colliders[handle].set_enabled(on);
+            }
+            self.list_colliders_of(body);
+        }
+    }
+
+    fn remove_body(&mut self, pick: usize, with_colliders: bool) {
+        let Some(body) = nth(&self.live_bodies, pick) else {
+            return;
+        };
+        self.live_bodies.retain(|&other| other != body);
+        for handle in self.bodies[body].colliders().to_vec() {
+            if with_colliders {
+                self.bury(handle);
+            } else {
+                self.modified.push(handle);
+            }
+        }
+        self.bodies.remove(
+            body,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibody_joints,
+            with_colliders,
+        );
+    }
+}
+
+fn nth<T: Copy>(items: &[T], pick: usize) -> Option<T> {
+    items.get(pick % items.len().max(1)).copied()
+}
+
+fn vector(triple: Triple) -> Vector<Real> {
+    Vector::from_fn(|i, _| triple[i])
+}
+
+fn translation(triple: Triple) -> Isometry<Real> {
+    Isometry::from_parts(vector(triple).into(), Rotation::identity())
+}
+
+fn body_type(kind: BodyKind) -> RigidBodyType {
+    match kind {
+        BodyKind::Dynamic => RigidBodyType::Dynamic,
+        BodyKind::Fixed => RigidBodyType::Fixed,
+        BodyKind::KinematicPosition => RigidBodyType::KinematicPositionBased,
+        BodyKind::KinematicVelocity => RigidBodyType::KinematicVelocityBased,
+    }
+}
+
+fn shared_shape(shape: Shape) -> SharedShape {
+    match shape {
+        Shape::Ball(radius) => SharedShape::ball(radius),
+        Shape::Cuboid(half) => SharedShape::new(Cuboid::new(vector(half))),
+        Shape::Capsule(half, radius) => SharedShape::capsule_y(half, radius),
+        Shape::Compound(radius, gap) => SharedShape::compound(vec![
+            (Isometry::identity(), SharedShape::ball(radius)),
+            (translation([gap; 3]), SharedShape::ball(radius)),
+        ]),
+        Shape::HalfSpace(normal) => {
+            let normal = UnitVector::try_new(vector(normal), 0.0);
+            SharedShape::halfspace(normal.unwrap_or(Vector::y_axis()))
+        }
+    }
+}
+
+fn interaction_groups(groups: Groups) -> InteractionGroups {
+    let bits = [groups.memberships, groups.filter].map(Group::from_bits_truncate);
+    InteractionGroups::new(bits[0], bits[1])
+}
+
+fn collision_types(types: Types) -> ActiveCollisionTypes {
+    match types {
+        Types::Usual => ActiveCollisionTypes::default(),
+        Types::All => ActiveCollisionTypes::all(),
+        Types::None => ActiveCollisionTypes::empty(),
+    }
+}
