@@ -1,102 +1,165 @@
 //! Eight numbers compared at once.
 //!
-//! A thin layer over the `wide` crate, so that the sweep is written once for `f32` and `f64`. Comparisons
-//! are those of single numbers: false when either side is NaN.
+//! A thin layer over the processor's vectors, so that the sweep is written once for `f32` and `f64` and every
+//! processor. Comparisons are those of single numbers: false when either side is NaN. Where there is no
+//! vector type for a processor here, [`Portable`] leaves it to the compiler.
 
 use core::ops::BitAnd;
-
-use wide::{CmpGe, CmpLe, f32x8, f64x4};
 
 /// How many numbers are compared at once.
 pub(crate) const LANES: usize = 8;
 
 /// Eight numbers of one scalar, or the outcome of comparing them.
 pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
-    /// The first eight numbers of a slice that has at least as many.
-    fn load(numbers: &[R]) -> Self;
+    /// Eight numbers.
+    fn load(numbers: &[R; LANES]) -> Self;
     /// Eight times the same.
     fn splat(number: R) -> Self;
     /// Where `self <= other`.
     fn le(self, other: Self) -> Self;
     /// Where `self >= other`.
-    fn ge(self, other: Self) -> Self;
+    #[inline(always)]
+    fn ge(self, other: Self) -> Self {
+        other.le(self)
+    }
     /// The outcome of a comparison: bit `l` for lane `l`.
     fn bits(self) -> u32;
 }
 
-impl Lanes<f32> for f32x8 {
-    #[inline(always)]
-    fn load(numbers: &[f32]) -> Self {
-        let numbers: [f32; LANES] = numbers[..LANES].try_into().expect("eight lanes");
-        Self::from(numbers)
-    }
-    #[inline(always)]
-    fn splat(number: f32) -> Self {
-        Self::splat(number)
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> Self {
-        self.cmp_le(other)
-    }
-    #[inline(always)]
-    fn ge(self, other: Self) -> Self {
-        self.cmp_ge(other)
-    }
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.move_mask() as u32
-    }
-}
+#[cfg(target_feature = "sse2")]
+pub(crate) use sse2::{F32x8, F64x8};
+#[cfg(not(target_feature = "sse2"))]
+pub(crate) type F32x8 = Portable<f32>;
+#[cfg(not(target_feature = "sse2"))]
+pub(crate) type F64x8 = Portable<f64>;
 
-/// Eight `f64` in two halves.
+/// Eight numbers without a vector type; an outcome is one or zero in each lane.
+#[cfg(any(test, not(target_feature = "sse2")))]
+#[cfg_attr(
+    target_feature = "sse2",
+    expect(unreachable_pub, reason = "used by tests only")
+)]
 #[derive(Clone, Copy)]
-pub struct F64x8(f64x4, f64x4);
+pub struct Portable<R>([R; LANES], [bool; LANES]);
 
-impl BitAnd for F64x8 {
+#[cfg(any(test, not(target_feature = "sse2")))]
+impl<R: Copy> BitAnd for Portable<R> {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        Self(self.0 & other.0, self.1 & other.1)
+        Self(self.0, core::array::from_fn(|l| self.1[l] & other.1[l]))
     }
 }
 
-impl Lanes<f64> for F64x8 {
+#[cfg(any(test, not(target_feature = "sse2")))]
+impl<R: Copy + PartialOrd> Lanes<R> for Portable<R> {
     #[inline(always)]
-    fn load(numbers: &[f64]) -> Self {
-        let (low, high) = numbers[..LANES].split_at(LANES / 2);
-        let low: [f64; LANES / 2] = low.try_into().expect("four lanes");
-        let high: [f64; LANES / 2] = high.try_into().expect("four lanes");
-        Self(f64x4::from(low), f64x4::from(high))
+    fn load(numbers: &[R; LANES]) -> Self {
+        Self(*numbers, [false; LANES])
     }
     #[inline(always)]
-    fn splat(number: f64) -> Self {
-        Self(f64x4::splat(number), f64x4::splat(number))
+    fn splat(number: R) -> Self {
+        Self([number; LANES], [false; LANES])
     }
     #[inline(always)]
     fn le(self, other: Self) -> Self {
-        Self(self.0.cmp_le(other.0), self.1.cmp_le(other.1))
-    }
-    #[inline(always)]
-    fn ge(self, other: Self) -> Self {
-        Self(self.0.cmp_ge(other.0), self.1.cmp_ge(other.1))
+        Self(self.0, core::array::from_fn(|l| self.0[l] <= other.0[l]))
     }
     #[inline(always)]
     fn bits(self) -> u32 {
-        (self.0.move_mask() | (self.1.move_mask() << (LANES / 2))) as u32
+        (0..LANES).fold(0, |bits, l| bits | u32::from(self.1[l]) << l)
     }
+}
+
+/// Vectors of 128 bits, which every x86-64 processor has.
+#[cfg(target_feature = "sse2")]
+mod sse2 {
+    use core::ops::BitAnd;
+
+    use safe_arch::{
+        cmp_le_mask_m128, cmp_le_mask_m128d, load_unaligned_m128, load_unaligned_m128d, m128,
+        m128d, move_mask_m128, move_mask_m128d, set_splat_m128, set_splat_m128d,
+    };
+
+    use super::{LANES, Lanes};
+
+    macro_rules! vectors {
+        ($name:ident, $real:ident, $vector:ident, $parts:literal, $load:ident, $splat:ident,
+         $le:ident, $mask:ident) => {
+            #[doc = concat!("Eight `", stringify!($real), "` in ", $parts, " vectors.")]
+            #[derive(Clone, Copy)]
+            pub struct $name([$vector; $parts]);
+
+            impl BitAnd for $name {
+                type Output = Self;
+                #[inline(always)]
+                fn bitand(self, other: Self) -> Self {
+                    Self(core::array::from_fn(|p| self.0[p] & other.0[p]))
+                }
+            }
+
+            impl Lanes<$real> for $name {
+                #[inline(always)]
+                fn load(numbers: &[$real; LANES]) -> Self {
+                    Self(core::array::from_fn(|p| {
+                        $load(&core::array::from_fn(|l| numbers[p * LANES / $parts + l]))
+                    }))
+                }
+                #[inline(always)]
+                fn splat(number: $real) -> Self {
+                    Self([$splat(number); $parts])
+                }
+                #[inline(always)]
+                fn le(self, other: Self) -> Self {
+                    Self(core::array::from_fn(|p| $le(self.0[p], other.0[p])))
+                }
+                #[inline(always)]
+                fn bits(self) -> u32 {
+                    let mut bits = 0;
+                    for p in 0..$parts {
+                        bits |= $mask(self.0[p]) << (p * (LANES / $parts));
+                    }
+                    bits as u32
+                }
+            }
+        };
+    }
+
+    vectors!(
+        F32x8,
+        f32,
+        m128,
+        2,
+        load_unaligned_m128,
+        set_splat_m128,
+        cmp_le_mask_m128,
+        move_mask_m128
+    );
+    vectors!(
+        F64x8,
+        f64,
+        m128d,
+        4,
+        load_unaligned_m128d,
+        set_splat_m128d,
+        cmp_le_mask_m128d,
+        move_mask_m128d
+    );
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn agrees_with_single_numbers<R: crate::Real>(numbers: [R; LANES]) {
+    fn agrees_with_single_numbers<R: Copy + PartialOrd, L: Lanes<R>>(numbers: [R; LANES]) {
         for &bound in &numbers {
-            let (lanes, splat) = (R::Lanes::load(&numbers), R::Lanes::splat(bound));
+            let (lanes, splat) = (L::load(&numbers), L::splat(bound));
             for (l, &number) in numbers.iter().enumerate() {
                 assert_eq!(lanes.le(splat).bits() >> l & 1 == 1, number <= bound);
                 assert_eq!(lanes.ge(splat).bits() >> l & 1 == 1, number >= bound);
             }
+            let both = lanes.le(splat) & lanes.ge(splat);
+            assert_eq!(both.bits(), lanes.le(splat).bits() & lanes.ge(splat).bits());
             assert!(lanes.le(splat).bits() < 1 << LANES);
         }
     }
@@ -114,7 +177,9 @@ mod tests {
             1e-45,
             1.0_f32.next_up(),
         ];
-        agrees_with_single_numbers::<f32>(numbers);
-        agrees_with_single_numbers::<f64>(numbers.map(f64::from));
+        agrees_with_single_numbers::<f32, F32x8>(numbers);
+        agrees_with_single_numbers::<f64, F64x8>(numbers.map(f64::from));
+        agrees_with_single_numbers::<f32, Portable<f32>>(numbers);
+        agrees_with_single_numbers::<f64, Portable<f64>>(numbers.map(f64::from));
     }
 }

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
 mod sealed {
-    use crate::lanes::{F64x8, Lanes};
+    use crate::lanes::{F32x8, F64x8, Lanes};
 
     /// Keeps [`Real`](super::Real) to the two scalars, and holds what is nobody else's business.
     pub trait Sealed: Sized {
@@ -12,7 +12,7 @@ mod sealed {
         type Lanes: Lanes<Self>;
     }
     impl Sealed for f32 {
-        type Lanes = wide::f32x8;
+        type Lanes = F32x8;
     }
     impl Sealed for f64 {
         type Lanes = F64x8;

@@ -17,8 +17,9 @@ use crate::pair_tracker::{Layers, PairChange, PairTracker};
 /// `CollisionPipeline::step` in the place of `DefaultBroadPhase`.
 ///
 /// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports
-/// every pair whose boxes overlap, except pairs that the narrow phase would drop unseen: those of one body,
-/// and those that body types or collision groups forbid. Contacts and intersections are therefore the same.
+/// every pair whose boxes overlap, except pairs without a dynamic body that the narrow phase would drop
+/// unseen: those of one body, and those that body types or collision groups forbid. Contacts, intersections
+/// and the bodies that are woken are therefore the same.
 ///
 /// An update in which no collider has left its margin costs one box comparison for each listed collider.
 /// Any other also costs one run of the [kernel](super::Kernel) over all boxes.
@@ -140,8 +141,15 @@ impl UnisizeBroadPhase {
             self.stats.refused += 1;
         }
 
-        let aabb = collider_box(collider, bodies, params);
-        let filter = PairFilter::of(collider, bodies);
+        let body = collider.parent().and_then(|parent| bodies.get(parent));
+        let aabb = collider_box(collider, body, params);
+        // `CollisionPipeline`, which has no time step, lists the colliders of a body only the first time that
+        // its type changes; the type must not be relied on there.
+        let filter = if params.dt == 0.0 {
+            PairFilter::OPEN
+        } else {
+            PairFilter::of(collider, body)
+        };
         let held = self.tracker.get(slot).copied();
         if !aabb.is_valid() {
             if held.is_some() {

@@ -6,21 +6,20 @@ use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use crate::Aabb;
 
-/// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to where
+/// The box of a collider that is attached to `body`: loosened by its contact skin and half the prediction distance, and stretched to where
 /// soft CCD expects the body at the end of the step.
 ///
 /// See `BroadPhaseBvh::update` in Rapier 0.27: nearer than the prediction distance, two such boxes touch.
 pub(super) fn collider_box(
     collider: &Collider,
-    bodies: &RigidBodySet,
+    body: Option<&RigidBody>,
     params: &IntegrationParameters,
 ) -> Aabb<Real, DIM> {
     let prediction = params.prediction_distance() / 2.0;
     let mut aabb = collider.compute_collision_aabb(prediction);
-    let body = collider.parent().and_then(|parent| bodies.get(parent));
-    if let (Some(body), Some(local_pose)) = (body, collider.position_wrt_parent()) {
-        let reach = body.soft_ccd_prediction();
-        if reach > 0.0 {
+    let reach = body.map_or(0.0, RigidBody::soft_ccd_prediction);
+    if reach > 0.0 {
+        if let (Some(body), Some(local_pose)) = (body, collider.position_wrt_parent()) {
             let pose = predicted_pose(body, params.dt, reach) * local_pose;
             let next = collider.shape().compute_aabb(&pose);
             aabb.merge(&next.loosened(collider.contact_skin() + prediction));

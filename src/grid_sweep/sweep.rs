@@ -92,15 +92,15 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
         loop {
-            let reached = R::Lanes::load(&self.mins[0][j..]).le(maxs[0]);
+            let reached = load::<R>(&self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;
             if BOTH_SIDES {
-                overlap = overlap & R::Lanes::load(&self.maxs[0][j..]).ge(mins[0]);
+                overlap = overlap & load::<R>(&self.maxs[0], j).ge(mins[0]);
             }
             for k in 1..D {
                 overlap = overlap
-                    & R::Lanes::load(&self.mins[k][j..]).le(maxs[k])
-                    & R::Lanes::load(&self.maxs[k][j..]).ge(mins[k]);
+                    & load::<R>(&self.mins[k], j).le(maxs[k])
+                    & load::<R>(&self.maxs[k], j).ge(mins[k]);
             }
             let reached = reached.bits();
             // The lanes before the first that is not reached.
@@ -120,4 +120,13 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             j += LANES;
         }
     }
+}
+
+/// The eight numbers from `start` on.
+#[inline(always)]
+fn load<R: Real>(numbers: &[R], start: usize) -> R::Lanes {
+    let numbers = numbers[start..]
+        .first_chunk()
+        .expect("the arrays are padded");
+    R::Lanes::load(numbers)
 }

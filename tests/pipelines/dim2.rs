@@ -7,7 +7,7 @@ use unisize::rapier2d::UnisizeBroadPhase;
 use unisize_scenes::dim2::World;
 
 #[path = "suite/mod.rs"]
-pub(crate) mod suite;
+mod suite;
 
 /// A floor at height 0 of this half width, made of segments.
 fn mesh_floor(half: Real) -> ColliderBuilder {

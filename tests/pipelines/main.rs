@@ -1,6 +1,6 @@
 //! Whole worlds stepped with ours and with Rapier's own broad phase, side by side.
 //!
-//! [`Twins`](dim2::suite::twins::Twins) steps two equal worlds and compares, after every step, what a user can
+//! `Twins` steps two equal worlds and compares, after every step, what a user can
 //! see: contacts, intersections, events, sleep and poses. In most worlds no body meets more than one other, so
 //! that the order in which the solver gets the contacts cannot matter and everything must be the same to the
 //! last bit. Where it does matter (`piles`) only the outcome is compared.

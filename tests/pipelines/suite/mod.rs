@@ -13,5 +13,5 @@ mod piles;
 mod queries;
 mod removals;
 mod snapshot;
-pub(crate) mod twins;
+mod twins;
 mod wake_ups;

@@ -116,7 +116,7 @@ impl Snapshot {
     }
 
     pub(super) fn started(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
-        self.has_flags(&[Event::Started(pair(a, b), 0)])
+        self.events.contains(&Event::Started(pair(a, b), 0))
     }
 
     /// Whether the two stopped touching, because of a removal or not.
@@ -125,10 +125,7 @@ impl Snapshot {
             true => CollisionEventFlags::REMOVED,
             false => CollisionEventFlags::empty(),
         };
-        self.has_flags(&[Event::Stopped(pair(a, b), flags.bits())])
-    }
-
-    fn has_flags(&self, events: &[Event]) -> bool {
-        events.iter().all(|event| self.events.contains(event))
+        self.events
+            .contains(&Event::Stopped(pair(a, b), flags.bits()))
     }
 }

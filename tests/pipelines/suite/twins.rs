@@ -6,7 +6,7 @@ use super::rapier::prelude::*;
 use super::snapshot::{EventLog, Snapshot};
 use super::{UnisizeBroadPhase, World};
 
-pub(crate) struct Twins {
+pub(super) struct Twins {
     pub(super) ours: World,
     pub(super) theirs: World,
     pub(super) unisize: UnisizeBroadPhase,

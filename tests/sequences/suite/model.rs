@@ -82,8 +82,11 @@ impl Model {
 
         let before = std::mem::take(&mut self.held);
         self.held = self.overlapping_pairs();
-        self.held
-            .retain(|pair| before.contains(pair) || may_interact(pair, colliders, bodies));
+        // The collision pipeline has no time step; there nothing is filtered.
+        let is_filtered = params.dt != 0.0;
+        self.held.retain(|pair| {
+            before.contains(pair) || !is_filtered || may_interact(pair, colliders, bodies)
+        });
         Changes {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
@@ -103,10 +106,9 @@ impl Model {
     /// it has left the last one.
     fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         let (index, generation) = handle.into_raw_parts();
-        if let Some(proxy) = self.proxies.get(&index)
-            && proxy.generation != generation
-        {
-            self.forget(ColliderHandle::from_raw_parts(index, proxy.generation));
+        let known = self.proxies.get(&index).map(|proxy| proxy.generation);
+        if let Some(stale) = known.filter(|&known| known != generation) {
+            self.forget(ColliderHandle::from_raw_parts(index, stale));
         }
         let last = self.proxies.get(&index).and_then(|proxy| proxy.aabb);
         let aabb = match last {
@@ -136,19 +138,23 @@ impl Model {
     }
 }
 
-/// Whether the narrow phase would look at the two shapes, as `NarrowPhase::compute_contacts` decides.
+/// Whether a body is dynamic, or the narrow phase would look at the two shapes, as
+/// `NarrowPhase::compute_contacts` decides.
 fn may_interact(pair: &Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool {
     let [a, b] = pair.map(|(index, generation)| {
         let handle = ColliderHandle::from_raw_parts(index, generation);
         colliders.get(handle).expect("its removal was listed")
     });
-    if a.parent().is_some() && a.parent() == b.parent() {
-        return false;
-    }
     let [type_a, type_b] = [a, b].map(|collider| match collider.parent() {
         Some(body) => bodies[body].body_type(),
         None => RigidBodyType::Fixed,
     });
+    if type_a.is_dynamic() || type_b.is_dynamic() {
+        return true;
+    }
+    if a.parent().is_some() && a.parent() == b.parent() {
+        return false;
+    }
     if !a.active_collision_types().test(type_a, type_b)
         && !b.active_collision_types().test(type_a, type_b)
     {
