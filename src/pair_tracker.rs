@@ -21,6 +21,9 @@ pub(crate) use layers::{Layers, Plain};
 
 /// What proxies carry besides their box: it decides which pairs are of interest.
 pub(crate) trait Tag: Copy + PartialEq {
+    /// Whether this tag allows every pair.
+    fn is_open(&self) -> bool;
+
     /// Whether the pair of two proxies so tagged is to be held. Symmetric.
     fn allows(&self, other: &Self) -> bool;
 }
@@ -40,6 +43,8 @@ pub(crate) struct PairTracker<R, const D: usize, T> {
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     previous: Vec<Aabb<R, D>>,
     tags: Vec<T>,
+    /// Whether the tag of a slot is open: as much of it as most pairs need.
+    is_open: Vec<bool>,
     /// Slots that were placed, retagged or removed since the last `finish`.
     touched: Touched,
     /// The tags at the end of the last `finish` of the slots whose tag has changed since.
@@ -58,6 +63,7 @@ impl<R: Real, const D: usize, T> Default for PairTracker<R, D, T> {
             boxes: Vec::new(),
             previous: Vec::new(),
             tags: Vec::new(),
+            is_open: Vec::new(),
             touched: Touched::default(),
             previous_tags: BTreeMap::new(),
             pairs: Vec::new(),
@@ -86,24 +92,26 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
             self.boxes.resize(index + 1, Self::absent());
             self.previous.resize(index + 1, Self::absent());
             self.tags.resize(index + 1, tag);
+            self.is_open.resize(index + 1, tag.is_open());
         }
-        if self.previous[index].is_valid() {
-            self.retag(slot, tag);
-        } else {
-            self.tags[index] = tag;
-        }
+        self.retag(slot, tag);
         self.boxes[index] = aabb;
         self.touched.insert(slot);
     }
 
     /// Gives the proxy of a slot another tag.
+    #[inline]
     pub(crate) fn retag(&mut self, slot: u32, tag: T) {
-        let stored = &mut self.tags[slot as usize];
-        if *stored != tag {
-            self.previous_tags.entry(slot).or_insert(*stored);
-            *stored = tag;
-            self.touched.insert(slot);
+        let index = slot as usize;
+        if (self.is_open[index] && tag.is_open()) || self.tags[index] == tag {
+            return;
         }
+        if self.previous[index].is_valid() {
+            self.previous_tags.entry(slot).or_insert(self.tags[index]);
+        }
+        self.tags[index] = tag;
+        self.is_open[index] = tag.is_open();
+        self.touched.insert(slot);
     }
 
     /// Ends the pairs of a proxy with a [`PairChange::Deleted`] each, and forgets it.
@@ -156,28 +164,35 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
 
         self.report_deleted(&mut report);
         let lingering = self.lingering();
-        for &pair in &found {
-            if self.allows(pair) && !self.was_held(pair) {
+        if kind == Found::OfTouched {
+            let mut pairs = std::mem::take(&mut self.pairs);
+            pairs.retain(|&[a, b]| !(self.touched.contains(a) | self.touched.contains(b)));
+            self.pairs = pairs;
+        }
+        found.retain(|&pair| {
+            let allowed = self.allows(pair);
+            if allowed && !self.was_held(pair) {
                 report(PairChange::Added(pair));
             }
-        }
+            allowed
+        });
         match kind {
-            Found::All => {
-                found.retain(|&pair| self.allows(pair));
-                std::mem::swap(&mut self.pairs, &mut found);
-            }
-            Found::OfTouched => {
-                let mut pairs = std::mem::take(&mut self.pairs);
-                pairs.retain(|&[a, b]| !(self.touched.contains(a) | self.touched.contains(b)));
-                pairs.extend(found.iter().filter(|&&pair| self.allows(pair)));
-                self.pairs = pairs;
-            }
+            Found::All => std::mem::swap(&mut self.pairs, &mut found),
+            Found::OfTouched => self.pairs.extend_from_slice(&found),
         }
         self.found = found;
         self.lingering = lingering;
+        self.settle();
+    }
 
-        for &slot in self.touched.slots() {
-            self.previous[slot as usize] = self.boxes[slot as usize];
+    /// Makes the present boxes and tags the previous ones.
+    fn settle(&mut self) {
+        if self.touched.slots().len() > self.boxes.len() / 4 {
+            self.previous.copy_from_slice(&self.boxes);
+        } else {
+            for &slot in self.touched.slots() {
+                self.previous[slot as usize] = self.boxes[slot as usize];
+            }
         }
         self.touched.clear();
         self.previous_tags.clear();
@@ -214,7 +229,8 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
 
     #[inline]
     fn allows(&self, [a, b]: [u32; 2]) -> bool {
-        self.tags[a as usize].allows(&self.tags[b as usize])
+        let [a, b] = [a as usize, b as usize];
+        self.is_open[a] || self.is_open[b] || self.tags[a].allows(&self.tags[b])
     }
 
     /// Whether an overlapping pair was held at the end of the last `finish`.
@@ -238,6 +254,12 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
     pub(crate) fn validate(&self, layers: &mut Layers<R, D>) {
         assert_eq!(self.boxes.len(), self.previous.len());
         assert_eq!(self.boxes.len(), self.tags.len());
+        assert!(
+            self.is_open
+                .iter()
+                .copied()
+                .eq(self.tags.iter().map(Tag::is_open))
+        );
         assert!(!self.is_touched(), "an update was not finished");
         assert!(self.previous_tags.is_empty(), "an update was not finished");
         let mut expected = Vec::new();

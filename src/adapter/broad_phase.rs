@@ -10,6 +10,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
+use super::reading_order::ReadingOrder;
 use super::{Settings, Stats};
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
 
@@ -30,6 +31,7 @@ pub struct UnisizeBroadPhase {
     /// there is none.
     generations: Vec<Option<u32>>,
     layers: Layers<Real, DIM>,
+    reading_order: ReadingOrder,
     settings: Settings,
     stats: Stats,
     has_warned: bool,
@@ -55,6 +57,7 @@ impl UnisizeBroadPhase {
             tracker: PairTracker::default(),
             generations: Vec::new(),
             layers: settings.kernel.layers(),
+            reading_order: ReadingOrder::default(),
             settings,
             stats: Stats::default(),
             has_warned: false,
@@ -245,7 +248,8 @@ impl BroadPhase for UnisizeBroadPhase {
         for &handle in removed_colliders {
             self.remove(handle);
         }
-        for &handle in modified_colliders {
+        let mut order = std::mem::take(&mut self.reading_order);
+        order.for_each(modified_colliders, self.generations.len(), |handle| {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     self.modify(handle, collider, bodies, params);
@@ -253,7 +257,8 @@ impl BroadPhase for UnisizeBroadPhase {
                 // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
                 _ => self.remove(handle),
             }
-        }
+        });
+        self.reading_order = order;
         self.report(events);
     }
 }

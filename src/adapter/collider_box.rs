@@ -1,6 +1,6 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it.
 
-use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet, RigidBodyVelocity};
+use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodyVelocity};
 use super::rapier::geometry::Collider;
 use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;

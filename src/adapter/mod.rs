@@ -9,6 +9,7 @@ mod broad_phase;
 mod collider_box;
 mod pair_filter;
 mod queries;
+mod reading_order;
 mod settings;
 mod stats;
 

@@ -45,6 +45,11 @@ impl PairFilter {
 
 impl Tag for PairFilter {
     #[inline]
+    fn is_open(&self) -> bool {
+        self.0.is_none()
+    }
+
+    #[inline]
     fn allows(&self, other: &Self) -> bool {
         let (Some(a), Some(b)) = (self.0, other.0) else {
             return true;

@@ -9,7 +9,7 @@
 use crate::{Aabb, Real};
 
 /// How many boxes are looked at to choose the grid.
-const SAMPLE: usize = 512;
+const SAMPLE: usize = 128;
 
 /// The width of a strip in box sizes. More means fewer boxes on a border, which are entered twice, and more
 /// candidates a box.
@@ -162,24 +162,24 @@ struct Extent {
 
 impl Extent {
     fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize) -> Self {
-        let quantile = |sorted: &[f64], q: f64| match sorted.len() {
-            0 => 0.0,
-            len => sorted[((len - 1) as f64 * q) as usize],
+        let quantile = |numbers: &mut [f64], q: f64| {
+            if numbers.is_empty() {
+                return 0.0;
+            }
+            let index = ((numbers.len() - 1) as f64 * q) as usize;
+            *numbers.select_nth_unstable_by(index, f64::total_cmp).1
         };
-        let mut sizes: Vec<f64> = sample
+        let extents = sample
             .iter()
-            .map(|b| b.maxs[axis].to_f64() - b.mins[axis].to_f64())
-            .collect();
-        sizes.sort_unstable_by(f64::total_cmp);
-        let mut mins: Vec<f64> = sample
-            .iter()
-            .map(|b| b.mins[axis].to_f64())
+            .map(|b| [b.mins[axis].to_f64(), b.maxs[axis].to_f64()]);
+        let mut sizes: Vec<f64> = extents.clone().map(|[min, max]| max - min).collect();
+        let mut mins: Vec<f64> = extents
+            .map(|[min, _]| min)
             .filter(|x| x.is_finite())
             .collect();
-        mins.sort_unstable_by(f64::total_cmp);
-        let (low, high) = (quantile(&mins, 0.02), quantile(&mins, 0.98));
+        let (low, high) = (quantile(&mut mins, 0.02), quantile(&mut mins, 0.98));
         Self {
-            size: quantile(&sizes, 0.75),
+            size: quantile(&mut sizes, 0.75),
             low,
             spread: high - low,
         }

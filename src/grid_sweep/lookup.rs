@@ -9,7 +9,7 @@
 
 use super::grid::Grid;
 use super::sweep::Emitter;
-use super::tubes::{GHOST, Tube, Tubes};
+use super::tubes::{Tube, Tubes, ghost_axes};
 use crate::{Aabb, Real};
 
 impl<R: Real, const D: usize> Tubes<R, D> {
@@ -51,8 +51,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             }
             let in_row = rest.partition_point(|t| t.strips <= [row, reach.last[1]]);
             for tube in &rest[..in_row] {
-                let ghost = (GHOST[0] * u8::from(tube.strips[0] > reach.first[0]))
-                    | (GHOST[1] * u8::from(tube.strips[1] > reach.first[1]));
+                let ghost = ghost_axes(tube.strips, reach.first);
                 let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
                 let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
                 self.window::<true>(start, aabb, owner, ghost, emitter);

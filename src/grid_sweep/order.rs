@@ -1,8 +1,8 @@
 //! The order of a tube's entries along the first axis.
 //!
 //! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits the
-//! first or second level cache. Entries are dealt into buckets of about two by a linear guess, and what the
-//! guess left wrong is put right by insertion.
+//! first or second level cache. Entries are dealt into as many buckets as there are entries by a linear guess,
+//! and what the guess left wrong, about one in four, is put right by insertion.
 
 use crate::Real;
 
@@ -14,42 +14,42 @@ const CROWDED: u32 = 24;
 /// Sorts numbers into an order; keeps its memory between calls.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Order<R> {
-    numbers: Vec<(R, u32)>,
-    dealt: Vec<(R, u32)>,
+    /// The numbers and their positions.
+    sorted: Vec<(R, u32)>,
     /// For each bucket, where its next number goes.
     cursors: Vec<u32>,
 }
 
 impl<R: Real> Order<R> {
     /// The numbers with their positions, ascending; equal ones by position. There must be no NaN.
-    pub(super) fn sort(&mut self, numbers: impl Iterator<Item = R>) -> &[(R, u32)] {
-        self.numbers.clear();
-        self.numbers.extend(numbers.zip(0..));
-        if self.numbers.len() <= SMALL {
-            insertion_sort(&mut self.numbers);
-            return &self.numbers;
+    #[inline]
+    pub(super) fn sort(
+        &mut self,
+        numbers: impl ExactSizeIterator<Item = R> + Clone,
+    ) -> &[(R, u32)] {
+        if numbers.len() <= SMALL {
+            self.sorted.clear();
+            self.sorted.extend(numbers.zip(0..));
+        } else {
+            self.deal(numbers);
         }
-        self.deal();
-        insertion_sort(&mut self.dealt);
-        &self.dealt
+        insertion_sort(&mut self.sorted);
+        &self.sorted
     }
 
     /// Brings the numbers nearly into order: each into its bucket, the buckets ascending, and stable.
-    fn deal(&mut self) {
-        let Self {
-            numbers,
-            dealt,
-            cursors,
-        } = self;
+    #[inline]
+    fn deal(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
+        let Self { sorted, cursors } = self;
         let (mut low, mut high) = (R::MAX, R::ZERO - R::MAX);
-        for &(x, _) in numbers.iter() {
+        for x in numbers.clone() {
             // Infinite ones must not spoil the guess.
             if x.is_finite() {
                 low = if x < low { x } else { low };
                 high = if x > high { x } else { high };
             }
         }
-        let buckets = numbers.len().div_ceil(2);
+        let buckets = numbers.len();
         let length = (high.to_f64() - low.to_f64()).max(0.0);
         let per_length = R::from_f64(buckets as f64 / length);
         // Non-decreasing in x, like the strips of a grid.
@@ -58,29 +58,30 @@ impl<R: Real> Order<R> {
 
         cursors.clear();
         cursors.resize(buckets, 0);
-        for &(x, _) in numbers.iter() {
+        for x in numbers.clone() {
             cursors[bucket_of(x)] += 1;
         }
         let mut end = 0;
-        let mut crowded = false;
+        let mut most = 0;
         for cursor in cursors.iter_mut() {
-            crowded |= *cursor > CROWDED;
+            most = most.max(*cursor);
             let start = end;
-            end += std::mem::replace(cursor, start);
+            end += *cursor;
+            *cursor = start;
         }
-        dealt.clear();
-        dealt.resize(numbers.len(), (R::ZERO, 0));
-        for &number in numbers.iter() {
+        // All of it is written below.
+        sorted.resize(numbers.len(), (R::ZERO, 0));
+        for number in numbers.zip(0..) {
             let cursor = &mut cursors[bucket_of(number.0)];
-            dealt[*cursor as usize] = number;
+            sorted[*cursor as usize] = number;
             *cursor += 1;
         }
-        if crowded {
+        if most > CROWDED {
             let mut start = 0;
             // Each cursor now stands at the end of its bucket.
             for &end in cursors.iter() {
                 if end - start > CROWDED {
-                    dealt[start as usize..end as usize]
+                    sorted[start as usize..end as usize]
                         .sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("numbers are not NaN"));
                 }
                 start = end;

@@ -5,6 +5,17 @@ use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
+/// The number of bits set in each byte; not every processor can be relied on to count them.
+const COUNTS: [u8; 1 << LANES] = {
+    let mut counts = [0; 1 << LANES];
+    let mut bits = 0;
+    while bits < counts.len() {
+        counts[bits] = bits.count_ones() as u8;
+        bits += 1;
+    }
+    counts
+};
+
 /// How many pairs are collected before they are appended to the output.
 const BUFFER: usize = 512;
 
@@ -35,7 +46,7 @@ impl<'a> Emitter<'a> {
         if self.len > BUFFER - LANES {
             self.flush();
         }
-        let count = hits.count_ones() as usize;
+        let count = usize::from(COUNTS[hits as usize % COUNTS.len()]);
         let written = &mut self.buffer[self.len..self.len + LANES];
         for pair in &mut written[..2] {
             *pair = ordered(owner, others[hits.trailing_zeros() as usize % LANES]);
@@ -106,13 +117,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             // The lanes before the first that is not reached.
             let in_window = (reached ^ (reached + 1)) >> 1;
             let mut hits = overlap.bits() & in_window;
-            if ghost != 0 {
-                for lane in 0..LANES {
-                    if self.ghosts[j + lane] & ghost != 0 {
-                        hits &= !(1 << lane);
-                    }
-                }
-            }
+            hits &= !shared_axes(ghost, &self.ghosts, j);
             emitter.emit(owner, &self.owners[j..], hits);
             if reached != (1 << LANES) - 1 {
                 return;
@@ -129,4 +134,17 @@ fn load<R: Real>(numbers: &[R], start: usize) -> R::Lanes {
         .first_chunk()
         .expect("the arrays are padded");
     R::Lanes::load(numbers)
+}
+
+/// In which of the eight lanes from `start` on the entry is a ghost on an axis on which `ghost` is too.
+#[inline(always)]
+fn shared_axes(ghost: u8, ghosts: &[u8], start: usize) -> u32 {
+    const EACH: u64 = 0x0101_0101_0101_0101;
+    let lanes = ghosts[start..]
+        .first_chunk()
+        .expect("the arrays are padded");
+    let shared = u64::from_le_bytes(*lanes) & (u64::from(ghost) * EACH);
+    // One bit a byte, and then, by a multiplication that shifts each to its place, one bit a lane.
+    let any = (shared | shared >> 1) & EACH;
+    (any.wrapping_mul(0x0102_0408_1020_4080) >> 56) as u32
 }

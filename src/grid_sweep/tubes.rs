@@ -10,7 +10,7 @@ use crate::lanes::LANES;
 use crate::{Aabb, Real};
 
 /// On this cut axis the entry is a ghost.
-pub(super) const GHOST: [u8; 2] = [1, 2];
+const GHOST: [u8; 2] = [1, 2];
 
 /// The entries of one tube are `start..end`; the sentinel is at `end`.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,22 @@ struct Entry<R, const D: usize> {
     ghost: u8,
 }
 
+/// A ghost on its way into a tube.
+#[derive(Clone, Copy, Debug)]
+struct Ghost {
+    /// Its place in the table of tubes.
+    tube: u32,
+    owner: u32,
+    /// Bits of [`GHOST`].
+    axes: u8,
+}
+
+/// A box that is at most two strips wide reaches three tubes besides its own.
+const MAX_GHOSTS: usize = 3;
+
+/// In the place of a tube: that of an outsize box.
+const NOWHERE: u32 = u32::MAX;
+
 /// Memory kept between calls to spare allocations.
 #[derive(Clone, Debug)]
 struct Scratch<R, const D: usize> {
@@ -51,6 +67,10 @@ struct Scratch<R, const D: usize> {
     entries: Vec<Entry<R, D>>,
     /// For each tube of the table, occupied or not, where its entries go.
     cursors: Vec<u32>,
+    /// For each member, its own tube in that table.
+    homes: Vec<u32>,
+    /// The ghosts, and rubbish behind them.
+    ghosts: Vec<Ghost>,
     /// For each entry in the order of the boxes, its tube, where there is no table.
     keyed: Vec<(u64, u32, u8)>,
     order: Order<R>,
@@ -68,6 +88,8 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
             scratch: Scratch {
                 entries: Vec::new(),
                 cursors: Vec::new(),
+                homes: Vec::new(),
+                ghosts: Vec::new(),
                 keyed: Vec::new(),
                 order: Order::default(),
             },
@@ -98,6 +120,9 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Counts the entries of each tube of a table, then places them.
+    ///
+    /// Whether a box has a ghost is as good as random, so there is no branch on it: ghosts are always written
+    /// to a list, which grows by those that exist.
     fn place_by_table(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -105,28 +130,55 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         grid: &Grid<R>,
         outsize: &mut Vec<u32>,
     ) {
-        let columns = grid.axes[1].last as usize + 1;
-        let tube_of = |strips: [u32; 2]| strips[0] as usize * columns + strips[1] as usize;
+        let columns = grid.axes[1].last + 1;
+        let tube_of = |[row, column]: [u32; 2]| row * columns + column;
         let Scratch {
-            entries, cursors, ..
+            entries,
+            cursors,
+            homes,
+            ghosts,
+            ..
         } = &mut self.scratch;
         cursors.clear();
         cursors.resize(grid.tube_count() as usize, 0);
+        homes.clear();
+        let mut ghost_count = 0;
         for &owner in members {
             let reach = grid.reach(&boxes[owner as usize]);
             if reach.is_outsize() {
                 outsize.push(owner);
-            } else {
-                for_each_tube(&reach, |strips, _| cursors[tube_of(strips)] += 1);
+                homes.push(NOWHERE);
+                continue;
             }
+            let home = tube_of(reach.first);
+            homes.push(home);
+            cursors[home as usize] += 1;
+            if ghosts.len() < ghost_count + MAX_GHOSTS {
+                ghosts.resize(
+                    2 * ghost_count + MAX_GHOSTS,
+                    Ghost {
+                        tube: 0,
+                        owner: 0,
+                        axes: 0,
+                    },
+                );
+            }
+            let list = ghosts[ghost_count..]
+                .first_chunk_mut()
+                .expect("there is room");
+            ghost_count += write_ghosts::<D>(&reach, owner, tube_of, list);
+        }
+        let ghosts = &ghosts[..ghost_count];
+        for ghost in ghosts {
+            cursors[ghost.tube as usize] += 1;
         }
 
         let mut end = 0;
-        for (tube, cursor) in cursors.iter_mut().enumerate() {
+        for (tube, cursor) in (0..).zip(cursors.iter_mut()) {
             let start = end;
             end += std::mem::replace(cursor, start);
             if start < end {
-                let strips = [(tube / columns) as u32, (tube % columns) as u32];
+                let strips = [tube / columns, tube % columns];
                 self.tubes.push(Tube { strips, start, end });
             }
         }
@@ -143,16 +195,22 @@ impl<R: Real, const D: usize> Tubes<R, D> {
                 },
             );
         }
-        for &owner in members {
-            let aabb = boxes[owner as usize];
-            let reach = grid.reach(&aabb);
-            if !reach.is_outsize() {
-                for_each_tube(&reach, |strips, ghost| {
-                    let cursor = &mut cursors[tube_of(strips)];
-                    entries[*cursor as usize] = Entry { aabb, owner, ghost };
-                    *cursor += 1;
-                });
+        let mut place = |tube: u32, owner: u32, ghost: u8| {
+            let cursor = &mut cursors[tube as usize];
+            entries[*cursor as usize] = Entry {
+                aabb: boxes[owner as usize],
+                owner,
+                ghost,
+            };
+            *cursor += 1;
+        };
+        for (&owner, &home) in members.iter().zip(homes.iter()) {
+            if home != NOWHERE {
+                place(home, owner, 0);
             }
+        }
+        for ghost in ghosts {
+            place(ghost.tube, ghost.owner, ghost.axes);
         }
     }
 
@@ -240,23 +298,56 @@ impl<R: Real, const D: usize> Tubes<R, D> {
 
 /// The largest table of tubes for `n` boxes: it must not cost more than the boxes do.
 fn table_limit(n: usize) -> u64 {
-    n as u64 + 64
+    (n as u64 + 64).min(1 << 30)
 }
 
 /// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
-#[inline(always)]
 fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
     let Reach { first, last } = *reach;
-    enter(first, 0);
-    if first != last {
-        for row in first[0]..=last[0] {
-            for column in first[1]..=last[1] {
-                let ghost = (GHOST[0] * u8::from(row > first[0]))
-                    | (GHOST[1] * u8::from(column > first[1]));
-                if ghost != 0 {
-                    enter([row, column], ghost);
-                }
-            }
+    for row in first[0]..=last[0] {
+        for column in first[1]..=last[1] {
+            enter([row, column], ghost_axes([row, column], first));
         }
     }
+}
+
+/// Writes the ghosts of a box that is at most two strips wide to the front of `list`, and returns their
+/// number. What is behind them in the list is rubbish.
+#[inline(always)]
+fn write_ghosts<const D: usize>(
+    reach: &Reach,
+    owner: u32,
+    tube_of: impl Fn([u32; 2]) -> u32,
+    list: &mut [Ghost; MAX_GHOSTS],
+) -> usize {
+    let Reach { first, last } = *reach;
+    let next_row = usize::from(last[0] > first[0]);
+    list[0] = Ghost {
+        tube: tube_of([last[0], first[1]]),
+        owner,
+        axes: GHOST[0],
+    };
+    let mut count = next_row;
+    if D > 2 {
+        let next_column = usize::from(last[1] > first[1]);
+        list[count] = Ghost {
+            tube: tube_of([first[0], last[1]]),
+            owner,
+            axes: GHOST[1],
+        };
+        count += next_column;
+        list[count] = Ghost {
+            tube: tube_of(last),
+            owner,
+            axes: GHOST[0] | GHOST[1],
+        };
+        count += next_row & next_column;
+    }
+    count
+}
+
+/// On which cut axes a box whose `mins` lie in the tube `home` is a ghost in `tube`: bits of [`GHOST`].
+#[inline(always)]
+pub(super) fn ghost_axes(tube: [u32; 2], home: [u32; 2]) -> u8 {
+    (GHOST[0] * u8::from(tube[0] > home[0])) | (GHOST[1] * u8::from(tube[1] > home[1]))
 }

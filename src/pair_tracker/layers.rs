@@ -86,9 +86,14 @@ impl Touched {
     }
 
     pub(crate) fn clear(&mut self) {
-        for slot in self.slots.drain(..) {
-            self.contains[slot as usize] = false;
+        if self.slots.len() > self.contains.len() / 4 {
+            self.contains.fill(false);
+        } else {
+            for &slot in &self.slots {
+                self.contains[slot as usize] = false;
+            }
         }
+        self.slots.clear();
     }
 }
 
