@@ -71,3 +71,8 @@ pub use invalid_box::{InvalidBox, InvalidBoxReason};
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
+
+/// The example of the README, compiled and run.
+#[cfg(all(doctest, feature = "rapier3d"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -18,11 +18,14 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
+//! [`DriftingBoxes`] are bare boxes, for what needs no engine.
 
 mod kind;
 mod random;
 
+pub mod boxes;
 pub mod dim2;
 pub mod dim3;
 
+pub use boxes::DriftingBoxes;
 pub use kind::SceneKind;

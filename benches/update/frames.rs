@@ -1,0 +1,124 @@
+//! A world of colliders that are moved from frame to frame: one source, compiled once in each dimension.
+
+use super::rapier::prelude::*;
+use crate::Motion;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+use unisize_scenes::DriftingBoxes;
+
+/// With this, there are 0.8 overlapping pairs for each box in either dimension.
+const DENSITY: f64 = 1.6 / (1 << DIM) as f64;
+
+/// So much farther than the margin that every box is renewed.
+const LEAP: Real = 0.1;
+
+/// Half of the margin of both broad phases.
+const NUDGE: Real = 0.005;
+
+/// What the colliders are attached to.
+#[derive(Clone, Copy)]
+pub(super) enum Parents {
+    /// Nothing: only the colliders count.
+    None,
+    /// A dynamic body each.
+    Dynamic,
+}
+
+/// Colliders and how they move. Equal arguments make equal frames.
+pub(super) struct Frames {
+    boxes: DriftingBoxes<DIM>,
+    motion: Motion,
+    frame: usize,
+    params: IntegrationParameters,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    /// All colliders before the first frame, then those that may move.
+    listed: Vec<ColliderHandle>,
+    events: Vec<BroadPhasePairEvent>,
+}
+
+impl Frames {
+    /// So many colliders before the first frame, already known to this broad phase.
+    pub(super) fn new(
+        count: usize,
+        motion: Motion,
+        parents: Parents,
+        broad_phase: &mut dyn BroadPhase,
+    ) -> Self {
+        let boxes = DriftingBoxes::new(count, DENSITY, 7);
+        let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
+        let half = DriftingBoxes::<DIM>::SIZE / 2.0;
+        let mut insert = |min: &[Real; DIM]| {
+            let cuboid = SharedShape::new(Cuboid::new(Vector::repeat(half)));
+            let collider = ColliderBuilder::new(cuboid)
+                // Without bodies, pairs would be no business of the narrow phase otherwise.
+                .active_collision_types(ActiveCollisionTypes::all());
+            match parents {
+                Parents::None => colliders.insert(collider.translation(center(min))),
+                Parents::Dynamic => {
+                    let body = RigidBodyBuilder::dynamic().translation(center(min));
+                    let body = bodies.insert(body);
+                    colliders.insert_with_parent(collider, body, &mut bodies)
+                }
+            }
+        };
+        let listed = boxes.mins().iter().map(&mut insert).collect();
+        let mut frames = Self {
+            boxes,
+            motion,
+            frame: 0,
+            params: IntegrationParameters::default(),
+            bodies,
+            colliders,
+            listed,
+            events: Vec::new(),
+        };
+        frames.update(broad_phase);
+        frames.listed = frames.listed.into_iter().step_by(motion.stride()).collect();
+        frames
+    }
+
+    /// Moves the colliders on by one frame.
+    pub(super) fn advance(&mut self) {
+        let offset = match self.motion {
+            Motion::OneIn(_) => {
+                self.boxes.advance();
+                0.0
+            }
+            // The first frame takes boxes out of their place, for only then do they get a margin.
+            Motion::InMargin => LEAP + NUDGE * (self.frame % 2) as Real,
+        };
+        self.frame += 1;
+        let moving = self.boxes.mins().iter().step_by(self.motion.stride());
+        for (min, &handle) in moving.zip(&self.listed) {
+            let mut center = center(min);
+            center.x += offset;
+            let collider = &mut self.colliders[handle];
+            collider.set_translation(center);
+            if let Some(parent) = collider.parent() {
+                self.bodies[parent].set_translation(center, false);
+            }
+        }
+    }
+
+    /// How long the broad phase takes to learn of this frame.
+    pub(super) fn update(&mut self, broad_phase: &mut dyn BroadPhase) -> Duration {
+        self.events.clear();
+        let start = Instant::now();
+        broad_phase.update(
+            &self.params,
+            &self.colliders,
+            &self.bodies,
+            &self.listed,
+            &[],
+            &mut self.events,
+        );
+        let elapsed = start.elapsed();
+        black_box(&self.events);
+        elapsed
+    }
+}
+
+fn center(min: &[Real; DIM]) -> Vector<Real> {
+    Vector::from(*min).add_scalar(DriftingBoxes::<DIM>::SIZE / 2.0)
+}

@@ -1,0 +1,125 @@
+//! Boxes of one size that drift about: what the kernels are measured on, without any engine.
+
+use crate::random::Random;
+
+/// How far a box moves at most between two frames, along each axis: a tenth of its side, as a body of one
+/// metre does at six metres a second. Most boxes so leave the margin of a broad phase in every frame.
+const MAX_SPEED: f32 = 0.1;
+
+/// Boxes of side 1 that drift about in a square or cube and bounce from its borders, after the first
+/// experiment of Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*.
+///
+/// Places and velocities are uniform, and bouncing keeps them so: every frame has about as many overlapping
+/// pairs as any other, some `2ᴰ / 2 · density` for each box.
+///
+/// ```
+/// use unisize_scenes::DriftingBoxes;
+///
+/// let mut boxes = DriftingBoxes::<3>::new(100, 0.2, 7);
+/// let before = boxes.mins().to_vec();
+/// boxes.advance();
+/// assert_eq!(boxes.mins().len(), 100);
+/// assert_ne!(boxes.mins(), before);
+/// ```
+#[derive(Clone, Debug)]
+pub struct DriftingBoxes<const D: usize> {
+    mins: Vec<[f32; D]>,
+    velocities: Vec<[f32; D]>,
+    /// The greatest lower corner, on every axis.
+    reach: f32,
+}
+
+impl<const D: usize> DriftingBoxes<D> {
+    /// The side of every box.
+    pub const SIZE: f32 = 1.0;
+
+    /// So many boxes, in an environment of which they would fill `density`, a part of its area or volume, if
+    /// they did not overlap. Equal arguments give equal boxes in every frame. **O(n)**.
+    ///
+    /// The paper has densities between 0.1 and 1; any positive one will do. Where the environment would be
+    /// smaller than a box, it is as large as one.
+    pub fn new(count: usize, density: f64, seed: u64) -> Self {
+        let side = (count as f64 / density).powf(1.0 / D as f64);
+        let reach = (side as f32 - Self::SIZE).max(0.0);
+        let mut random = Random::new(seed);
+        let mut corners = |lo, hi| {
+            let corner = |_| std::array::from_fn(|_| random.range(lo, hi));
+            (0..count).map(corner).collect()
+        };
+        Self {
+            mins: corners(0.0, reach),
+            velocities: corners(-MAX_SPEED, MAX_SPEED),
+            reach,
+        }
+    }
+
+    /// Moves every box on to the next frame. **O(n)**.
+    pub fn advance(&mut self) {
+        for (min, velocity) in self.mins.iter_mut().zip(&mut self.velocities) {
+            for (x, v) in min.iter_mut().zip(velocity) {
+                *x += *v;
+                if *x < 0.0 {
+                    *x = -*x;
+                    *v = -*v;
+                } else if *x > self.reach {
+                    *x = 2.0 * self.reach - *x;
+                    *v = -*v;
+                }
+                // In an environment that is hardly larger than a box, one bounce may not be enough.
+                *x = x.clamp(0.0, self.reach);
+            }
+        }
+    }
+
+    /// The lower corner of each box in this frame. The upper one is [`SIZE`](Self::SIZE) further on every
+    /// axis.
+    pub fn mins(&self) -> &[[f32; D]] {
+        &self.mins
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DriftingBoxes;
+
+    fn overlapping_pairs(mins: &[[f32; 2]]) -> usize {
+        let overlap = |a: &[f32; 2], b: &[f32; 2]| {
+            (0..2).all(|axis| (a[axis] - b[axis]).abs() <= DriftingBoxes::<2>::SIZE)
+        };
+        let after = |i: usize| mins[i + 1..].iter().filter(move |b| overlap(&mins[i], b));
+        (0..mins.len()).map(|i| after(i).count()).sum()
+    }
+
+    #[test]
+    fn as_many_pairs_overlap_as_chance_has_it() {
+        const COUNT: usize = 1 << 12;
+        let mut boxes = DriftingBoxes::<2>::new(COUNT, 0.5, 7);
+        // Of two numbers in 0..reach, the chance to be no more than 1 apart: (2 · reach - 1) / reach².
+        let reach = (COUNT as f64 / 0.5).sqrt() - 1.0;
+        let chance = ((2.0 * reach - 1.0) / (reach * reach)).powi(2);
+        let expected = (COUNT * (COUNT - 1) / 2) as f64 * chance;
+        // Pairs are all but independent of each other, so their number is all but Poisson distributed.
+        let allowed = 5.0 * expected.sqrt();
+        for frame in 0..3 {
+            let found = overlapping_pairs(boxes.mins()) as f64;
+            assert!(
+                (found - expected).abs() < allowed,
+                "frame {frame}: {found} pairs, {expected} ± {allowed} expected"
+            );
+            (0..1000).for_each(|_| boxes.advance());
+        }
+    }
+
+    #[test]
+    fn boxes_stay_inside_whatever_the_density() {
+        for density in [1e-3, 0.5, 50.0, 99.9, 100.0, 1e9] {
+            let mut boxes = DriftingBoxes::<3>::new(100, density, 7);
+            let reach = boxes.reach;
+            for _ in 0..100 {
+                boxes.advance();
+                let inside = |x: &f32| (0.0..=reach).contains(x);
+                assert!(boxes.mins().iter().flatten().all(inside), "{density}");
+            }
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Every scene, small, with Rapier's broad phase and each kernel of ours: the pairs held, the contacts and the
+//! intersections are equal after every step. `examples/compare` does the same at full size.
+
+macro_rules! compare {
+    ($dim:ident, $rapier:ident) => {
+        mod $dim {
+            use unisize::$rapier::{Kernel, Settings, UnisizeBroadPhase};
+            use unisize_scenes::SceneKind;
+            use unisize_scenes::$dim::{Candidate, Comparison};
+
+            fn compare(kernel: Kernel, bodies: usize, steps: usize) {
+                let mut settings = Settings::default();
+                settings.kernel = kernel;
+                let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
+                    .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
+                    .with_validation(UnisizeBroadPhase::validate);
+                for kind in SceneKind::ALL {
+                    let mut comparison = Comparison::new(kind, bodies, 7);
+                    comparison.steps = steps;
+                    comparison.independent = false;
+                    let outcome = comparison.run(&candidate, |_| ());
+                    let name = kind.name();
+                    assert!(outcome.is_equal(), "{name}: {:?}", outcome.first_difference);
+                    assert!(
+                        bodies < 2 || outcome.pairs.default > 0,
+                        "{name} has no pairs"
+                    );
+                }
+            }
+
+            #[test]
+            fn grid_sweep() {
+                compare(Kernel::GridSweep, 150, 60);
+            }
+
+            #[test]
+            fn rank_sweep() {
+                compare(Kernel::RankSweep, 150, 60);
+            }
+
+            #[test]
+            fn one_body_or_none() {
+                compare(Kernel::GridSweep, 1, 10);
+                compare(Kernel::GridSweep, 0, 10);
+            }
+        }
+    };
+}
+
+compare!(dim2, rapier2d);
+compare!(dim3, rapier3d);
