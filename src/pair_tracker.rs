@@ -11,6 +11,8 @@
 //! its contacts by itself, and a deletion of touching colliders would break the broad phase's contract.)
 
 mod layers;
+#[cfg(test)]
+mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -150,8 +152,8 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
         (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
     }
 
-    /// Brings the pairs up to date and reports what has changed since the last call: deletions first, each in
-    /// the order in which the kernel finds the pairs.
+    /// Brings the pairs up to date and reports what has changed since the last call: deletions first, then
+    /// additions, each in the order in which the kernel finds the pairs.
     ///
     /// Costs nothing when nothing was touched.
     pub(crate) fn finish(&mut self, layers: &mut Layers<R, D>, mut report: impl FnMut(PairChange)) {
@@ -162,12 +164,25 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
         found.clear();
         let kind = layers.find(&self.boxes, &self.touched, &mut found);
 
-        self.report_deleted(&mut report);
-        let lingering = self.lingering();
-        if kind == Found::OfTouched {
-            let mut pairs = std::mem::take(&mut self.pairs);
-            pairs.retain(|&[a, b]| !(self.touched.contains(a) | self.touched.contains(b)));
-            self.pairs = pairs;
+        let lingering = self.settled_lingering();
+        for &pair in &self.lingering {
+            self.report_if_parted(pair, &mut report);
+        }
+        let mut pairs = std::mem::take(&mut self.pairs);
+        match kind {
+            Found::All => {
+                for &pair in &pairs {
+                    self.report_if_parted(pair, &mut report);
+                }
+                pairs.clear();
+            }
+            Found::OfTouched => pairs.retain(|&pair| {
+                let is_touched = self.touched.contains(pair[0]) | self.touched.contains(pair[1]);
+                if is_touched {
+                    self.report_if_parted(pair, &mut report);
+                }
+                !is_touched
+            }),
         }
         found.retain(|&pair| {
             let allowed = self.allows(pair);
@@ -176,10 +191,12 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
             }
             allowed
         });
-        match kind {
-            Found::All => std::mem::swap(&mut self.pairs, &mut found),
-            Found::OfTouched => self.pairs.extend_from_slice(&found),
+        if pairs.is_empty() {
+            std::mem::swap(&mut pairs, &mut found);
+        } else {
+            pairs.extend_from_slice(&found);
         }
+        self.pairs = pairs;
         self.found = found;
         self.lingering = lingering;
         self.settle();
@@ -198,19 +215,18 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
         self.previous_tags.clear();
     }
 
-    /// Reports the held pairs whose boxes have parted. Pairs of removed proxies are passed over.
-    fn report_deleted(&self, report: &mut impl FnMut(PairChange)) {
-        for pair in self.pairs() {
-            // The present boxes first: most pairs go on.
-            if !Self::overlap(&self.boxes, pair) && Self::overlap(&self.previous, pair) {
-                report(PairChange::Deleted(pair));
-            }
+    /// Reports the end of a held pair if its boxes have parted. Pairs of removed proxies are passed over.
+    #[inline]
+    fn report_if_parted(&self, pair: [u32; 2], report: &mut impl FnMut(PairChange)) {
+        // The present boxes first: most pairs go on.
+        if !Self::overlap(&self.boxes, pair) && Self::overlap(&self.previous, pair) {
+            report(PairChange::Deleted(pair));
         }
     }
 
     /// The pairs that linger after this update: in come those that a new tag has just forbidden, out go those
     /// that have parted or are allowed again.
-    fn lingering(&self) -> BTreeSet<[u32; 2]> {
+    fn settled_lingering(&self) -> BTreeSet<[u32; 2]> {
         if self.previous_tags.is_empty() && self.lingering.is_empty() {
             return BTreeSet::new();
         }

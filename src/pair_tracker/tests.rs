@@ -1,0 +1,164 @@
+//! The tracker against brute force, with enough proxies for real layers, and with numbers of movers on both
+//! sides of every threshold between full and partial runs.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use oorandom::Rand32;
+
+use super::{Layers, PairChange, PairTracker, Tag};
+use crate::Aabb;
+
+/// Proxies of different groups form no pairs; group 0 is open to all.
+impl Tag for u8 {
+    fn is_open(&self) -> bool {
+        *self == 0
+    }
+    fn allows(&self, other: &Self) -> bool {
+        *self == 0 || *other == 0 || self == other
+    }
+}
+
+/// What the tracker should hold.
+#[derive(Default)]
+struct Model {
+    proxies: BTreeMap<u32, (Aabb<f32, 2>, u8)>,
+    held: BTreeSet<[u32; 2]>,
+}
+
+impl Model {
+    fn remove(&mut self, slot: u32) {
+        self.proxies.remove(&slot);
+        self.held.retain(|pair| !pair.contains(&slot));
+    }
+
+    /// Returns the pairs added and deleted.
+    fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
+        let mut held = BTreeSet::new();
+        for (&a, (box_a, tag_a)) in &self.proxies {
+            for (&b, (box_b, tag_b)) in self.proxies.range(a + 1..) {
+                let goes_on = self.held.contains(&[a, b]);
+                if box_a.overlaps(box_b) && (tag_a.allows(tag_b) || goes_on) {
+                    held.insert([a, b]);
+                }
+            }
+        }
+        let before = std::mem::replace(&mut self.held, held);
+        let added = self.held.difference(&before).copied().collect();
+        let deleted = before.difference(&self.held).copied().collect();
+        [added, deleted]
+    }
+}
+
+fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
+    let corner = [(); 2].map(|()| random.rand_float() * world);
+    // One in fifty is much larger than the rest.
+    let size = if random.rand_range(0..50) == 0 {
+        15.0
+    } else {
+        1.0
+    };
+    Aabb::new(corner, corner.map(|x| x + size))
+}
+
+fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
+    let mut random = Rand32::new(seed);
+    let world = (slots as f32 * 2.0).sqrt();
+    let mut tracker = PairTracker::<f32, 2, u8>::default();
+    let mut model = Model::default();
+    for update in 0..120 {
+        // From nothing to everything, in no order.
+        let changes = [0, 1, 3, slots / 20, slots / 8, slots / 5, slots / 4, slots][update % 8];
+        for _ in 0..changes {
+            let slot = random.rand_range(0..slots);
+            let tag = random.rand_range(0..3) as u8;
+            let known = model.proxies.get(&slot).copied();
+            match (random.rand_range(0..10), known) {
+                (0, Some(_)) => {
+                    tracker.remove(slot);
+                    model.remove(slot);
+                }
+                (1, Some(_)) => {
+                    tracker.lift(slot);
+                    model.proxies.remove(&slot);
+                }
+                (2, Some((aabb, _))) => {
+                    tracker.retag(slot, tag);
+                    model.proxies.insert(slot, (aabb, tag));
+                }
+                (3..8, Some((aabb, tag))) => {
+                    let step = random.rand_float() - 0.5;
+                    let moved = Aabb::new(aabb.mins.map(|x| x + step), aabb.maxs.map(|x| x + step));
+                    tracker.place(slot, moved, tag);
+                    model.proxies.insert(slot, (moved, tag));
+                }
+                _ => {
+                    let aabb = random_box(&mut random, world);
+                    tracker.place(slot, aabb, tag);
+                    model.proxies.insert(slot, (aabb, tag));
+                }
+            }
+        }
+        let [mut added, mut deleted] = model.finish();
+        tracker.finish(&mut layers, |change| {
+            let is_due = match change {
+                PairChange::Added(pair) => added.remove(&pair),
+                PairChange::Deleted(pair) => deleted.remove(&pair),
+            };
+            assert!(
+                is_due,
+                "update {update}: {change:?} is spurious or repeated"
+            );
+        });
+        assert!(added.is_empty(), "update {update}: not added: {added:?}");
+        assert!(
+            deleted.is_empty(),
+            "update {update}: not deleted: {deleted:?}"
+        );
+        assert!(tracker.pairs().collect::<BTreeSet<_>>() == model.held);
+        assert_eq!(tracker.pair_count(), model.held.len());
+        tracker.validate(&mut Layers::Brute(Default::default()));
+    }
+}
+
+#[test]
+fn layers_agree_with_brute_force() {
+    for (slots, seed) in [(1, 1), (9, 2), (40, 3), (200, 4), (600, 5)] {
+        check(Layers::Grid(Box::default()), slots, seed);
+    }
+}
+
+#[test]
+fn kernels_without_layers_agree_with_brute_force() {
+    check(Layers::Rank(Box::default()), 200, 6);
+    check(Layers::Brute(Default::default()), 60, 7);
+}
+
+#[test]
+fn few_movers_are_looked_up_and_many_are_not() {
+    let mut random = Rand32::new(8);
+    let mut tracker = PairTracker::<f32, 2, u8>::default();
+    let mut layers = Layers::Grid(Box::default());
+    for slot in 0..100 {
+        tracker.place(slot, random_box(&mut random, 10.0), 0);
+    }
+    tracker.finish(&mut layers, |_| ());
+    assert_eq!(layers.moving(), 0);
+    for slot in 0..10 {
+        tracker.place(slot, random_box(&mut random, 10.0), 0);
+    }
+    tracker.finish(&mut layers, |_| ());
+    assert_eq!(layers.moving(), 10);
+    for slot in 20..80 {
+        tracker.place(slot, random_box(&mut random, 10.0), 0);
+    }
+    tracker.finish(&mut layers, |_| ());
+    assert_eq!(layers.moving(), 0);
+    // One mover at a time: the moving layer fills up, until a full run is due.
+    let mut most = 0;
+    for slot in (0..100).cycle().take(300) {
+        tracker.place(slot, random_box(&mut random, 10.0), 0);
+        tracker.finish(&mut layers, |_| ());
+        most = most.max(layers.moving());
+    }
+    assert!((2..50).contains(&most), "{most} were moving");
+}
