@@ -7,13 +7,16 @@ mod sweep;
 mod tubes;
 
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real};
 use grid::Grid;
 use sweep::Emitter;
 use tubes::Tubes;
 
 /// Up to this many boxes, one tube is faster than a grid.
 const SMALL: usize = 24;
+
+/// Entries are numbered with 32 bits, and a box may have four.
+const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
@@ -22,9 +25,13 @@ const SMALL: usize = 24;
 /// candidates in one step. Boxes much larger than most are a class of their own, found by the same method on
 /// a coarser grid and looked up in the finer one.
 ///
-/// Exact for boxes of any sizes: the tubes decide only the speed. **O(n + pairs)** for boxes of about one
-/// size, in two and in three dimensions, but for the logarithm of sorting where boxes are very unevenly
-/// spread; **O(n + pairs)** memory always.
+/// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O(n + pairs)** time for
+/// boxes of about one size, in two and in three dimensions, but for the logarithm of sorting where boxes are very
+/// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for
+/// larger ones, where many large boxes reach many tubes without touching anything there, or where boxes lie
+/// 10⁸ times their size apart. **O(n + pairs)** memory always.
+///
+/// At most 2²⁹ boxes; more are [`InvalidBoxReason::TooMany`].
 ///
 /// ```
 /// use unisize::{Aabb, GridSweep, PairFinder};
@@ -84,6 +91,13 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
     ) -> Result<(), InvalidBox> {
         pairs.clear();
+        if boxes.len() > MAX_BOXES {
+            let reason = InvalidBoxReason::TooMany;
+            return Err(InvalidBox {
+                index: MAX_BOXES,
+                reason,
+            });
+        }
         check_boxes(boxes)?;
         let mut everyone = std::mem::take(&mut self.everyone);
         everyone.clear();
@@ -103,6 +117,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         members: &[u32],
         pairs: &mut Vec<[u32; 2]>,
     ) {
+        const { assert!(D > 0, "boxes have at least one axis") };
         let mut emitter = Emitter::new(pairs);
         self.class_count = 0;
         loop {
@@ -140,7 +155,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its
     /// box overlaps. Members are taken as they were then; a member's pair with itself is left in.
     ///
-    /// About **O(log n + pairs)** a query of the size of the members.
+    /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
+    /// each tube that it reaches.
     #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
     pub(crate) fn look_up(
         &self,

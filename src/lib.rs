@@ -1,4 +1,4 @@
-//! The fastest exact broad phase for boxes of about the same size, as a drop-in replacement for
+//! An exact and fast broad phase for boxes of about the same size, as a drop-in replacement for
 //! [Rapier](https://rapier.rs)'s.
 //!
 //! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size,

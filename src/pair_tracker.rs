@@ -1,34 +1,20 @@
 //! The pair set over time: proxies in, changes of the pair set out.
 //!
-//! A *proxy* is a box and a tag, kept under a slot number. Between two calls of
-//! [`PairTracker::finish`] proxies are placed, moved and removed; `finish` then reports how the set of
-//! *held* pairs changed. It needs neither hashing nor sorting for that: kernels are exact, so whether a pair
-//! was held a moment ago can be read off its two previous boxes, and whether it still is off the present
-//! ones.
-//!
-//! Two proxies are held when their boxes overlap and their tags allow it. A pair that a new tag forbids
-//! while the boxes still overlap *lingers*: it stays held until the boxes part. (Rapier's narrow phase drops
-//! its contacts by itself, and a deletion of touching colliders would break the broad phase's contract.)
+//! A *proxy* is a box kept under a slot number. Between two calls of [`PairTracker::finish`] proxies are
+//! placed, moved and removed; `finish` then reports how the set of overlapping pairs has changed. It needs
+//! neither hashing nor sorting for that: kernels are exact, so whether a pair was held a moment ago can be
+//! read off its two previous boxes, and whether it still is off the present ones.
 
 mod layers;
+mod slot_set;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::{Aabb, Real};
-use layers::{Found, Touched};
+use layers::Found;
+use slot_set::SlotSet;
 
-pub(crate) use layers::{Layers, Plain};
-
-/// What proxies carry besides their box: it decides which pairs are of interest.
-pub(crate) trait Tag: Copy + PartialEq {
-    /// Whether this tag allows every pair.
-    fn is_open(&self) -> bool;
-
-    /// Whether the pair of two proxies so tagged is to be held. Symmetric.
-    fn allows(&self, other: &Self) -> bool;
-}
+pub(crate) use layers::{Layers, Unlayered};
 
 /// A change of the pair set, by slots, smaller first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,43 +25,32 @@ pub(crate) enum PairChange {
 
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
-pub(crate) struct PairTracker<R, const D: usize, T> {
+pub(crate) struct PairTracker<R, const D: usize> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
     boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     previous: Vec<Aabb<R, D>>,
-    tags: Vec<T>,
-    /// Whether the tag of a slot is open: as much of it as most pairs need.
-    is_open: Vec<bool>,
-    /// Slots that were placed, retagged or removed since the last `finish`.
-    touched: Touched,
-    /// The tags at the end of the last `finish` of the slots whose tag has changed since.
-    previous_tags: BTreeMap<u32, T>,
-    /// The held pairs but for the lingering ones, in the order of the kernel.
+    /// Slots that were placed, lifted or removed since the last `finish`.
+    touched: SlotSet,
+    /// The held pairs: all those that overlap.
     pairs: Vec<[u32; 2]>,
-    /// The held pairs whose tags no longer allow them.
-    lingering: BTreeSet<[u32; 2]>,
     /// Scratch: the pairs found by the kernel.
     found: Vec<[u32; 2]>,
 }
 
-impl<R: Real, const D: usize, T> Default for PairTracker<R, D, T> {
+impl<R, const D: usize> Default for PairTracker<R, D> {
     fn default() -> Self {
         Self {
             boxes: Vec::new(),
             previous: Vec::new(),
-            tags: Vec::new(),
-            is_open: Vec::new(),
-            touched: Touched::default(),
-            previous_tags: BTreeMap::new(),
+            touched: SlotSet::default(),
             pairs: Vec::new(),
-            lingering: BTreeSet::new(),
             found: Vec::new(),
         }
     }
 }
 
-impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
+impl<R: Real, const D: usize> PairTracker<R, D> {
     /// The box of a slot without a proxy.
     fn absent() -> Aabb<R, D> {
         Aabb::new([R::NAN; D], [R::NAN; D])
@@ -87,32 +62,14 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
     }
 
     /// Places or moves the proxy of a slot. `aabb` must be valid.
-    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>, tag: T) {
+    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
         debug_assert!(aabb.is_valid());
         let index = slot as usize;
         if index >= self.boxes.len() {
             self.boxes.resize(index + 1, Self::absent());
             self.previous.resize(index + 1, Self::absent());
-            self.tags.resize(index + 1, tag);
-            self.is_open.resize(index + 1, tag.is_open());
         }
-        self.retag(slot, tag);
         self.boxes[index] = aabb;
-        self.touched.insert(slot);
-    }
-
-    /// Gives the proxy of a slot another tag.
-    #[inline]
-    pub(crate) fn retag(&mut self, slot: u32, tag: T) {
-        let index = slot as usize;
-        if (self.is_open[index] && tag.is_open()) || self.tags[index] == tag {
-            return;
-        }
-        if self.previous[index].is_valid() {
-            self.previous_tags.entry(slot).or_insert(self.tags[index]);
-        }
-        self.tags[index] = tag;
-        self.is_open[index] = tag.is_open();
         self.touched.insert(slot);
     }
 
@@ -132,19 +89,14 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
         }
     }
 
-    /// Whether proxies were placed, retagged or removed since the last `finish`.
+    /// Whether proxies were placed, lifted or removed since the last `finish`.
     pub(crate) fn is_touched(&self) -> bool {
         !self.touched.slots().is_empty()
     }
 
     /// The held pairs, by slots, smaller first.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.pairs.iter().chain(&self.lingering).copied()
-    }
-
-    /// The number of held pairs.
-    pub(crate) fn pair_count(&self) -> usize {
-        self.pairs.len() + self.lingering.len()
+    pub(crate) fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 
     /// The slots that have a proxy, with their boxes.
@@ -153,56 +105,56 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
     }
 
     /// Brings the pairs up to date and reports what has changed since the last call: deletions first, then
-    /// additions, each in the order in which the kernel finds the pairs.
+    /// additions.
     ///
-    /// Costs nothing when nothing was touched.
+    /// Costs nothing when nothing was touched; **O(touched · log n + pairs)** when little was, and a run of
+    /// the kernel over all proxies otherwise.
     pub(crate) fn finish(&mut self, layers: &mut Layers<R, D>, mut report: impl FnMut(PairChange)) {
         if !self.is_touched() {
             return;
         }
-        let mut found = std::mem::take(&mut self.found);
+        let Self {
+            boxes,
+            previous,
+            touched,
+            pairs,
+            found,
+        } = self;
         found.clear();
-        let kind = layers.find(&self.boxes, &self.touched, &mut found);
+        let kind = layers.find(boxes, touched, found);
 
-        let lingering = self.settled_lingering();
-        for &pair in &self.lingering {
-            self.report_if_parted(pair, &mut report);
-        }
-        let mut pairs = std::mem::take(&mut self.pairs);
+        // The present boxes first: most pairs go on. The pairs of removed proxies end without a word.
+        let mut report_if_parted = |pair| {
+            if !overlap(boxes, pair) && overlap(previous, pair) {
+                report(PairChange::Deleted(pair));
+            }
+        };
         match kind {
             Found::All => {
-                for &pair in &pairs {
-                    self.report_if_parted(pair, &mut report);
-                }
-                pairs.clear();
+                pairs.drain(..).for_each(report_if_parted);
             }
-            Found::OfTouched => pairs.retain(|&pair| {
-                let is_touched = self.touched.contains(pair[0]) | self.touched.contains(pair[1]);
+            Found::OfTouched => pairs.retain(|&[a, b]| {
+                let is_touched = touched.contains(a) | touched.contains(b);
                 if is_touched {
-                    self.report_if_parted(pair, &mut report);
+                    report_if_parted([a, b]);
                 }
                 !is_touched
             }),
         }
-        found.retain(|&pair| {
-            let allowed = self.allows(pair);
-            if allowed && !self.was_held(pair) {
+        for &pair in found.iter() {
+            if !overlap(previous, pair) {
                 report(PairChange::Added(pair));
             }
-            allowed
-        });
-        if pairs.is_empty() {
-            std::mem::swap(&mut pairs, &mut found);
-        } else {
-            pairs.extend_from_slice(&found);
         }
-        self.pairs = pairs;
-        self.found = found;
-        self.lingering = lingering;
+        if pairs.is_empty() {
+            std::mem::swap(pairs, found);
+        } else {
+            pairs.extend_from_slice(found);
+        }
         self.settle();
     }
 
-    /// Makes the present boxes and tags the previous ones.
+    /// Makes the present boxes the previous ones.
     fn settle(&mut self) {
         if self.touched.slots().len() > self.boxes.len() / 4 {
             self.previous.copy_from_slice(&self.boxes);
@@ -212,76 +164,20 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
             }
         }
         self.touched.clear();
-        self.previous_tags.clear();
     }
 
-    /// Reports the end of a held pair if its boxes have parted. Pairs of removed proxies are passed over.
-    #[inline]
-    fn report_if_parted(&self, pair: [u32; 2], report: &mut impl FnMut(PairChange)) {
-        // The present boxes first: most pairs go on.
-        if !Self::overlap(&self.boxes, pair) && Self::overlap(&self.previous, pair) {
-            report(PairChange::Deleted(pair));
-        }
-    }
-
-    /// The pairs that linger after this update: in come those that a new tag has just forbidden, out go those
-    /// that have parted or are allowed again.
-    fn settled_lingering(&self) -> BTreeSet<[u32; 2]> {
-        if self.previous_tags.is_empty() && self.lingering.is_empty() {
-            return BTreeSet::new();
-        }
-        let lingers = |&pair: &[u32; 2]| {
-            Self::overlap(&self.previous, pair)
-                && Self::overlap(&self.boxes, pair)
-                && !self.allows(pair)
-        };
-        self.pairs().filter(lingers).collect()
-    }
-
-    #[inline]
-    fn overlap(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
-        boxes[a as usize].overlaps(&boxes[b as usize])
-    }
-
-    #[inline]
-    fn allows(&self, [a, b]: [u32; 2]) -> bool {
-        let [a, b] = [a as usize, b as usize];
-        self.is_open[a] || self.is_open[b] || self.tags[a].allows(&self.tags[b])
-    }
-
-    /// Whether an overlapping pair was held at the end of the last `finish`.
-    #[inline]
-    fn was_held(&self, pair: [u32; 2]) -> bool {
-        if !Self::overlap(&self.previous, pair) {
-            return false;
-        }
-        if self.previous_tags.is_empty() && self.lingering.is_empty() {
-            return true;
-        }
-        let [a, b] = pair.map(|slot| {
-            self.previous_tags
-                .get(&slot)
-                .unwrap_or(&self.tags[slot as usize])
-        });
-        a.allows(b) || self.lingering.contains(&pair)
-    }
-
-    /// Panics unless the held pairs are exactly what they should be, by a full run of a fresh kernel.
+    /// Panics unless the held pairs are exactly those that overlap, by a full run of a fresh kernel, and the
+    /// boxes are settled.
     pub(crate) fn validate(&self, layers: &mut Layers<R, D>) {
-        assert_eq!(self.boxes.len(), self.previous.len());
-        assert_eq!(self.boxes.len(), self.tags.len());
-        assert!(
-            self.is_open
-                .iter()
-                .copied()
-                .eq(self.tags.iter().map(Tag::is_open))
-        );
         assert!(!self.is_touched(), "an update was not finished");
-        assert!(self.previous_tags.is_empty(), "an update was not finished");
+        assert_eq!(self.boxes.len(), self.previous.len());
+        for (slot, (now, before)) in self.boxes.iter().zip(&self.previous).enumerate() {
+            let is_settled = now == before || !(now.is_valid() || before.is_valid());
+            assert!(is_settled, "the box of slot {slot} is not settled");
+        }
         let mut expected = Vec::new();
         let kind = layers.find(&self.boxes, &self.touched, &mut expected);
         assert_eq!(kind, Found::All, "the kernel is not fresh");
-        expected.retain(|&pair| self.allows(pair));
         let mut held = self.pairs.clone();
         held.sort_unstable();
         expected.sort_unstable();
@@ -289,11 +185,10 @@ impl<R: Real, const D: usize, T: Tag> PairTracker<R, D, T> {
             held == expected,
             "the held pairs are not the overlapping ones"
         );
-        for &pair in &self.lingering {
-            assert!(
-                Self::overlap(&self.boxes, pair) && !self.allows(pair),
-                "{pair:?} lingers without cause"
-            );
-        }
     }
+}
+
+#[inline]
+fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
+    boxes[a as usize].overlaps(&boxes[b as usize])
 }

@@ -3,7 +3,6 @@
 use std::sync::OnceLock;
 
 use super::collider_box::collider_box;
-use super::pair_filter::PairFilter;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderPair, ColliderSet,
@@ -18,15 +17,15 @@ use crate::pair_tracker::{Layers, PairChange, PairTracker};
 /// `CollisionPipeline::step` in the place of `DefaultBroadPhase`.
 ///
 /// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports
-/// every pair whose boxes overlap, except pairs without a dynamic body that the narrow phase would drop
-/// unseen: those of one body, and those that body types or collision groups forbid. Contacts, intersections
-/// and the bodies that are woken are therefore the same.
+/// every pair whose boxes overlap, as that one does. Contacts, intersections and the bodies that are woken are
+/// therefore the same.
 ///
-/// An update in which no collider has left its margin costs one box comparison for each listed collider.
-/// Any other also costs one run of the [kernel](super::Kernel) over all boxes.
+/// An update in which no collider has left its margin costs one box comparison for each listed collider. If
+/// few have left it, each is looked up among the others in about **O(log n)**, and the held pairs are looked
+/// through once; if many have, there is one run of the [kernel](super::Kernel) over all boxes.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
-    pub(super) tracker: PairTracker<Real, DIM, PairFilter>,
+    pub(super) tracker: PairTracker<Real, DIM>,
     /// The generation of the collider in each slot, the slot being the index of its handle; `None` where
     /// there is none.
     generations: Vec<Option<u32>>,
@@ -37,6 +36,15 @@ pub struct UnisizeBroadPhase {
     has_warned: bool,
     /// The tree for queries, if any were made since the boxes last changed.
     pub(super) tree: OnceLock<Bvh>,
+}
+
+impl std::fmt::Debug for UnisizeBroadPhase {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("UnisizeBroadPhase")
+            .field("settings", &self.settings)
+            .field("stats", &self.stats())
+            .finish_non_exhaustive()
+    }
 }
 
 impl Default for UnisizeBroadPhase {
@@ -73,19 +81,20 @@ impl UnisizeBroadPhase {
     /// What it holds, and what the last update did. **O(1)**.
     pub fn stats(&self) -> Stats {
         Stats {
-            pairs: self.tracker.pair_count(),
+            pairs: self.tracker.pairs().len(),
             moving: self.layers.moving(),
             ..self.stats
         }
     }
 
     /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
+    /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
-        let pairs = self.tracker.pairs();
-        pairs.map(|pair| collider_pair(&self.generations, pair))
+        let pairs = self.tracker.pairs().iter();
+        pairs.map(|&pair| collider_pair(&self.generations, pair))
     }
 
-    /// Checks every internal invariant, with a full search for pairs. For tests.
+    /// Checks the internal invariants: the books on colliders, and the pairs held, by a full search. For tests.
     ///
     /// # Panics
     /// If an invariant is broken, which would be a bug.
@@ -144,15 +153,7 @@ impl UnisizeBroadPhase {
             self.stats.refused += 1;
         }
 
-        let body = collider.parent().and_then(|parent| bodies.get(parent));
-        let aabb = collider_box(collider, body, params);
-        // `CollisionPipeline`, which has no time step, lists the colliders of a body only the first time that
-        // its type changes; the type must not be relied on there.
-        let filter = if params.dt == 0.0 {
-            PairFilter::OPEN
-        } else {
-            PairFilter::of(collider, body)
-        };
+        let aabb = collider_box(collider, bodies, params);
         let held = self.tracker.get(slot).copied();
         if !aabb.is_valid() {
             if held.is_some() {
@@ -171,18 +172,19 @@ impl UnisizeBroadPhase {
             return;
         }
         match held {
-            Some(old) if old.contains(&aabb) => self.tracker.retag(slot, filter),
+            Some(old) if old.contains(&aabb) => {}
             Some(_) => {
-                let margin = self.settings.margin.max(0.0) * params.length_unit;
+                // NaN counts as 0 too.
+                let margin = (self.settings.margin * params.length_unit).max(0.0);
                 let loosened = aabb.loosened(margin);
                 // An infinite side less an infinite margin would be NaN.
                 let renewed = if loosened.is_valid() { loosened } else { aabb };
-                self.tracker.place(slot, renewed, filter);
+                self.tracker.place(slot, renewed);
                 self.stats.moved += 1;
             }
             None => {
                 // A new box gets no margin, as in Rapier: what never moves never needs one.
-                self.tracker.place(slot, aabb, filter);
+                self.tracker.place(slot, aabb);
                 self.stats.moved += 1;
                 self.stats.proxies += 1;
                 self.stats.refused -= 1;

@@ -1,31 +1,32 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it.
 
-use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodyVelocity};
+use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet, RigidBodyVelocity};
 use super::rapier::geometry::Collider;
 use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use crate::Aabb;
 
-/// The box of a collider that is attached to `body`: loosened by its contact skin and half the prediction distance, and stretched to where
+/// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to where
 /// soft CCD expects the body at the end of the step.
 ///
 /// See `BroadPhaseBvh::update` in Rapier 0.27: nearer than the prediction distance, two such boxes touch.
 pub(super) fn collider_box(
     collider: &Collider,
-    body: Option<&RigidBody>,
+    bodies: &RigidBodySet,
     params: &IntegrationParameters,
 ) -> Aabb<Real, DIM> {
-    let prediction = params.prediction_distance() / 2.0;
-    let mut aabb = collider.compute_collision_aabb(prediction);
+    let mut aabb = collider.compute_aabb();
+    let body = collider.parent().and_then(|parent| bodies.get(parent));
     let reach = body.map_or(0.0, RigidBody::soft_ccd_prediction);
     if reach > 0.0 {
         if let (Some(body), Some(local_pose)) = (body, collider.position_wrt_parent()) {
             let pose = predicted_pose(body, params.dt, reach) * local_pose;
-            let next = collider.shape().compute_aabb(&pose);
-            aabb.merge(&next.loosened(collider.contact_skin() + prediction));
+            aabb.merge(&collider.shape().compute_aabb(&pose));
         }
     }
-    Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into())
+    let distance = collider.contact_skin() + params.prediction_distance() / 2.0;
+    // Parry would panic at a negative distance or NaN.
+    Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into()).loosened(distance.max(0.0))
 }
 
 /// Where the body will be after `dt` seconds, or after its centre of mass has gone `reach` length units.

@@ -1,13 +1,12 @@
 //! The adapter to Rapier: one source for every flavour, compiled once in each.
 //!
-//! It turns colliders into boxes and tags, and changes of the pair set into Rapier's events; how pairs are
+//! It turns colliders into boxes, and changes of the pair set into Rapier's events; how pairs are
 //! found is none of its business. The module that includes it names the engine as `rapier`.
 
 use super::rapier;
 
 mod broad_phase;
 mod collider_box;
-mod pair_filter;
 mod queries;
 mod reading_order;
 mod settings;

@@ -54,7 +54,15 @@ impl UnisizeBroadPhase {
                 let aabb = Aabb::new(aabb.mins.into(), aabb.maxs.into());
                 (slot as usize, aabb)
             });
-            Bvh::from_iter(BvhBuildStrategy::Binned, leaves)
+            if self.stats().proxies > 2 {
+                return Bvh::from_iter(BvhBuildStrategy::Binned, leaves);
+            }
+            // Parry builds trees of one and two leaves only if their indices are 0 and 1.
+            let mut tree = Bvh::new();
+            for (slot, aabb) in leaves {
+                tree.insert(aabb, slot as u32);
+            }
+            tree
         })
     }
 }

@@ -63,3 +63,49 @@ impl ReadingOrder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(order: &mut ReadingOrder, handles: &[ColliderHandle], slots: usize) -> Vec<(u32, u32)> {
+        let mut read = Vec::new();
+        order.for_each(handles, slots, |handle| read.push(handle.into_raw_parts()));
+        read
+    }
+
+    #[test]
+    fn every_handle_is_read_and_known_ones_in_the_order_of_their_indices() {
+        let mut order = ReadingOrder::default();
+        for round in 0..3 {
+            // 1,000 handles, each index once, shuffled by a multiplication; 100 of them unknown.
+            let handles: Vec<_> = (0..1000)
+                .map(|i| ColliderHandle::from_raw_parts(i * 37 % 1000, round))
+                .collect();
+            let read = read(&mut order, &handles, 900);
+            let known: Vec<_> = read.iter().filter(|(index, _)| *index < 900).collect();
+            assert!(known.is_sorted());
+            let mut all = read.clone();
+            all.sort_unstable();
+            assert!(all.into_iter().eq((0..1000).map(|index| (index, round))));
+        }
+    }
+
+    #[test]
+    fn both_generations_of_an_index_are_read_and_repetitions_once() {
+        let mut order = ReadingOrder::default();
+        let mut handles: Vec<_> = (0..300)
+            .rev()
+            .map(|i| ColliderHandle::from_raw_parts(i, 1))
+            .collect();
+        handles.push(ColliderHandle::from_raw_parts(7, 0));
+        handles.push(ColliderHandle::from_raw_parts(8, 1));
+        handles.push(ColliderHandle::from_raw_parts(u32::MAX, u32::MAX));
+        let mut read = read(&mut order, &handles, 300);
+        assert_eq!(read.len(), 302);
+        read.sort_unstable();
+        read.dedup();
+        assert_eq!(read.len(), 302);
+        assert!(read.contains(&(7, 0)) && read.contains(&(7, 1)));
+    }
+}

@@ -1,17 +1,17 @@
 //! What a user may choose.
 
 use super::rapier::math::{DIM, Real};
-use crate::pair_tracker::{Layers, Plain};
+use crate::pair_tracker::{Layers, Unlayered};
 
 /// How an [`UnisizeBroadPhase`](super::UnisizeBroadPhase) works. The default suits every scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// What finds the pairs. It decides the speed, never the answer. Default: [`Kernel::GridSweep`].
     pub kernel: Kernel,
-    /// How far a collider may move before its box is renewed, on every side, in multiples of
+    /// How far a collider may move before its box is renewed once more, on every side, in multiples of
     /// [`IntegrationParameters::length_unit`](super::rapier::dynamics::IntegrationParameters::length_unit).
     ///
-    /// The larger, the less often boxes change and the more pairs are reported that do not touch. Usual
+    /// A new box has no margin, until its collider first moves. The larger, the less often boxes change and the more pairs are reported that do not touch. Usual
     /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default,
     /// 0.01, is the margin of Rapier's own broad phase, and makes the boxes the same as there.
     pub margin: Real,
@@ -45,7 +45,7 @@ impl Kernel {
         match self {
             Self::GridSweep => Layers::Grid(Box::default()),
             Self::RankSweep => Layers::Rank(Box::default()),
-            Self::BruteForce => Layers::Brute(Plain::default()),
+            Self::BruteForce => Layers::Brute(Unlayered::default()),
         }
     }
 }

@@ -10,15 +10,17 @@ pub struct Stats {
     /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves
     /// once it is sound.
     pub refused: usize,
-    /// Proxies in the moving layer: those whose box was renewed since the last full run of the kernel.
+    /// Slots in the moving layer: those whose proxy is new, gone or renewed since the last full run of the
+    /// kernel.
     pub moving: usize,
     /// Pairs held.
     pub pairs: usize,
-    /// Updates that had colliders to look at.
+    /// Updates so far that had colliders to look at.
     pub updates: u64,
     /// Colliders that the last such update was given, modified and removed.
     pub listed: usize,
-    /// Colliders of which that update renewed the box: new ones, and those that had left their margin.
+    /// Colliders of which that update changed the box: new ones, those that had left their margin, and those
+    /// that it had to refuse.
     pub moved: usize,
     /// Pairs that it reported as new.
     pub added: usize,

@@ -105,10 +105,8 @@ impl<R: Real> Grid<R> {
     ) -> Self {
         let cuts = cut_axes::<D>();
         let n = members.len() as f64;
-        let sample: Vec<_> = members
-            .iter()
-            .step_by(members.len().div_ceil(SAMPLE).max(1))
-            .map(|&i| &boxes[i as usize])
+        let sample: Vec<_> = scattered(members.len())
+            .map(|i| &boxes[members[i] as usize])
             .collect();
         let axes: [Extent; 3] = core::array::from_fn(|k| Extent::of(&sample, k.min(D - 1)));
 
@@ -116,7 +114,7 @@ impl<R: Real> Grid<R> {
         // one box wide. Only an upper bound is wanted, so a flat axis counts as one box thick.
         let share =
             |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
-        let density = axes[..D].iter().fold(n, |n, axis| n * share(axis));
+        let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
         let affordable = (CANDIDATES / density).powf(1.0 / cuts.max(1) as f64);
         let width_in_boxes = affordable.clamp(widest / 4.0, widest) * widening;
@@ -138,6 +136,18 @@ impl<R: Real> Grid<R> {
         }
         grid
     }
+}
+
+/// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular
+/// distance, so that a pattern in the order of the boxes does not mislead.
+fn scattered(n: usize) -> impl Iterator<Item = usize> {
+    let count = n.min(SAMPLE);
+    // Fibonacci hashing within each of `count` equal parts.
+    (0..count).map(move |i| {
+        let [first, next] = [i, i + 1].map(|i| i * n / count);
+        let hash = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
+        first + hash as usize % (next - first)
+    })
 }
 
 /// How many axes are cut in `D` dimensions.

@@ -9,6 +9,7 @@
 //! Once the moving layer has cost as much as a full run, because it is full of proxies that have come to
 //! rest, there is a full run, after which nothing moves. Kernels that cannot look boxes up have no layers.
 
+use super::slot_set::SlotSet;
 use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
 
 /// Looking a proxy up costs about as much as this many proxies in a full run.
@@ -27,8 +28,8 @@ pub(crate) enum Found {
 #[derive(Clone, Debug)]
 pub(crate) enum Layers<R, const D: usize> {
     Grid(Box<GridLayers<R, D>>),
-    Rank(Box<Plain<RankSweep<R, D>, R, D>>),
-    Brute(Plain<BruteForce, R, D>),
+    Rank(Box<Unlayered<RankSweep<R, D>, R, D>>),
+    Brute(Unlayered<BruteForce, R, D>),
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
@@ -37,7 +38,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
     pub(crate) fn find(
         &mut self,
         boxes: &[Aabb<R, D>],
-        touched: &Touched,
+        touched: &SlotSet,
         found: &mut Vec<[u32; 2]>,
     ) -> Found {
         match self {
@@ -50,50 +51,9 @@ impl<R: Real, const D: usize> Layers<R, D> {
     /// How many proxies are in the moving layer.
     pub(crate) fn moving(&self) -> usize {
         match self {
-            Self::Grid(layers) => layers.moving.slots.len(),
+            Self::Grid(layers) => layers.moving.slots().len(),
             Self::Rank(_) | Self::Brute(_) => 0,
         }
-    }
-}
-
-/// A set of slots.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Touched {
-    slots: Vec<u32>,
-    contains: Vec<bool>,
-}
-
-impl Touched {
-    pub(crate) fn insert(&mut self, slot: u32) {
-        let index = slot as usize;
-        if index >= self.contains.len() {
-            self.contains.resize(index + 1, false);
-        }
-        if !self.contains[index] {
-            self.contains[index] = true;
-            self.slots.push(slot);
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn contains(&self, slot: u32) -> bool {
-        self.contains.get(slot as usize) == Some(&true)
-    }
-
-    /// The slots, in the order in which they came.
-    pub(crate) fn slots(&self) -> &[u32] {
-        &self.slots
-    }
-
-    pub(crate) fn clear(&mut self) {
-        if self.slots.len() > self.contains.len() / 4 {
-            self.contains.fill(false);
-        } else {
-            for &slot in &self.slots {
-                self.contains[slot as usize] = false;
-            }
-        }
-        self.slots.clear();
     }
 }
 
@@ -104,7 +64,7 @@ pub(crate) struct GridLayers<R, const D: usize> {
     resting: GridSweep<R, D>,
     is_sorted: bool,
     /// All that were touched since the last full run.
-    moving: Touched,
+    moving: SlotSet,
     moving_kernel: GridSweep<R, D>,
     /// Proxies of the moving layer that had not moved, summed over the updates since the last full run.
     idle: usize,
@@ -117,7 +77,7 @@ impl<R, const D: usize> Default for GridLayers<R, D> {
         Self {
             resting: GridSweep::default(),
             is_sorted: false,
-            moving: Touched::default(),
+            moving: SlotSet::default(),
             moving_kernel: GridSweep::default(),
             idle: 0,
             members: Vec::new(),
@@ -129,13 +89,13 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     fn find(
         &mut self,
         boxes: &[Aabb<R, D>],
-        touched: &Touched,
+        touched: &SlotSet,
         found: &mut Vec<[u32; 2]>,
     ) -> Found {
         let touched_slots = touched.slots();
         // A bound on the number of proxies that costs no count.
         let proxies = boxes.len();
-        let moving = self.moving.slots.len() + touched_slots.len();
+        let moving = self.moving.slots().len() + touched_slots.len();
         let is_costly = LOOKUP_COST * touched_slots.len() + moving > proxies;
         if !self.is_sorted || is_costly || self.idle > proxies {
             self.find_all(boxes, found);
@@ -144,7 +104,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         for &slot in touched_slots {
             self.moving.insert(slot);
         }
-        self.idle += self.moving.slots.len() - touched_slots.len();
+        self.idle += self.moving.slots().len() - touched_slots.len();
 
         let valid = |slot: &u32| boxes[*slot as usize].is_valid();
         self.resting.prepare_lookup();
@@ -159,7 +119,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
 
         self.members.clear();
         self.members
-            .extend(moving.slots.iter().copied().filter(valid));
+            .extend(moving.slots().iter().copied().filter(valid));
         let first = found.len();
         self.moving_kernel.find_among(boxes, &self.members, found);
         retain_from(found, first, |[a, b]| {
@@ -179,7 +139,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
 
 /// A kernel without layers, which knows slices of valid boxes only.
 #[derive(Clone, Debug)]
-pub(crate) struct Plain<K, R, const D: usize> {
+pub(crate) struct Unlayered<K, R, const D: usize> {
     kernel: K,
     /// Scratch: the valid boxes, their slots and their pairs.
     boxes: Vec<Aabb<R, D>>,
@@ -187,7 +147,7 @@ pub(crate) struct Plain<K, R, const D: usize> {
     pairs: Vec<[u32; 2]>,
 }
 
-impl<K: Default, R, const D: usize> Default for Plain<K, R, D> {
+impl<K: Default, R, const D: usize> Default for Unlayered<K, R, D> {
     fn default() -> Self {
         Self {
             kernel: K::default(),
@@ -198,7 +158,7 @@ impl<K: Default, R, const D: usize> Default for Plain<K, R, D> {
     }
 }
 
-impl<K: PairFinder<R, D>, R: Real, const D: usize> Plain<K, R, D> {
+impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
     fn find(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) -> Found {
         collect_valid(boxes, &mut self.slots);
         self.boxes.clear();

@@ -5,23 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use oorandom::Rand32;
 
-use super::{Layers, PairChange, PairTracker, Tag};
+use super::{Layers, PairChange, PairTracker};
 use crate::Aabb;
-
-/// Proxies of different groups form no pairs; group 0 is open to all.
-impl Tag for u8 {
-    fn is_open(&self) -> bool {
-        *self == 0
-    }
-    fn allows(&self, other: &Self) -> bool {
-        *self == 0 || *other == 0 || self == other
-    }
-}
 
 /// What the tracker should hold.
 #[derive(Default)]
 struct Model {
-    proxies: BTreeMap<u32, (Aabb<f32, 2>, u8)>,
+    proxies: BTreeMap<u32, Aabb<f32, 2>>,
     held: BTreeSet<[u32; 2]>,
 }
 
@@ -34,10 +24,9 @@ impl Model {
     /// Returns the pairs added and deleted.
     fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
         let mut held = BTreeSet::new();
-        for (&a, (box_a, tag_a)) in &self.proxies {
-            for (&b, (box_b, tag_b)) in self.proxies.range(a + 1..) {
-                let goes_on = self.held.contains(&[a, b]);
-                if box_a.overlaps(box_b) && (tag_a.allows(tag_b) || goes_on) {
+        for (&a, box_a) in &self.proxies {
+            for (&b, box_b) in self.proxies.range(a + 1..) {
+                if box_a.overlaps(box_b) {
                     held.insert([a, b]);
                 }
             }
@@ -63,14 +52,13 @@ fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
 fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
     let mut random = Rand32::new(seed);
     let world = (slots as f32 * 2.0).sqrt();
-    let mut tracker = PairTracker::<f32, 2, u8>::default();
+    let mut tracker = PairTracker::<f32, 2>::default();
     let mut model = Model::default();
     for update in 0..120 {
         // From nothing to everything, in no order.
         let changes = [0, 1, 3, slots / 20, slots / 8, slots / 5, slots / 4, slots][update % 8];
         for _ in 0..changes {
             let slot = random.rand_range(0..slots);
-            let tag = random.rand_range(0..3) as u8;
             let known = model.proxies.get(&slot).copied();
             match (random.rand_range(0..10), known) {
                 (0, Some(_)) => {
@@ -81,20 +69,16 @@ fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
                     tracker.lift(slot);
                     model.proxies.remove(&slot);
                 }
-                (2, Some((aabb, _))) => {
-                    tracker.retag(slot, tag);
-                    model.proxies.insert(slot, (aabb, tag));
-                }
-                (3..8, Some((aabb, tag))) => {
+                (2..8, Some(aabb)) => {
                     let step = random.rand_float() - 0.5;
                     let moved = Aabb::new(aabb.mins.map(|x| x + step), aabb.maxs.map(|x| x + step));
-                    tracker.place(slot, moved, tag);
-                    model.proxies.insert(slot, (moved, tag));
+                    tracker.place(slot, moved);
+                    model.proxies.insert(slot, moved);
                 }
                 _ => {
                     let aabb = random_box(&mut random, world);
-                    tracker.place(slot, aabb, tag);
-                    model.proxies.insert(slot, (aabb, tag));
+                    tracker.place(slot, aabb);
+                    model.proxies.insert(slot, aabb);
                 }
             }
         }
@@ -114,8 +98,8 @@ fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
             deleted.is_empty(),
             "update {update}: not deleted: {deleted:?}"
         );
-        assert!(tracker.pairs().collect::<BTreeSet<_>>() == model.held);
-        assert_eq!(tracker.pair_count(), model.held.len());
+        assert_eq!(tracker.pairs().len(), model.held.len());
+        assert!(tracker.pairs().iter().copied().collect::<BTreeSet<_>>() == model.held);
         tracker.validate(&mut Layers::Brute(Default::default()));
     }
 }
@@ -136,27 +120,27 @@ fn kernels_without_layers_agree_with_brute_force() {
 #[test]
 fn few_movers_are_looked_up_and_many_are_not() {
     let mut random = Rand32::new(8);
-    let mut tracker = PairTracker::<f32, 2, u8>::default();
+    let mut tracker = PairTracker::<f32, 2>::default();
     let mut layers = Layers::Grid(Box::default());
     for slot in 0..100 {
-        tracker.place(slot, random_box(&mut random, 10.0), 0);
+        tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(&mut layers, |_| ());
     assert_eq!(layers.moving(), 0);
     for slot in 0..10 {
-        tracker.place(slot, random_box(&mut random, 10.0), 0);
+        tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(&mut layers, |_| ());
     assert_eq!(layers.moving(), 10);
     for slot in 20..80 {
-        tracker.place(slot, random_box(&mut random, 10.0), 0);
+        tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(&mut layers, |_| ());
     assert_eq!(layers.moving(), 0);
     // One mover at a time: the moving layer fills up, until a full run is due.
     let mut most = 0;
     for slot in (0..100).cycle().take(300) {
-        tracker.place(slot, random_box(&mut random, 10.0), 0);
+        tracker.place(slot, random_box(&mut random, 10.0));
         tracker.finish(&mut layers, |_| ());
         most = most.max(layers.moving());
     }

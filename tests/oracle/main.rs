@@ -67,6 +67,10 @@ oracle_suite!(grid_sweep_f32_3, GridSweep<f32, 3>, f32, 3);
 oracle_suite!(grid_sweep_f64_2, GridSweep<f64, 2>, f64, 2);
 oracle_suite!(grid_sweep_f64_3, GridSweep<f64, 3>, f64, 3);
 
+// Not what they are made for, but nothing forbids it.
+oracle_suite!(grid_sweep_f32_1, GridSweep<f32, 1>, f32, 1);
+oracle_suite!(grid_sweep_f64_4, GridSweep<f64, 4>, f64, 4);
+
 oracle_suite!(rank_sweep_f32_2, RankSweep<f32, 2>, f32, 2);
 oracle_suite!(rank_sweep_f32_3, RankSweep<f32, 3>, f32, 3);
 oracle_suite!(rank_sweep_f64_2, RankSweep<f64, 2>, f64, 2);

@@ -29,6 +29,29 @@ fn scattered() -> Twins {
     twins
 }
 
+/// Parry builds trees of one and of two leaves in a way of its own.
+#[test]
+fn a_few_colliders_with_any_index() {
+    for left in 1..=4 {
+        let mut twins = Twins::weightless();
+        let all: Vec<_> = (0..5)
+            .map(|i| twins.insert(fixed(3.0 * i as Real, 0.0), cube()))
+            .collect();
+        twins.step();
+        for &(body, _) in &all[..5 - left] {
+            twins.both(|world| world.remove(body));
+        }
+        twins.step();
+        let mut hits = 0;
+        for i in 0..5 {
+            let ray = Ray::new(at(3.0 * i as Real, -5.0).into(), at(0.0, 1.0));
+            let hit = same(&twins, |scene| scene.cast_ray(&ray, 100.0, true));
+            hits += usize::from(hit.is_some());
+        }
+        assert_eq!(hits, left);
+    }
+}
+
 /// Asks both worlds the same.
 fn same<T: PartialEq + Debug>(twins: &Twins, ask: impl Fn(QueryPipeline<'_>) -> T) -> T {
     let dispatcher = &DefaultQueryDispatcher;

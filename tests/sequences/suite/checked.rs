@@ -55,7 +55,7 @@ impl BroadPhase for CheckedBroadPhase {
         let margin = self.inner.settings().margin;
         let expected = self
             .model
-            .update(margin, params, colliders, bodies, modified, removed);
+            .update(margin, params, colliders, modified, removed);
 
         assert_eq!(changes(&sent), expected, "events");
         for pair in &expected.deleted {

@@ -62,7 +62,6 @@ impl Model {
         margin: Real,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
-        bodies: &RigidBodySet,
         modified: &[ColliderHandle],
         removed: &[ColliderHandle],
     ) -> Changes {
@@ -73,7 +72,7 @@ impl Model {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
-                    let margin = margin.max(0.0) * params.length_unit;
+                    let margin = (margin * params.length_unit).max(0.0);
                     self.renew(handle, collider.compute_collision_aabb(skin), margin);
                 }
                 _ => self.forget(handle),
@@ -82,11 +81,6 @@ impl Model {
 
         let before = std::mem::take(&mut self.held);
         self.held = self.overlapping_pairs();
-        // The collision pipeline has no time step; there nothing is filtered.
-        let is_filtered = params.dt != 0.0;
-        self.held.retain(|pair| {
-            before.contains(pair) || !is_filtered || may_interact(pair, colliders, bodies)
-        });
         Changes {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
@@ -136,31 +130,6 @@ impl Model {
         }
         pairs
     }
-}
-
-/// Whether a body is dynamic, or the narrow phase would look at the two shapes, as
-/// `NarrowPhase::compute_contacts` decides.
-fn may_interact(pair: &Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool {
-    let [a, b] = pair.map(|(index, generation)| {
-        let handle = ColliderHandle::from_raw_parts(index, generation);
-        colliders.get(handle).expect("its removal was listed")
-    });
-    let [type_a, type_b] = [a, b].map(|collider| match collider.parent() {
-        Some(body) => bodies[body].body_type(),
-        None => RigidBodyType::Fixed,
-    });
-    if type_a.is_dynamic() || type_b.is_dynamic() {
-        return true;
-    }
-    if a.parent().is_some() && a.parent() == b.parent() {
-        return false;
-    }
-    if !a.active_collision_types().test(type_a, type_b)
-        && !b.active_collision_types().test(type_a, type_b)
-    {
-        return false;
-    }
-    a.collision_groups().test(b.collision_groups())
 }
 
 fn is_sound(aabb: &Aabb) -> bool {
