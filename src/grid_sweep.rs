@@ -15,6 +15,9 @@ use tubes::Tubes;
 /// Up to this many boxes, one tube is faster than a grid.
 const SMALL: usize = 24;
 
+/// How much wider than seemed best the strips are made, one after the other, if most boxes are too large.
+const WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];
+
 /// Entries are numbered with 32 bits, and a box may have four.
 const MAX_BOXES: usize = 1 << 29;
 
@@ -178,28 +181,51 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 
 impl<R: Real, const D: usize> Class<R, D> {
     /// Chooses a grid and sorts the members into its tubes, all but the outsize ones.
+    ///
+    /// Each class must take in a fair share of the boxes, so that there are few classes: if a grid turns out
+    /// too fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
     fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
-        if members.len() <= SMALL {
-            self.grid = Grid::default();
-            self.tubes
-                .build(boxes, members, &mut self.grid, &mut self.outsize);
-            return;
-        }
-        // Each class must take in a fair share of the boxes, so that there are few classes. In strips of
-        // infinite width nothing is outsize, so this ends.
-        let mut widening = 1.0;
-        loop {
-            self.grid = Grid::choose(boxes, members, widening);
-            self.tubes
-                .build(boxes, members, &mut self.grid, &mut self.outsize);
-            if self.outsize.len() <= members.len() / 8 * 7 {
-                return;
+        if members.len() > SMALL {
+            for widening in WIDENINGS {
+                self.grid = Grid::choose(boxes, members, widening);
+                self.tubes
+                    .build(boxes, members, &mut self.grid, &mut self.outsize);
+                if self.outsize.len() <= members.len() / 8 * 7 {
+                    return;
+                }
             }
-            widening = if widening < 1e6 {
-                widening * 8.0
-            } else {
-                f64::INFINITY
-            };
         }
+        self.grid = Grid::default();
+        self.tubes
+            .build(boxes, members, &mut self.grid, &mut self.outsize);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::BruteForce;
+
+    /// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
+    #[test]
+    fn a_sample_that_misleads_costs_time_and_nothing_else() {
+        for spread in [0.0, 1e-3, 50.0] {
+            misled(spread);
+        }
+    }
+
+    fn misled(spread: f32) {
+        let mut boxes: Vec<_> = (0..2000)
+            .map(|i| Aabb::new([i as f32, -1e9], [i as f32 + 1.5, 1e9]))
+            .collect();
+        for i in grid::scattered(boxes.len()) {
+            let corner = [i as f32, spread * (i % 50) as f32];
+            boxes[i] = Aabb::new(corner, corner);
+        }
+        let [mut found, mut expected] = [Vec::new(), Vec::new()];
+        GridSweep::default().find_pairs(&boxes, &mut found).unwrap();
+        BruteForce.find_pairs(&boxes, &mut expected).unwrap();
+        found.sort_unstable();
+        assert!(found == expected);
     }
 }

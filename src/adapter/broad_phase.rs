@@ -191,9 +191,7 @@ impl UnisizeBroadPhase {
             }
         }
     }
-}
 
-impl UnisizeBroadPhase {
     /// Turns the changes of the pair set into events.
     fn report(&mut self, events: &mut Vec<BroadPhasePairEvent>) {
         if self.tracker.is_touched() {

@@ -140,7 +140,7 @@ impl<R: Real> Grid<R> {
 
 /// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular
 /// distance, so that a pattern in the order of the boxes does not mislead.
-fn scattered(n: usize) -> impl Iterator<Item = usize> {
+pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
     let count = n.min(SAMPLE);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {

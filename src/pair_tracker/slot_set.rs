@@ -1,6 +1,7 @@
-//! A set of slots, as a list and as a table of flags.
+//! A set of slots.
 
-/// A set of slots.
+/// A set of slots, as a list and as a table of flags: each operation takes constant time, and going through it
+/// or clearing it no more than it has members.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
     slots: Vec<u32>,
