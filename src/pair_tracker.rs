@@ -1,20 +1,28 @@
 //! The pair set over time: proxies in, changes of the pair set out.
 //!
 //! A *proxy* is a box kept under a slot number. Between two calls of [`PairTracker::finish`] proxies are
-//! placed, moved and removed; `finish` then reports how the set of overlapping pairs has changed. It needs
-//! neither hashing nor sorting for that: kernels are exact, so whether a pair was held a moment ago can be
-//! read off its two previous boxes, and whether it still is off the present ones.
+//! placed, moved and removed; `finish` then reports how the set of overlapping pairs has changed.
+//!
+//! Each proxy has a reach around its box. The pairs whose reaches overlap are the candidates, and only when
+//! proxies leave their reach must there be a search for new ones. In between, each candidate is held or not, as its
+//! two boxes overlap or not. Neither hashing nor sorting is needed for that.
 
+mod candidates;
 mod layers;
+mod reach;
 mod slot_set;
 #[cfg(test)]
 mod tests;
 
 use crate::{Aabb, Real};
-use layers::Found;
+use candidates::{Boxes, Candidates};
+use reach::Horizon;
 use slot_set::SlotSet;
 
 pub(crate) use layers::{Layers, Unlayered};
+
+/// If fewer than one proxy in so many has moved, their candidates are looked for among all candidates.
+const MANY: usize = 3;
 
 /// A change of the pair set, by slots, smaller first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,11 +38,15 @@ pub(crate) struct PairTracker<R, const D: usize> {
     boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     previous: Vec<Aabb<R, D>>,
-    /// Slots that were placed, lifted or removed since the last `finish`.
-    touched: SlotSet,
-    /// The held pairs: all those that overlap.
-    pairs: Vec<[u32; 2]>,
-    /// Scratch: the pairs found by the kernel.
+    /// The reach of each proxy; all NaN where there is none, or none yet.
+    reaches: Vec<Aabb<R, D>>,
+    /// Slots whose boxes have changed since the last `finish`; some may occur more than once.
+    moved: Vec<u32>,
+    /// Those of them that have left their reach, have none yet, or are gone.
+    escaped: SlotSet,
+    horizon: Horizon,
+    candidates: Candidates,
+    /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
 }
 
@@ -43,8 +55,11 @@ impl<R, const D: usize> Default for PairTracker<R, D> {
         Self {
             boxes: Vec::new(),
             previous: Vec::new(),
-            touched: SlotSet::default(),
-            pairs: Vec::new(),
+            reaches: Vec::new(),
+            moved: Vec::new(),
+            escaped: SlotSet::default(),
+            horizon: Horizon::default(),
+            candidates: Candidates::default(),
             found: Vec::new(),
         }
     }
@@ -61,23 +76,45 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.boxes.get(slot as usize).filter(|b| b.is_valid())
     }
 
+    /// The box under this slot; all NaN if there is no proxy.
+    #[inline(always)]
+    pub(crate) fn slot_box(&self, slot: u32) -> Aabb<R, D> {
+        match self.boxes.get(slot as usize) {
+            Some(aabb) => *aabb,
+            None => Self::absent(),
+        }
+    }
+
     /// Places or moves the proxy of a slot. `aabb` must be valid.
+    #[inline(always)]
     pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
         debug_assert!(aabb.is_valid());
         let index = slot as usize;
         if index >= self.boxes.len() {
-            self.boxes.resize(index + 1, Self::absent());
-            self.previous.resize(index + 1, Self::absent());
+            self.grow(index + 1);
         }
         self.boxes[index] = aabb;
-        self.touched.insert(slot);
+        self.moved.push(slot);
+        if !self.reaches[index].contains(&aabb) {
+            self.escaped.insert(slot);
+        }
+    }
+
+    #[cold]
+    fn grow(&mut self, slots: usize) {
+        for boxes in [&mut self.boxes, &mut self.previous, &mut self.reaches] {
+            boxes.resize(slots, Self::absent());
+        }
     }
 
     /// Ends the pairs of a proxy with a [`PairChange::Deleted`] each, and forgets it.
     pub(crate) fn lift(&mut self, slot: u32) {
-        if let Some(aabb) = self.boxes.get_mut(slot as usize) {
-            *aabb = Self::absent();
-            self.touched.insert(slot);
+        let index = slot as usize;
+        if index < self.boxes.len() {
+            self.boxes[index] = Self::absent();
+            self.reaches[index] = Self::absent();
+            self.moved.push(slot);
+            self.escaped.insert(slot);
         }
     }
 
@@ -91,12 +128,22 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
 
     /// Whether proxies were placed, lifted or removed since the last `finish`.
     pub(crate) fn is_touched(&self) -> bool {
-        !self.touched.slots().is_empty()
+        !self.moved.is_empty()
     }
 
     /// The held pairs, by slots, smaller first.
-    pub(crate) fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.candidates.held()
+    }
+
+    /// The number of held pairs.
+    pub(crate) fn pair_count(&self) -> usize {
+        self.candidates.held_count()
+    }
+
+    /// The number of pairs whose reaches overlap.
+    pub(crate) fn candidate_count(&self) -> usize {
+        self.candidates.len()
     }
 
     /// The slots that have a proxy, with their boxes.
@@ -104,11 +151,11 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
     }
 
-    /// Brings the pairs up to date and reports what has changed since the last call: deletions first, then
-    /// additions.
+    /// Brings the pairs up to date and reports what has changed since the last call.
     ///
-    /// Costs nothing when nothing was touched; **O(touched · log n + pairs)** when little was, and a run of
-    /// the kernel over all proxies otherwise.
+    /// Costs nothing when nothing was touched. Otherwise the candidates of what has moved are looked at, or all of
+    /// them in order if that is most of them. What has left its reach is looked up in about **O(log n)** each, and if
+    /// that is much, there is a run of the kernel over all proxies.
     pub(crate) fn finish(&mut self, layers: &mut Layers<R, D>, mut report: impl FnMut(PairChange)) {
         if !self.is_touched() {
             return;
@@ -116,79 +163,91 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         let Self {
             boxes,
             previous,
-            touched,
-            pairs,
+            reaches,
+            moved,
+            escaped,
+            horizon,
+            candidates,
             found,
         } = self;
-        found.clear();
-        let kind = layers.find(boxes, touched, found);
-
-        // The present boxes first: most pairs go on. The pairs of removed proxies end without a word.
-        let mut report_if_parted = |pair| {
-            if !overlap(boxes, pair) && overlap(previous, pair) {
-                report(PairChange::Deleted(pair));
-            }
+        let report = &mut report;
+        let both = Boxes {
+            now: &boxes[..],
+            before: &previous[..],
         };
-        match kind {
-            Found::All => {
-                pairs.drain(..).for_each(report_if_parted);
+        found.clear();
+        if layers.is_full_run_due(escaped.slots().len(), moved.len(), boxes.len()) {
+            let pairs_per_proxy = candidates.held_count() as f64 / boxes.len() as f64;
+            if let Some(chosen) = Horizon::choose(moved, boxes, previous, pairs_per_proxy) {
+                *horizon = chosen;
             }
-            Found::OfTouched => pairs.retain(|&[a, b]| {
-                let is_touched = touched.contains(a) | touched.contains(b);
-                if is_touched {
-                    report_if_parted([a, b]);
-                }
-                !is_touched
-            }),
-        }
-        for &pair in found.iter() {
-            if !overlap(previous, pair) {
-                report(PairChange::Added(pair));
+            for &slot in moved.iter() {
+                let i = slot as usize;
+                reaches[i] = horizon.reach(&boxes[i], &previous[i]);
             }
-        }
-        if pairs.is_empty() {
-            std::mem::swap(pairs, found);
+            layers.find_all(reaches, found);
+            candidates.replace(found, &both, report);
         } else {
-            pairs.extend_from_slice(found);
+            for &slot in escaped.slots() {
+                let i = slot as usize;
+                reaches[i] = horizon.reach(&boxes[i], &previous[i]);
+            }
+            layers.find_changed(reaches, escaped, found);
+            if moved.len() < boxes.len() / MANY {
+                candidates.refresh_some(escaped, moved, &both, report);
+            } else {
+                candidates.refresh_all(escaped, &both, report);
+            }
+            candidates.extend(found, &both, report);
         }
         self.settle();
     }
 
     /// Makes the present boxes the previous ones.
     fn settle(&mut self) {
-        if self.touched.slots().len() > self.boxes.len() / 4 {
+        if self.moved.len() > self.boxes.len() / 4 {
             self.previous.copy_from_slice(&self.boxes);
         } else {
-            for &slot in self.touched.slots() {
+            for &slot in &self.moved {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
         }
-        self.touched.clear();
+        self.moved.clear();
+        self.escaped.clear();
     }
 
-    /// Panics unless the held pairs are exactly those that overlap, by a full run of a fresh kernel, and the
-    /// boxes are settled.
+    /// Panics unless the held pairs are exactly those that overlap, by a full run of a fresh kernel, and all
+    /// that is kept besides is in order.
     pub(crate) fn validate(&self, layers: &mut Layers<R, D>) {
         assert!(!self.is_touched(), "an update was not finished");
         assert_eq!(self.boxes.len(), self.previous.len());
+        assert_eq!(self.boxes.len(), self.reaches.len());
         for (slot, (now, before)) in self.boxes.iter().zip(&self.previous).enumerate() {
             let is_settled = now == before || !(now.is_valid() || before.is_valid());
             assert!(is_settled, "the box of slot {slot} is not settled");
         }
-        let mut expected = Vec::new();
-        let kind = layers.find(&self.boxes, &self.touched, &mut expected);
-        assert_eq!(kind, Found::All, "the kernel is not fresh");
-        let mut held = self.pairs.clone();
-        held.sort_unstable();
-        expected.sort_unstable();
-        assert!(
-            held == expected,
-            "the held pairs are not the overlapping ones"
+        for (slot, (aabb, reach)) in self.boxes.iter().zip(&self.reaches).enumerate() {
+            let is_sound = reach.contains(aabb) || !(aabb.is_valid() || reach.is_valid());
+            assert!(is_sound, "the box of slot {slot} is not in its reach");
+        }
+        self.candidates.validate(&self.boxes);
+        let mut check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
+            let mut expected = Vec::new();
+            layers.find_all(boxes, &mut expected);
+            kept.sort_unstable();
+            expected.sort_unstable();
+            assert!(kept == expected, "{what} are not the overlapping ones");
+        };
+        check(self.pairs().collect(), &self.boxes, "the held pairs");
+        check(
+            self.candidates.iter().collect(),
+            &self.reaches,
+            "the candidates",
         );
     }
 }
 
-#[inline]
-fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
-    boxes[a as usize].overlaps(&boxes[b as usize])
+/// Some of the slots.
+fn moved_sample(moved: &[u32]) -> impl Iterator<Item = u32> + '_ {
+    moved.iter().copied().step_by(moved.len() / 128 + 1)
 }

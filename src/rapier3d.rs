@@ -14,3 +14,9 @@ pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};
 fn scaled_axis(rotation: &Rotation<Real>) -> AngVector<Real> {
     rotation.scaled_axis()
 }
+
+/// A rotation vector, of which two dimensions need only the last component.
+#[cfg(test)]
+fn angular(x: Real, y: Real, z: Real) -> AngVector<Real> {
+    rapier::math::Vector::new(x, y, z)
+}

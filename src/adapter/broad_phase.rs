@@ -2,7 +2,8 @@
 
 use std::sync::OnceLock;
 
-use super::collider_box::collider_box;
+use super::collider_box::Prediction;
+use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderPair, ColliderSet,
@@ -11,6 +12,7 @@ use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
 use super::reading_order::ReadingOrder;
 use super::{Settings, Stats};
+use crate::Aabb;
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
 
 /// A broad phase for scenes of many colliders of about the same size: give it to `PhysicsPipeline::step` or
@@ -29,6 +31,8 @@ pub struct UnisizeBroadPhase {
     /// The generation of the collider in each slot, the slot being the index of its handle; `None` where
     /// there is none.
     generations: Vec<Option<u32>>,
+    /// The outline of the collider in each slot, as many as generations.
+    outlines: Vec<Outline>,
     layers: Layers<Real, DIM>,
     reading_order: ReadingOrder,
     settings: Settings,
@@ -64,6 +68,7 @@ impl UnisizeBroadPhase {
         Self {
             tracker: PairTracker::default(),
             generations: Vec::new(),
+            outlines: Vec::new(),
             layers: settings.kernel.layers(),
             reading_order: ReadingOrder::default(),
             settings,
@@ -81,7 +86,8 @@ impl UnisizeBroadPhase {
     /// What it holds, and what the last update did. **O(1)**.
     pub fn stats(&self) -> Stats {
         Stats {
-            pairs: self.tracker.pairs().len(),
+            pairs: self.tracker.pair_count(),
+            candidates: self.tracker.candidate_count(),
             moving: self.layers.moving(),
             ..self.stats
         }
@@ -90,8 +96,8 @@ impl UnisizeBroadPhase {
     /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
-        let pairs = self.tracker.pairs().iter();
-        pairs.map(|&pair| collider_pair(&self.generations, pair))
+        let pairs = self.tracker.pairs();
+        pairs.map(|pair| collider_pair(&self.generations, pair))
     }
 
     /// Checks the internal invariants: the books on colliders, and the pairs held, by a full search. For tests.
@@ -121,6 +127,7 @@ impl UnisizeBroadPhase {
         };
         if *known == Some(generation) {
             *known = None;
+            self.outlines[slot as usize] = Outline::default();
             if self.tracker.get(slot).is_some() {
                 self.stats.proxies -= 1;
             } else {
@@ -131,64 +138,79 @@ impl UnisizeBroadPhase {
     }
 
     /// Brings the proxy of a listed collider up to date.
+    #[inline(always)]
     fn modify(
         &mut self,
         handle: ColliderHandle,
         collider: &Collider,
         bodies: &RigidBodySet,
-        params: &IntegrationParameters,
+        prediction: &Prediction,
+        margin: Real,
     ) {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
+        if self.generations.get(index) != Some(&Some(generation)) {
+            self.enlist(handle);
+        }
+        let outline = &mut self.outlines[index];
+        let aabb = prediction.collider_box(collider, outline, bodies);
+        let held = self.tracker.slot_box(slot);
+        if held.contains(&aabb) & aabb.is_valid() {
+            return;
+        }
+        self.stats.moved += 1;
+        if held.is_valid() & aabb.is_valid() {
+            let loosened = aabb.loosened(margin);
+            // An infinite side less an infinite margin would be NaN.
+            let renewed = if loosened.is_valid() { loosened } else { aabb };
+            self.tracker.place(slot, renewed);
+        } else {
+            self.admit_or_refuse(handle, aabb);
+        }
+    }
+
+    /// Takes note of a collider that is new under its index.
+    #[cold]
+    fn enlist(&mut self, handle: ColliderHandle) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
         if index >= self.generations.len() {
             self.generations.resize(index + 1, None);
+            self.outlines.resize(index + 1, Outline::default());
         }
-        if self.generations[index] != Some(generation) {
-            if let Some(stale) = self.generations[index] {
-                // Its removal was not reported.
-                self.remove(ColliderHandle::from_raw_parts(slot, stale));
-            }
-            self.generations[index] = Some(generation);
-            // Until its box is seen to be sound.
-            self.stats.refused += 1;
+        if let Some(stale) = self.generations[index] {
+            // Its removal was not reported.
+            self.remove(ColliderHandle::from_raw_parts(slot, stale));
         }
+        self.generations[index] = Some(generation);
+        // Until its box is seen to be sound.
+        self.stats.refused += 1;
+    }
 
-        let aabb = collider_box(collider, bodies, params);
-        let held = self.tracker.get(slot).copied();
-        if !aabb.is_valid() {
-            if held.is_some() {
-                self.tracker.lift(slot);
-                self.stats.proxies -= 1;
-                self.stats.refused += 1;
-                self.stats.moved += 1;
-            }
-            if !self.has_warned {
-                self.has_warned = true;
-                log::warn!(
-                    "collider {handle:?} is left out of the broad phase until its box is sound again: \
-                     {aabb:?}. Further ones are only counted, in Stats::refused."
-                );
-            }
+    /// Gives a collider its first proxy, or takes it away because its box is not sound.
+    #[cold]
+    fn admit_or_refuse(&mut self, handle: ColliderHandle, aabb: Aabb<Real, DIM>) {
+        let slot = handle.into_raw_parts().0;
+        if aabb.is_valid() {
+            // A new box gets no margin, as in Rapier: what never moves never needs one.
+            self.tracker.place(slot, aabb);
+            self.stats.proxies += 1;
+            self.stats.refused -= 1;
             return;
         }
-        match held {
-            Some(old) if old.contains(&aabb) => {}
-            Some(_) => {
-                // NaN counts as 0 too.
-                let margin = (self.settings.margin * params.length_unit).max(0.0);
-                let loosened = aabb.loosened(margin);
-                // An infinite side less an infinite margin would be NaN.
-                let renewed = if loosened.is_valid() { loosened } else { aabb };
-                self.tracker.place(slot, renewed);
-                self.stats.moved += 1;
-            }
-            None => {
-                // A new box gets no margin, as in Rapier: what never moves never needs one.
-                self.tracker.place(slot, aabb);
-                self.stats.moved += 1;
-                self.stats.proxies += 1;
-                self.stats.refused -= 1;
-            }
+        if self.tracker.get(slot).is_some() {
+            self.tracker.lift(slot);
+            self.stats.proxies -= 1;
+            self.stats.refused += 1;
+        } else {
+            self.stats.moved -= 1;
+        }
+        if !self.has_warned {
+            self.has_warned = true;
+            log::warn!(
+                "collider {handle:?} is left out of the broad phase until its box is sound again: \
+                 {aabb:?}. Further ones are only counted, in Stats::refused."
+            );
         }
     }
 
@@ -249,15 +271,18 @@ impl BroadPhase for UnisizeBroadPhase {
             self.remove(handle);
         }
         let mut order = std::mem::take(&mut self.reading_order);
-        order.for_each(modified_colliders, self.generations.len(), |handle| {
+        let prediction = Prediction::new(params);
+        // NaN counts as 0 too.
+        let margin = (self.settings.margin * params.length_unit).max(0.0);
+        for &handle in order.arrange(modified_colliders, self.generations.len()) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
-                    self.modify(handle, collider, bodies, params);
+                    self.modify(handle, collider, bodies, &prediction, margin);
                 }
                 // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
                 _ => self.remove(handle),
             }
-        });
+        }
         self.reading_order = order;
         self.report(events);
     }

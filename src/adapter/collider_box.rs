@@ -1,32 +1,59 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it.
 
+use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet, RigidBodyVelocity};
 use super::rapier::geometry::Collider;
 use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use crate::Aabb;
 
-/// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to where
-/// soft CCD expects the body at the end of the step.
-///
-/// See `BroadPhaseBvh::update` in Rapier 0.27: nearer than the prediction distance, two such boxes touch.
-pub(super) fn collider_box(
-    collider: &Collider,
-    bodies: &RigidBodySet,
-    params: &IntegrationParameters,
-) -> Aabb<Real, DIM> {
-    let mut aabb = collider.compute_aabb();
-    let body = collider.parent().and_then(|parent| bodies.get(parent));
-    let reach = body.map_or(0.0, RigidBody::soft_ccd_prediction);
-    if reach > 0.0 {
-        if let (Some(body), Some(local_pose)) = (body, collider.position_wrt_parent()) {
-            let pose = predicted_pose(body, params.dt, reach) * local_pose;
-            aabb.merge(&collider.shape().compute_aabb(&pose));
+/// What the boxes of all colliders depend on.
+#[derive(Clone, Copy)]
+pub(super) struct Prediction {
+    dt: Real,
+    half_distance: Real,
+}
+
+impl Prediction {
+    pub(super) fn new(params: &IntegrationParameters) -> Self {
+        Self {
+            dt: params.dt,
+            half_distance: params.prediction_distance() / 2.0,
         }
     }
-    let distance = collider.contact_skin() + params.prediction_distance() / 2.0;
-    // Parry would panic at a negative distance or NaN.
-    Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into()).loosened(distance.max(0.0))
+
+    /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
+    /// where soft CCD expects the body at the end of the step.
+    ///
+    /// See `BroadPhaseBvh::update` in Rapier 0.27: nearer than the prediction distance, two such boxes touch.
+    #[inline(always)]
+    pub(super) fn collider_box(
+        &self,
+        collider: &Collider,
+        outline: &mut Outline,
+        bodies: &RigidBodySet,
+    ) -> Aabb<Real, DIM> {
+        let mut aabb = outline.aabb(collider);
+        if let Some(body) = collider.parent().and_then(|parent| bodies.get(parent)) {
+            if body.soft_ccd_prediction() > 0.0 {
+                aabb = self.swept_box(collider, body);
+            }
+        }
+        // Parry would panic at a negative distance or NaN.
+        let distance = (collider.contact_skin() + self.half_distance).max(0.0);
+        aabb.loosened(distance)
+    }
+
+    /// The box of the collider here and where its body is predicted to be.
+    #[cold]
+    fn swept_box(&self, collider: &Collider, body: &RigidBody) -> Aabb<Real, DIM> {
+        let mut swept = collider.compute_aabb();
+        if let Some(local_pose) = collider.position_wrt_parent() {
+            let pose = predicted_pose(body, self.dt, body.soft_ccd_prediction()) * local_pose;
+            swept.merge(&collider.shape().compute_aabb(&pose));
+        }
+        Aabb::new(swept.mins.coords.into(), swept.maxs.coords.into())
+    }
 }
 
 /// Where the body will be after `dt` seconds, or after its centre of mass has gone `reach` length units.

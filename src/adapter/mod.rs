@@ -7,6 +7,7 @@ use super::rapier;
 
 mod broad_phase;
 mod collider_box;
+mod outline;
 mod queries;
 mod reading_order;
 mod settings;

@@ -16,21 +16,21 @@ pub(super) struct ReadingOrder {
     listed: Vec<u64>,
     /// For each listed index, the generation of its handle.
     generations: Vec<u32>,
+    ordered: Vec<ColliderHandle>,
 }
 
 impl ReadingOrder {
-    /// Calls `read` with each of the handles, in a favourable order.
-    pub(super) fn for_each(
-        &mut self,
-        handles: &[ColliderHandle],
+    /// The same handles, but for repetitions, in a favourable order.
+    pub(super) fn arrange<'a>(
+        &'a mut self,
+        handles: &'a [ColliderHandle],
         known_slots: usize,
-        mut read: impl FnMut(ColliderHandle),
-    ) {
+    ) -> &'a [ColliderHandle] {
         let index = |handle: &ColliderHandle| handle.into_raw_parts().0;
         if handles.len() <= FEW || handles.is_sorted_by_key(index) {
-            handles.iter().copied().for_each(read);
-            return;
+            return handles;
         }
+        self.ordered.clear();
         self.generations.resize(known_slots, 0);
         self.listed.resize(known_slots.div_ceil(64), 0);
         for &handle in handles {
@@ -38,13 +38,13 @@ impl ReadingOrder {
             let slot = index as usize;
             if slot >= known_slots {
                 // New or unheard of: few, as a rule.
-                read(handle);
+                self.ordered.push(handle);
                 continue;
             }
             let (word, bit) = (slot / 64, 1 << (slot % 64));
             if self.listed[word] & bit != 0 && self.generations[slot] != generation {
                 // Two handles of one index: at most one of them is alive.
-                read(handle);
+                self.ordered.push(handle);
                 continue;
             }
             self.listed[word] |= bit;
@@ -55,12 +55,12 @@ impl ReadingOrder {
             while bits != 0 {
                 let slot = first + bits.trailing_zeros();
                 bits &= bits - 1;
-                read(ColliderHandle::from_raw_parts(
-                    slot,
-                    self.generations[slot as usize],
-                ));
+                let generation = self.generations[slot as usize];
+                self.ordered
+                    .push(ColliderHandle::from_raw_parts(slot, generation));
             }
         }
+        &self.ordered
     }
 }
 
@@ -69,9 +69,8 @@ mod tests {
     use super::*;
 
     fn read(order: &mut ReadingOrder, handles: &[ColliderHandle], slots: usize) -> Vec<(u32, u32)> {
-        let mut read = Vec::new();
-        order.for_each(handles, slots, |handle| read.push(handle.into_raw_parts()));
-        read
+        let arranged = order.arrange(handles, slots).iter();
+        arranged.map(|handle| handle.into_raw_parts()).collect()
     }
 
     #[test]

@@ -15,6 +15,8 @@ pub struct Stats {
     pub moving: usize,
     /// Pairs held.
     pub pairs: usize,
+    /// Pairs that are watched because they may soon be held, or are.
+    pub candidates: usize,
     /// Updates so far that had colliders to look at.
     pub updates: u64,
     /// Colliders that the last such update was given, modified and removed.

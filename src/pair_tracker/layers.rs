@@ -1,28 +1,23 @@
 //! What rests and what moves.
 //!
-//! When few proxies move, sorting all of them again for each update would be a waste. So there are two
-//! layers: the *resting* one, in the order that the last full run left behind, and the *moving* one, of all
-//! proxies touched since. An update then looks the touched ones up in the resting layer, and runs the kernel
-//! on the moving layer alone. Entries of the resting layer whose proxies belong to the moving one are stale
-//! and passed over.
+//! When few boxes change, sorting all of them again for each update would be a waste. So there are three
+//! layers. The *resting* one is in the order that the last run over all boxes left behind. The *moving* one is of
+//! all that have changed since then, in the order of the last run over those. And the *recent* one is of all that
+//! have changed since that; it is small and has no order. An update looks the changed boxes up in the first two, and
+//! runs the kernel on the third alone. Entries of one layer whose boxes belong to the next are stale and passed over.
 //!
-//! Once the moving layer has cost as much as a full run, because it is full of proxies that have come to
-//! rest, there is a full run, after which nothing moves. Kernels that cannot look boxes up have no layers.
+//! A layer is sorted anew, and takes in all that follow, once the following ones have cost as much as that: so never
+//! more than about twice as much time is spent as if it had been known beforehand when it pays. Kernels that cannot
+//! look boxes up have no layers.
 
 use super::slot_set::SlotSet;
 use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
 
 /// Looking a proxy up costs about as much as this many proxies in a full run.
-const LOOKUP_COST: usize = 4;
+const LOOKUP_COST: usize = 6;
 
-/// Which pairs [`Layers::find`] has found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Found {
-    /// Every overlapping pair.
-    All,
-    /// Every overlapping pair of which one proxy at least was touched.
-    OfTouched,
-}
+/// It is a wave if one box in so many has changed in one update.
+const WAVE: usize = 24;
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
@@ -33,107 +28,175 @@ pub(crate) enum Layers<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// Appends to `found` the overlapping pairs among the valid ones of `boxes`, or of those only that
-    /// involve one of the `touched`, which must be all that have changed since the last call.
-    pub(crate) fn find(
+    /// Whether a run over all boxes is the best to do, after so many of them have changed, and so many would profit
+    /// from the occasion.
+    pub(super) fn is_full_run_due(&self, changed: usize, profiting: usize, boxes: usize) -> bool {
+        match self {
+            Self::Grid(layers) => layers.is_full_run_due(changed, profiting, boxes),
+            Self::Rank(_) | Self::Brute(_) => changed > 0,
+        }
+    }
+
+    /// Appends to `found` the overlapping pairs among the valid ones of `boxes`.
+    pub(super) fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
+        match self {
+            Self::Grid(layers) => layers.find_all(boxes, found),
+            Self::Rank(kernel) => kernel.find_all(boxes, found),
+            Self::Brute(kernel) => kernel.find_all(boxes, found),
+        }
+    }
+
+    /// Appends to `found` the overlapping pairs among the valid ones of `boxes` that involve one of the `changed`,
+    /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all), and few
+    /// enough for no [full run](Self::is_full_run_due) to be due.
+    pub(super) fn find_changed(
         &mut self,
         boxes: &[Aabb<R, D>],
-        touched: &SlotSet,
+        changed: &SlotSet,
         found: &mut Vec<[u32; 2]>,
-    ) -> Found {
-        match self {
-            Self::Grid(layers) => layers.find(boxes, touched, found),
-            Self::Rank(kernel) => kernel.find(boxes, found),
-            Self::Brute(kernel) => kernel.find(boxes, found),
+    ) {
+        if let Self::Grid(layers) = self {
+            layers.find_changed(boxes, changed, found);
         }
     }
 
     /// How many proxies are in the moving layer.
     pub(crate) fn moving(&self) -> usize {
         match self {
-            Self::Grid(layers) => layers.moving.slots().len(),
+            Self::Grid(layers) => layers.resting.stale.slots().len(),
             Self::Rank(_) | Self::Brute(_) => 0,
         }
     }
 }
 
-/// The two layers.
+/// The three layers.
 #[derive(Clone, Debug)]
 pub(crate) struct GridLayers<R, const D: usize> {
-    /// The order of the last full run, if there was one.
-    resting: GridSweep<R, D>,
-    is_sorted: bool,
-    /// All that were touched since the last full run.
-    moving: SlotSet,
-    moving_kernel: GridSweep<R, D>,
-    /// Proxies of the moving layer that had not moved, summed over the updates since the last full run.
-    idle: usize,
+    resting: Layer<R, D>,
+    moving: Layer<R, D>,
+    recent: GridSweep<R, D>,
     /// Scratch: the members of a run.
     members: Vec<u32>,
+}
+
+/// A layer that has an order.
+#[derive(Clone, Debug)]
+struct Layer<R, const D: usize> {
+    order: GridSweep<R, D>,
+    is_sorted: bool,
+    /// All that have changed since it was sorted.
+    stale: SlotSet,
+    /// What the updates since then have cost, in proxies of a run.
+    spent: usize,
 }
 
 impl<R, const D: usize> Default for GridLayers<R, D> {
     fn default() -> Self {
         Self {
-            resting: GridSweep::default(),
-            is_sorted: false,
-            moving: SlotSet::default(),
-            moving_kernel: GridSweep::default(),
-            idle: 0,
+            resting: Layer::default(),
+            moving: Layer::default(),
+            recent: GridSweep::default(),
             members: Vec::new(),
         }
     }
 }
 
+impl<R, const D: usize> Default for Layer<R, D> {
+    fn default() -> Self {
+        Self {
+            order: GridSweep::default(),
+            is_sorted: false,
+            stale: SlotSet::default(),
+            spent: 0,
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Layer<R, D> {
+    /// What is spent once so many more have changed.
+    fn spent_after(&self, changed: usize) -> usize {
+        self.spent + LOOKUP_COST * changed
+    }
+
+    /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them.
+    fn sort(&mut self, boxes: &[Aabb<R, D>], members: &[u32], found: &mut Vec<[u32; 2]>) {
+        self.stale.clear();
+        self.spent = 0;
+        self.is_sorted = true;
+        self.order.find_among(boxes, members, found);
+    }
+
+    /// Appends the pairs of the valid ones among the changed with those members that are not stale. All the changed
+    /// must be.
+    fn look_up(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
+        let queries = changed.slots().iter().copied();
+        let queries = queries.filter(|&slot| boxes[slot as usize].is_valid());
+        let first = found.len();
+        self.order.prepare_lookup();
+        self.order.look_up(boxes, queries, found);
+        let stale = &self.stale;
+        retain_from(found, first, |[a, b]| {
+            stale.contains(a) != stale.contains(b)
+        });
+    }
+}
+
 impl<R: Real, const D: usize> GridLayers<R, D> {
-    fn find(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        touched: &SlotSet,
-        found: &mut Vec<[u32; 2]>,
-    ) -> Found {
-        let touched_slots = touched.slots();
-        // A bound on the number of proxies that costs no count.
-        let proxies = boxes.len();
-        let moving = self.moving.slots().len() + touched_slots.len();
-        let is_costly = LOOKUP_COST * touched_slots.len() + moving > proxies;
-        if !self.is_sorted || is_costly || self.idle > proxies {
-            self.find_all(boxes, found);
-            return Found::All;
-        }
-        for &slot in touched_slots {
-            self.moving.insert(slot);
-        }
-        self.idle += self.moving.slots().len() - touched_slots.len();
+    fn is_full_run_due(&self, changed: usize, profiting: usize, boxes: usize) -> bool {
+        let resting = &self.resting;
+        // Where most move, most leave their reaches at about the same time: this may be the front of a wave.
+        let is_wave = profiting > boxes / 2 && WAVE * changed > boxes;
+        changed > 0 && (!resting.is_sorted || resting.spent_after(changed) > boxes || is_wave)
+    }
 
-        let valid = |slot: &u32| boxes[*slot as usize].is_valid();
-        self.resting.prepare_lookup();
-        let queries = touched_slots.iter().copied().filter(valid);
-        let first = found.len();
-        self.resting.look_up(boxes, queries, found);
-        // Of each pair one was touched, and so is in the moving layer; the other one must not be.
-        let moving = &self.moving;
-        retain_from(found, first, |[a, b]| {
-            moving.contains(a) != moving.contains(b)
-        });
+    fn find_changed(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
+        let count = changed.slots().len();
+        if count == 0 {
+            return;
+        }
+        let Self {
+            resting,
+            moving,
+            recent,
+            members,
+        } = self;
+        resting.spent = resting.spent_after(count);
+        for &slot in changed.slots() {
+            resting.stale.insert(slot);
+            moving.stale.insert(slot);
+        }
+        resting.look_up(boxes, changed, found);
 
-        self.members.clear();
-        self.members
-            .extend(moving.slots().iter().copied().filter(valid));
+        moving.spent = moving.spent_after(count) + moving.stale.slots().len();
+        let is_due = !moving.is_sorted || moving.spent > resting.stale.slots().len();
+        let due = if is_due {
+            &resting.stale
+        } else {
+            &moving.stale
+        };
+        resting.spent += due.slots().len();
+        members.clear();
+        let slots = due.slots().iter().copied();
+        members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
+        if !is_due {
+            moving.look_up(boxes, changed, found);
+        }
         let first = found.len();
-        self.moving_kernel.find_among(boxes, &self.members, found);
+        if is_due {
+            moving.sort(boxes, members, found);
+        } else {
+            recent.find_among(boxes, members, found);
+        }
         retain_from(found, first, |[a, b]| {
-            touched.contains(a) | touched.contains(b)
+            changed.contains(a) | changed.contains(b)
         });
-        Found::OfTouched
     }
 
     fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
-        self.moving.clear();
-        self.idle = 0;
-        self.is_sorted = true;
+        self.moving.is_sorted = false;
+        self.moving.stale.clear();
         collect_valid(boxes, &mut self.members);
-        self.resting.find_among(boxes, &self.members, found);
+        self.resting.sort(boxes, &self.members, found);
     }
 }
 
@@ -159,7 +222,7 @@ impl<K: Default, R, const D: usize> Default for Unlayered<K, R, D> {
 }
 
 impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
-    fn find(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) -> Found {
+    fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
         collect_valid(boxes, &mut self.slots);
         self.boxes.clear();
         self.boxes
@@ -174,7 +237,6 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
             .iter()
             .map(|pair| pair.map(|i| self.slots[i as usize]));
         found.extend(pairs);
-        Found::All
     }
 }
 

@@ -1,0 +1,176 @@
+//! What is remembered of a collider's shape, so that its box can be had without going there.
+//!
+//! A collider only points to its shape. Following that pointer, somewhere in memory, and finding out what is
+//! there costs more than all the rest of reading the collider. So the few numbers that the box of a simple shape
+//! depends on are kept beside the proxy, and a share in the ownership of the shape with them: a shape that is
+//! shared cannot be changed in place ([`SharedShape::make_mut`] copies it first), so as long as the collider
+//! still points to the same one, the numbers hold.
+
+use std::sync::Arc;
+
+use super::rapier::geometry::{Collider, SharedShape};
+use super::rapier::math::{DIM, Real, Vector};
+use super::rapier::parry::utils::IsometryOps;
+use crate::Aabb;
+
+/// The outline of one collider's shape; empty until it is first asked for a box.
+#[derive(Clone, Default)]
+pub(super) struct Outline {
+    known: Option<(SharedShape, Profile)>,
+}
+
+/// The shapes that are simple.
+#[derive(Clone, Copy)]
+enum Profile {
+    Ball {
+        radius: Real,
+    },
+    Cuboid {
+        half_extents: Vector<Real>,
+    },
+    /// A capsule around its own origin, with the end of its axis.
+    Capsule {
+        end: Vector<Real>,
+        radius: Real,
+    },
+}
+
+impl Profile {
+    fn of(shape: &SharedShape) -> Option<Self> {
+        if let Some(ball) = shape.as_ball() {
+            return Some(Self::Ball {
+                radius: ball.radius,
+            });
+        }
+        if let Some(cuboid) = shape.as_cuboid() {
+            return Some(Self::Cuboid {
+                half_extents: cuboid.half_extents,
+            });
+        }
+        let capsule = shape.as_capsule()?;
+        let [start, end] = [capsule.segment.a.coords, capsule.segment.b.coords];
+        (start == -end).then_some(Self::Capsule {
+            end,
+            radius: capsule.radius,
+        })
+    }
+}
+
+impl Outline {
+    /// The box of the collider whose outline this is: that of [`Collider::compute_aabb`], bit for bit.
+    #[inline(always)]
+    pub(super) fn aabb(&mut self, collider: &Collider) -> Aabb<Real, DIM> {
+        let shape = collider.shared_shape();
+        let profile = match &self.known {
+            Some((known, profile)) if Arc::ptr_eq(&known.0, &shape.0) => *profile,
+            _ => match self.learn(shape) {
+                Some(profile) => profile,
+                None => {
+                    let aabb = collider.compute_aabb();
+                    return Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into());
+                }
+            },
+        };
+        // The operations are Parry's, in its order.
+        let pose = collider.position();
+        let center = pose.translation.vector;
+        match profile {
+            Profile::Ball { radius } => Aabb::new(
+                center.add_scalar(-radius).into(),
+                center.add_scalar(radius).into(),
+            ),
+            Profile::Cuboid { half_extents } => {
+                let reach = pose.absolute_transform_vector(&half_extents);
+                Aabb::new((center - reach).into(), (center + reach).into())
+            }
+            Profile::Capsule { end, radius } => {
+                let reach = (pose.rotation * end).abs();
+                Aabb::new(
+                    (center - reach).add_scalar(-radius).into(),
+                    (center + reach).add_scalar(radius).into(),
+                )
+            }
+        }
+    }
+
+    /// Takes note of a shape, if it is a simple one.
+    #[cold]
+    fn learn(&mut self, shape: &SharedShape) -> Option<Profile> {
+        let profile = Profile::of(shape);
+        self.known = profile.map(|profile| (shape.clone(), profile));
+        profile
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rapier::geometry::ColliderBuilder;
+    use super::super::rapier::math::Isometry;
+    use super::super::rapier::parry::shape::{Ball, Capsule, Cuboid};
+    use super::*;
+
+    fn check(outline: &mut Outline, collider: &Collider) {
+        let expected = collider.compute_aabb();
+        let found = outline.aabb(collider);
+        assert_eq!(found.mins, <[Real; DIM]>::from(expected.mins.coords));
+        assert_eq!(found.maxs, <[Real; DIM]>::from(expected.maxs.coords));
+    }
+
+    fn poses() -> impl Iterator<Item = Isometry<Real>> {
+        (0..50).map(|i| {
+            let i = i as Real;
+            let axis = super::super::super::angular(i * 0.37, i * 1.3 - 5.0, i * 0.11);
+            Isometry::new(Vector::repeat(0.7 * i - 9.3), axis)
+        })
+    }
+
+    fn shapes() -> Vec<SharedShape> {
+        let along = Vector::from_fn(|i, _| 0.3 + i as Real * 0.71);
+        let lopsided = Capsule::new((along * -0.5).into(), along.into(), 0.2);
+        vec![
+            SharedShape::ball(0.3),
+            SharedShape::new(Cuboid::new(along)),
+            SharedShape::capsule_x(1.3, 0.21),
+            SharedShape::capsule_y(0.7, 0.1),
+            SharedShape::new(Capsule::new((-along).into(), along.into(), 0.37)),
+            SharedShape::new(lopsided),
+            SharedShape::compound(vec![
+                (Isometry::identity(), SharedShape::ball(0.3)),
+                (
+                    Isometry::new(along, Default::default()),
+                    SharedShape::ball(0.2),
+                ),
+            ]),
+        ]
+    }
+
+    #[test]
+    fn boxes_are_those_of_parry_in_every_pose() {
+        for shape in shapes() {
+            let mut outline = Outline::default();
+            let mut collider = ColliderBuilder::new(shape).build();
+            for pose in poses() {
+                collider.set_position(pose);
+                check(&mut outline, &collider);
+            }
+        }
+    }
+
+    #[test]
+    fn a_shape_that_is_exchanged_or_changed_in_place_is_noticed() {
+        let mut outline = Outline::default();
+        let mut collider = ColliderBuilder::ball(0.5).build();
+        check(&mut outline, &collider);
+        collider.set_shape(SharedShape::ball(0.25));
+        check(&mut outline, &collider);
+        for radius in [1.0, 2.0] {
+            let ball: Option<&mut Ball> = collider.shape_mut().as_ball_mut();
+            ball.expect("it is a ball").radius = radius;
+            check(&mut outline, &collider);
+        }
+        for shape in shapes() {
+            collider.set_shape(shape);
+            check(&mut outline, &collider);
+        }
+    }
+}

@@ -1,0 +1,459 @@
+//! The candidates: pairs of proxies whose reaches overlap, and which of them are held.
+//!
+//! When many proxies have moved, all candidates are gone through in order; when few have, only theirs. For that
+//! the candidates of each proxy are linked into a list, in the arrays of the candidates themselves. The lists
+//! are made when they are first needed and kept up from then on.
+
+use super::{PairChange, SlotSet};
+use crate::{Aabb, Real};
+
+/// In the place of a slot: of a candidate that is no more.
+const GONE: u32 = u32::MAX;
+
+/// Going through the list of one slot costs about as much as picking from this many candidates.
+const WALK_COST: usize = 64;
+
+/// Making the lists costs about as much as picking so many times.
+const LINK_COST: u32 = 8;
+
+/// So many candidates are compared before there is a branch on the outcome.
+const CHUNK: usize = 64;
+
+/// The end of a list.
+const END: u32 = u32::MAX;
+
+/// The boxes that decide which candidates are held: the present ones, and those at the end of the last update.
+pub(super) struct Boxes<'a, R, const D: usize> {
+    pub(super) now: &'a [Aabb<R, D>],
+    pub(super) before: &'a [Aabb<R, D>],
+}
+
+impl<R: Real, const D: usize> Boxes<'_, R, D> {
+    #[inline(always)]
+    fn overlap(&self, pair: [u32; 2]) -> bool {
+        overlap(self.now, pair)
+    }
+
+    #[inline(always)]
+    fn overlapped(&self, pair: [u32; 2]) -> bool {
+        overlap(self.before, pair)
+    }
+}
+
+#[inline(always)]
+fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
+    boxes[a as usize].overlaps(&boxes[b as usize])
+}
+
+/// The candidates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Candidates {
+    /// By slots, smaller first; [`GONE`] twice where there is none any more.
+    pairs: Vec<[u32; 2]>,
+    /// Whether the boxes of the pair overlap, too.
+    held: Vec<bool>,
+    held_count: usize,
+    gone_count: usize,
+    links: Links,
+    /// Scratch: a bit for each slot.
+    picked: Vec<u64>,
+}
+
+/// For each slot a list of its candidates.
+///
+/// A link is twice the position of a candidate, plus one if the slot in question is its second one.
+#[derive(Clone, Debug, Default)]
+struct Links {
+    /// Whether they are up to date.
+    are_made: bool,
+    /// How often they would have been of use since they were not.
+    wanted: u32,
+    /// By slot, the first link.
+    heads: Vec<u32>,
+    /// By candidate, the link that follows for each of its two slots.
+    next: Vec<[u32; 2]>,
+}
+
+impl Candidates {
+    /// The held pairs.
+    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let all = self.pairs.iter().zip(&self.held);
+        all.filter_map(|(&pair, &is_held)| is_held.then_some(pair))
+    }
+
+    pub(super) fn held_count(&self) -> usize {
+        self.held_count
+    }
+
+    /// All candidates, held or not.
+    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.pairs.iter().copied().filter(|pair| pair[0] != GONE)
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.pairs.len() - self.gone_count
+    }
+
+    /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
+    pub(super) fn replace<R: Real, const D: usize>(
+        &mut self,
+        found: &mut Vec<[u32; 2]>,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        for pair in self.held() {
+            report_end(pair, boxes, report);
+        }
+        std::mem::swap(&mut self.pairs, found);
+        self.held.clear();
+        self.held_count = 0;
+        self.gone_count = 0;
+        self.links.forget();
+        let pairs = std::mem::take(&mut self.pairs);
+        self.hold_new(&pairs, boxes, report);
+        self.pairs = pairs;
+    }
+
+    /// Adds candidates.
+    pub(super) fn extend<R: Real, const D: usize>(
+        &mut self,
+        found: &[[u32; 2]],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let first = self.pairs.len();
+        self.hold_new(found, boxes, report);
+        self.pairs.extend_from_slice(found);
+        if self.links.are_made {
+            self.links.add(&self.pairs, first, boxes.now.len());
+        }
+    }
+
+    fn hold_new<R: Real, const D: usize>(
+        &mut self,
+        found: &[[u32; 2]],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        for pairs in found.chunks(CHUNK) {
+            let mut added = 0_u64;
+            self.held.extend(pairs.iter().map(|&pair| {
+                let is_held = boxes.overlap(pair);
+                let is_added = is_held & !boxes.overlapped(pair);
+                added = added >> 1 | u64::from(is_added) << (CHUNK - 1);
+                self.held_count += usize::from(is_held);
+                is_held
+            }));
+            added >>= CHUNK - pairs.len();
+            while added != 0 {
+                report(PairChange::Added(pairs[added.trailing_zeros() as usize]));
+                added &= added - 1;
+            }
+        }
+    }
+
+    /// Brings all candidates up to date with the present boxes, and drops those of the `dropped`, which
+    /// have left their reach.
+    pub(super) fn refresh_all<R: Real, const D: usize>(
+        &mut self,
+        dropped: &SlotSet,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let are_dropped = !dropped.slots().is_empty();
+        if are_dropped {
+            let Self {
+                pairs,
+                held,
+                held_count,
+                ..
+            } = self;
+            let mut kept = 0;
+            for i in 0..pairs.len() {
+                let pair = pairs[i];
+                if pair[0] == GONE {
+                    continue;
+                }
+                if dropped.contains(pair[0]) | dropped.contains(pair[1]) {
+                    if held[i] {
+                        *held_count -= 1;
+                        report_end(pair, boxes, report);
+                    }
+                    continue;
+                }
+                pairs[kept] = pair;
+                held[kept] = held[i];
+                kept += 1;
+            }
+            pairs.truncate(kept);
+            held.truncate(kept);
+            self.gone_count = 0;
+            self.links.forget();
+        }
+        self.compact();
+        // Which ones overlap is as good as random, so there is no branch on it, only on whether any of many has
+        // turned.
+        for (pairs, held) in self.pairs.chunks(CHUNK).zip(self.held.chunks_mut(CHUNK)) {
+            let mut turned = 0_u64;
+            for (&pair, &is_held) in pairs.iter().zip(held.iter()) {
+                turned = turned >> 1 | u64::from(boxes.overlap(pair) ^ is_held) << (CHUNK - 1);
+            }
+            turned >>= CHUNK - pairs.len();
+            while turned != 0 {
+                let i = turned.trailing_zeros() as usize;
+                turned &= turned - 1;
+                held[i] = !held[i];
+                self.held_count = report_turn(pairs[i], held[i], self.held_count, report);
+            }
+        }
+    }
+
+    /// Does the same as [`refresh_all`](Self::refresh_all), but looks at the candidates of the `moved` only.
+    ///
+    /// Picking them out of all candidates is cheap, and going through lists is not: it waits for memory at each
+    /// step. So lists are for very few, and they are made once picking has cost as much as making them.
+    pub(super) fn refresh_some<R: Real, const D: usize>(
+        &mut self,
+        dropped: &SlotSet,
+        moved: &[u32],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        if self.gone_count > self.pairs.len() / 2 {
+            self.compact();
+        }
+        let are_few = WALK_COST * moved.len() < self.pairs.len();
+        if are_few && !self.links.are_made && self.pairs.len() < 1 << 30 {
+            self.links.wanted += 1;
+            if self.links.wanted > LINK_COST {
+                self.compact();
+                self.links.make(&self.pairs, boxes.now.len());
+            }
+        }
+        if are_few && self.links.are_made {
+            for &slot in dropped.slots() {
+                self.drop_of(slot, boxes, report);
+            }
+            for &slot in moved {
+                self.refresh_of(slot, boxes, report);
+            }
+        } else {
+            self.refresh_picked(dropped, moved, boxes, report);
+        }
+    }
+
+    fn refresh_picked<R: Real, const D: usize>(
+        &mut self,
+        dropped: &SlotSet,
+        moved: &[u32],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let mut picked = std::mem::take(&mut self.picked);
+        picked.resize(boxes.now.len().div_ceil(64), 0);
+        for &slot in moved {
+            picked[slot as usize / 64] |= 1 << (slot % 64);
+        }
+        let last = picked.len() - 1;
+        // A candidate that is gone has no such slot; any word will do for it.
+        let is_picked = |slot: u32| picked[(slot as usize / 64).min(last)] >> (slot % 64) & 1;
+        for start in (0..self.pairs.len()).step_by(CHUNK) {
+            let chunk = &self.pairs[start..self.pairs.len().min(start + CHUNK)];
+            let mut due = 0_u64;
+            for &[a, b] in chunk {
+                due = due >> 1 | (is_picked(a) | is_picked(b)) << (CHUNK - 1);
+            }
+            due >>= CHUNK - chunk.len();
+            while due != 0 {
+                let i = start + due.trailing_zeros() as usize;
+                due &= due - 1;
+                let pair = self.pairs[i];
+                if pair[0] == GONE {
+                    continue;
+                }
+                if dropped.contains(pair[0]) | dropped.contains(pair[1]) {
+                    self.drop_at(i, boxes, report);
+                } else {
+                    self.refresh_at(i, boxes, report);
+                }
+            }
+        }
+        for &slot in moved {
+            picked[slot as usize / 64] = 0;
+        }
+        self.picked = picked;
+    }
+
+    fn drop_at<R: Real, const D: usize>(
+        &mut self,
+        i: usize,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        if self.held[i] {
+            self.held[i] = false;
+            self.held_count -= 1;
+            report_end(self.pairs[i], boxes, report);
+        }
+        self.pairs[i] = [GONE; 2];
+        self.gone_count += 1;
+    }
+
+    fn refresh_at<R: Real, const D: usize>(
+        &mut self,
+        i: usize,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let pair = self.pairs[i];
+        let overlap = boxes.overlap(pair);
+        if overlap != self.held[i] {
+            self.held[i] = overlap;
+            self.held_count = report_turn(pair, overlap, self.held_count, report);
+        }
+    }
+
+    fn drop_of<R: Real, const D: usize>(
+        &mut self,
+        slot: u32,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Some(head) = self.links.heads.get_mut(slot as usize) else {
+            return;
+        };
+        let mut link = std::mem::replace(head, END);
+        while link != END {
+            let (i, side) = (link as usize / 2, link as usize % 2);
+            if self.pairs[i][0] != GONE {
+                self.drop_at(i, boxes, report);
+            }
+            link = self.links.next[i][side];
+        }
+    }
+
+    fn refresh_of<R: Real, const D: usize>(
+        &mut self,
+        slot: u32,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Some(&head) = self.links.heads.get(slot as usize) else {
+            return;
+        };
+        let mut link = head;
+        let mut last: Option<(usize, usize)> = None;
+        while link != END {
+            let (i, side) = (link as usize / 2, link as usize % 2);
+            let next = self.links.next[i][side];
+            if self.pairs[i][0] == GONE {
+                // Nobody but the other slot, in its own list, looks at this link any more.
+                match last {
+                    None => self.links.heads[slot as usize] = next,
+                    Some((i, side)) => self.links.next[i][side] = next,
+                }
+            } else {
+                last = Some((i, side));
+                self.refresh_at(i, boxes, report);
+            }
+            link = next;
+        }
+    }
+
+    /// Forgets the candidates that are gone.
+    fn compact(&mut self) {
+        if self.gone_count == 0 {
+            return;
+        }
+        let pairs = &self.pairs;
+        let mut i = 0;
+        self.held.retain(|_| {
+            i += 1;
+            pairs[i - 1][0] != GONE
+        });
+        self.pairs.retain(|pair| pair[0] != GONE);
+        self.gone_count = 0;
+        self.links.forget();
+    }
+
+    /// Panics unless the books are in order: flags, counts and, if they are made, links.
+    pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
+        assert_eq!(self.pairs.len(), self.held.len());
+        assert_eq!(self.held().count(), self.held_count);
+        assert_eq!(self.iter().count(), self.len());
+        for (&pair, &is_held) in self.pairs.iter().zip(&self.held) {
+            let overlaps = pair[0] != GONE && overlap(now, pair);
+            assert_eq!(is_held, overlaps, "{pair:?} is held, or is not");
+        }
+        if !self.links.are_made {
+            return;
+        }
+        let mut linked = 0;
+        for (slot, &head) in (0..).zip(&self.links.heads) {
+            let mut link = head;
+            while link != END {
+                let (i, side) = (link as usize / 2, link as usize % 2);
+                if self.pairs[i][0] != GONE {
+                    assert_eq!(self.pairs[i][side], slot, "a link in the wrong list");
+                    linked += 1;
+                }
+                link = self.links.next[i][side];
+            }
+        }
+        assert_eq!(linked, 2 * self.len(), "a candidate is not linked");
+    }
+}
+
+impl Links {
+    fn forget(&mut self) {
+        self.are_made = false;
+        self.wanted = 0;
+    }
+
+    fn make(&mut self, pairs: &[[u32; 2]], slots: usize) {
+        self.heads.clear();
+        self.next.clear();
+        self.add(pairs, 0, slots);
+        self.are_made = true;
+    }
+
+    /// Links the candidates from `first` on.
+    fn add(&mut self, pairs: &[[u32; 2]], first: usize, slots: usize) {
+        self.heads.resize(slots, END);
+        for (i, pair) in (0..).zip(pairs).skip(first) {
+            let [a, b] = pair.map(|slot| slot as usize);
+            self.next.push([self.heads[a], self.heads[b]]);
+            self.heads[a] = 2 * i;
+            self.heads[b] = 2 * i + 1;
+        }
+    }
+}
+
+/// Reports the end of a pair that was held, unless its boxes still overlap, for then it will be found again. The
+/// pairs of removed proxies, which have no box before either, end without a word.
+#[inline(always)]
+fn report_end<R: Real, const D: usize>(
+    pair: [u32; 2],
+    boxes: &Boxes<R, D>,
+    report: &mut impl FnMut(PairChange),
+) {
+    if !boxes.overlap(pair) && boxes.overlapped(pair) {
+        report(PairChange::Deleted(pair));
+    }
+}
+
+/// Reports that a candidate is now held, or no longer, and returns the number of held ones after that.
+fn report_turn(
+    pair: [u32; 2],
+    is_held: bool,
+    held_count: usize,
+    report: &mut impl FnMut(PairChange),
+) -> usize {
+    if is_held {
+        report(PairChange::Added(pair));
+        held_count + 1
+    } else {
+        report(PairChange::Deleted(pair));
+        held_count - 1
+    }
+}
