@@ -176,11 +176,10 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             before: &previous[..],
         };
         found.clear();
-        if layers.is_full_run_due(escaped.slots().len(), moved.len(), boxes.len()) {
+        if layers.is_full_run_due(escaped.slots().len(), boxes.len()) {
             let pairs_per_proxy = candidates.held_count() as f64 / boxes.len() as f64;
-            if let Some(chosen) = Horizon::choose(moved, boxes, previous, pairs_per_proxy) {
-                *horizon = chosen;
-            }
+            let escaping = layers.changes_per_update() / boxes.len() as f64;
+            horizon.adapt(moved, boxes, previous, pairs_per_proxy, escaping);
             for &slot in moved.iter() {
                 let i = slot as usize;
                 reaches[i] = horizon.reach(&boxes[i], &previous[i]);
@@ -245,9 +244,4 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             "the candidates",
         );
     }
-}
-
-/// Some of the slots.
-fn moved_sample(moved: &[u32]) -> impl Iterator<Item = u32> + '_ {
-    moved.iter().copied().step_by(moved.len() / 128 + 1)
 }

@@ -13,11 +13,14 @@
 use super::slot_set::SlotSet;
 use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
 
-/// Looking a proxy up costs about as much as this many proxies in a full run.
+/// Looking a box up among all others costs about as much as so many boxes in a run over all of them.
 const LOOKUP_COST: usize = 6;
 
-/// It is a wave if one box in so many has changed in one update.
-const WAVE: usize = 24;
+/// Looking it up in the moving layer, which is smaller and nearer.
+const SECOND_LOOKUP_COST: usize = 2;
+
+/// It is a wave if so many times as many boxes change in one update as usual, and one in so many of all.
+const WAVE: [usize; 2] = [4, 24];
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
@@ -28,11 +31,10 @@ pub(crate) enum Layers<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// Whether a run over all boxes is the best to do, after so many of them have changed, and so many would profit
-    /// from the occasion.
-    pub(super) fn is_full_run_due(&self, changed: usize, profiting: usize, boxes: usize) -> bool {
+    /// Whether a run over all boxes is the best to do, after so many of them have changed.
+    pub(super) fn is_full_run_due(&self, changed: usize, boxes: usize) -> bool {
         match self {
-            Self::Grid(layers) => layers.is_full_run_due(changed, profiting, boxes),
+            Self::Grid(layers) => layers.is_full_run_due(changed, boxes),
             Self::Rank(_) | Self::Brute(_) => changed > 0,
         }
     }
@@ -60,6 +62,14 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
+    /// How many boxes have changed in each of the updates since the last full run, on average.
+    pub(super) fn changes_per_update(&self) -> f64 {
+        match self {
+            Self::Grid(layers) => layers.changes as f64 / layers.updates.max(1) as f64,
+            Self::Rank(_) | Self::Brute(_) => 0.0,
+        }
+    }
+
     /// How many proxies are in the moving layer.
     pub(crate) fn moving(&self) -> usize {
         match self {
@@ -75,6 +85,9 @@ pub(crate) struct GridLayers<R, const D: usize> {
     resting: Layer<R, D>,
     moving: Layer<R, D>,
     recent: GridSweep<R, D>,
+    /// The updates since the last full run, and how many boxes have changed in them.
+    updates: usize,
+    changes: usize,
     /// Scratch: the members of a run.
     members: Vec<u32>,
 }
@@ -86,7 +99,7 @@ struct Layer<R, const D: usize> {
     is_sorted: bool,
     /// All that have changed since it was sorted.
     stale: SlotSet,
-    /// What the updates since then have cost, in proxies of a run.
+    /// What has been spent on the following layers since then, in boxes of a run.
     spent: usize,
 }
 
@@ -96,6 +109,8 @@ impl<R, const D: usize> Default for GridLayers<R, D> {
             resting: Layer::default(),
             moving: Layer::default(),
             recent: GridSweep::default(),
+            updates: 0,
+            changes: 0,
             members: Vec::new(),
         }
     }
@@ -113,11 +128,6 @@ impl<R, const D: usize> Default for Layer<R, D> {
 }
 
 impl<R: Real, const D: usize> Layer<R, D> {
-    /// What is spent once so many more have changed.
-    fn spent_after(&self, changed: usize) -> usize {
-        self.spent + LOOKUP_COST * changed
-    }
-
     /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them.
     fn sort(&mut self, boxes: &[Aabb<R, D>], members: &[u32], found: &mut Vec<[u32; 2]>) {
         self.stale.clear();
@@ -142,15 +152,18 @@ impl<R: Real, const D: usize> Layer<R, D> {
 }
 
 impl<R: Real, const D: usize> GridLayers<R, D> {
-    fn is_full_run_due(&self, changed: usize, profiting: usize, boxes: usize) -> bool {
-        let resting = &self.resting;
-        // Where most move, most leave their reaches at about the same time: this may be the front of a wave.
-        let is_wave = profiting > boxes / 2 && WAVE * changed > boxes;
-        changed > 0 && (!resting.is_sorted || resting.spent_after(changed) > boxes || is_wave)
+    fn is_full_run_due(&self, changed: usize, boxes: usize) -> bool {
+        let [times, part] = WAVE;
+        // Reaches that were made at the same time tend to be left at the same time; a run makes them all anew.
+        let is_wave = changed * self.updates > times * self.changes && part * changed > boxes;
+        let is_costly = LOOKUP_COST * changed > boxes || self.resting.spent > boxes;
+        changed > 0 && (!self.resting.is_sorted || is_costly || is_wave)
     }
 
     fn find_changed(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
         let count = changed.slots().len();
+        self.updates += 1;
+        self.changes += count;
         if count == 0 {
             return;
         }
@@ -159,32 +172,32 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
             moving,
             recent,
             members,
+            ..
         } = self;
-        resting.spent = resting.spent_after(count);
         for &slot in changed.slots() {
             resting.stale.insert(slot);
             moving.stale.insert(slot);
         }
         resting.look_up(boxes, changed, found);
 
-        moving.spent = moving.spent_after(count) + moving.stale.slots().len();
         let is_due = !moving.is_sorted || moving.spent > resting.stale.slots().len();
         let due = if is_due {
             &resting.stale
         } else {
             &moving.stale
         };
-        resting.spent += due.slots().len();
         members.clear();
         let slots = due.slots().iter().copied();
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
-        if !is_due {
-            moving.look_up(boxes, changed, found);
-        }
-        let first = found.len();
+        resting.spent += due.slots().len();
+        let mut first = found.len();
         if is_due {
             moving.sort(boxes, members, found);
         } else {
+            resting.spent += SECOND_LOOKUP_COST * count;
+            moving.spent += due.slots().len();
+            moving.look_up(boxes, changed, found);
+            first = found.len();
             recent.find_among(boxes, members, found);
         }
         retain_from(found, first, |[a, b]| {
@@ -195,6 +208,8 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
         self.moving.is_sorted = false;
         self.moving.stale.clear();
+        self.updates = 0;
+        self.changes = 0;
         collect_valid(boxes, &mut self.members);
         self.resting.sort(boxes, &self.members, found);
     }

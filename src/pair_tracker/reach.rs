@@ -10,7 +10,6 @@
 //! of `v` box sizes and `p` pairs a box, a move costs about `K / h + c · p · (1 + v · h)ᴰ` a box under a horizon of
 //! `h` moves, and is least near `h = √(K / (c · D · p · v))`.
 
-use super::moved_sample;
 use crate::{Aabb, Real};
 
 /// `K / c`: searching for a box costs about as much as comparing so many candidates.
@@ -20,53 +19,65 @@ const SEARCH_COST: f64 = 12.0;
 const TOO_FAST: f64 = 0.5;
 
 /// The longest horizon: sooner or later things turn.
-const LONGEST: f64 = 24.0;
+const LONGEST: f64 = 48.0;
+
+/// Foresight does not pay if more than this share of all proxies leave their reaches in one update, because they
+/// collide all the time, say.
+const TOO_ERRATIC: f64 = 0.08;
+
+/// Then there is none for so many full runs.
+const PAUSE: u32 = 32;
+
+/// How many of the moved are looked at, at most.
+const SAMPLE: usize = 128;
 
 /// The horizon while nothing has moved yet.
 const UNKNOWN: f64 = 8.0;
 
 /// For how many moves ahead a proxy is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Horizon(f64);
+pub(crate) struct Horizon {
+    moves: f64,
+    /// For so many full runs it stays at 0.
+    paused: u32,
+}
 
 impl Default for Horizon {
     fn default() -> Self {
-        Self(UNKNOWN)
+        Self {
+            moves: UNKNOWN,
+            paused: 0,
+        }
     }
 }
 
 impl Horizon {
-    /// The horizon that suits these slots, which have moved, and this number of held pairs a proxy.
-    pub(super) fn choose<R: Real, const D: usize>(
+    /// Suits it to these slots, which have moved, to this number of held pairs a proxy, and to the share of all
+    /// proxies that have left their reaches in each of the updates since the last call.
+    pub(super) fn adapt<R: Real, const D: usize>(
+        &mut self,
         moved: &[u32],
         now: &[Aabb<R, D>],
         before: &[Aabb<R, D>],
         pairs_per_proxy: f64,
-    ) -> Option<Self> {
-        let (mut moves, mut count) = (0.0, 0);
-        for slot in moved_sample(moved) {
-            let (now, before) = (&now[slot as usize], &before[slot as usize]);
-            for k in 0..D {
-                let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
-                let relative = (step / size).abs();
-                // Neither new nor infinite ones.
-                if relative.is_finite() {
-                    // One that has been carried far off says nothing of the others.
-                    moves += relative.min(1.0);
-                    count += 1;
-                }
-            }
+        escaping: f64,
+    ) {
+        if self.paused > 0 {
+            self.paused -= 1;
+        } else if escaping > TOO_ERRATIC {
+            self.paused = PAUSE;
         }
-        if count == 0 {
-            return None;
+        if self.paused > 0 {
+            self.moves = 0.0;
+        } else if let Some(speed) = mean_speed(moved, now, before) {
+            let pairs = pairs_per_proxy.max(0.25);
+            let best = (SEARCH_COST / (D as f64 * pairs * speed)).sqrt();
+            self.moves = if speed < TOO_FAST {
+                best.min(LONGEST)
+            } else {
+                0.0
+            };
         }
-        let speed = moves / f64::from(count);
-        if speed > TOO_FAST {
-            return Some(Self(0.0));
-        }
-        let pairs = pairs_per_proxy.max(0.25);
-        let best = (SEARCH_COST / (D as f64 * pairs * speed)).sqrt();
-        Some(Self(best.min(LONGEST)))
     }
 
     /// The reach of a proxy that was at `before` and is at `now`. It contains `now`, whatever the numbers are.
@@ -75,10 +86,10 @@ impl Horizon {
         now: &Aabb<R, D>,
         before: &Aabb<R, D>,
     ) -> Aabb<R, D> {
-        if self.0 == 0.0 || !before.is_valid() {
+        if self.moves == 0.0 || !before.is_valid() {
             return *now;
         }
-        let moves = R::from_f64(self.0);
+        let moves = R::from_f64(self.moves);
         let [half, quarter] = [0.5, 0.25].map(R::from_f64);
         let steps: [R; D] = core::array::from_fn(|k| step(now, before, k));
         let longest = steps
@@ -96,6 +107,28 @@ impl Horizon {
         // It has a NaN if the boxes are infinite.
         if reach.contains(now) { reach } else { *now }
     }
+}
+
+/// How far slots have moved on each axis in box sizes, on average, by a sample; `None` if all are new or infinite.
+fn mean_speed<R: Real, const D: usize>(
+    moved: &[u32],
+    now: &[Aabb<R, D>],
+    before: &[Aabb<R, D>],
+) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0);
+    for &slot in moved.iter().step_by(moved.len() / SAMPLE + 1) {
+        let (now, before) = (&now[slot as usize], &before[slot as usize]);
+        for k in 0..D {
+            let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
+            let relative = (step / size).abs();
+            if relative.is_finite() {
+                // One that has been carried far off says nothing of the others.
+                sum += relative.min(1.0);
+                count += 1;
+            }
+        }
+    }
+    (count > 0).then(|| sum / f64::from(count))
 }
 
 /// How far the centre has moved along an axis.
@@ -127,17 +160,20 @@ mod tests {
 
     #[test]
     fn it_lies_ahead() {
-        let reach = Horizon(8.0).reach(&at(0.0, 0.0), &at(-0.1, 0.0));
+        let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-0.1, 0.0));
         assert!(reach.contains(&at(0.8, 0.0)) && !reach.contains(&at(-0.1, 0.0)));
         // Never by more than the size of the box and a quarter to each side.
-        let reach = Horizon(8.0).reach(&at(0.0, 0.0), &at(-100.0, 0.0));
+        let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-100.0, 0.0));
         assert_eq!(reach, Aabb::new([-0.25, -0.25], [2.25, 1.25]));
     }
 
     #[test]
     fn it_is_the_box_of_one_that_is_new() {
         let absent = Aabb::new([f32::NAN; 2], [f32::NAN; 2]);
-        assert_eq!(Horizon(8.0).reach(&at(0.0, 0.0), &absent), at(0.0, 0.0));
+        assert_eq!(
+            Horizon::default().reach(&at(0.0, 0.0), &absent),
+            at(0.0, 0.0)
+        );
     }
 
     #[test]
@@ -158,7 +194,7 @@ mod tests {
                 for &c in &numbers {
                     for &d in numbers.iter().chain(&[f32::NAN]) {
                         let now = Aabb::new([a, a], [b, b]);
-                        let reach = Horizon(8.0).reach(&now, &Aabb::new([c, d], [d, d]));
+                        let reach = Horizon::default().reach(&now, &Aabb::new([c, d], [d, d]));
                         assert!(reach.contains(&now) && reach.is_valid(), "{now:?} {c} {d}");
                         count += 1;
                     }
@@ -172,14 +208,33 @@ mod tests {
     fn the_faster_the_shorter() {
         let before: Vec<_> = (0..50).map(|i| at(i as f32, 0.0)).collect();
         let slots: Vec<_> = (0..50).collect();
-        let horizon = |step: f32| {
+        let moves = |step: f32| {
             let now: Vec<_> = (0..50).map(|i| at(i as f32 + step, step)).collect();
-            Horizon::choose(&slots, &now, &before, 1.0).map_or(f64::NAN, |horizon| horizon.0)
+            let mut horizon = Horizon::default();
+            horizon.adapt(&slots, &now, &before, 1.0, 0.0);
+            horizon.moves
         };
-        assert_eq!(horizon(0.001), LONGEST);
-        assert!(horizon(0.05) > horizon(0.1) && horizon(0.1) > 2.0);
-        assert_eq!(horizon(1.5), 0.0);
+        assert_eq!(moves(0.001), LONGEST);
+        assert!(moves(0.05) > moves(0.1) && moves(0.1) > 2.0);
+        assert_eq!(moves(1.5), 0.0);
         let absent = vec![Aabb::new([f32::NAN; 2], [f32::NAN; 2]); 50];
-        assert_eq!(Horizon::choose(&slots, &before, &absent, 1.0), None);
+        let mut horizon = Horizon::default();
+        horizon.adapt(&slots, &before, &absent, 1.0, 0.0);
+        assert_eq!(horizon, Horizon::default());
+    }
+
+    #[test]
+    fn there_is_none_for_a_while_where_it_does_not_pay() {
+        let [before, now] = [0.0, 0.1].map(|x| vec![at(x, x)]);
+        let mut horizon = Horizon::default();
+        let mut adapt = |escaping| {
+            horizon.adapt(&[0], &now, &before, 1.0, escaping);
+            horizon.moves
+        };
+        assert!(adapt(0.01) > 0.0);
+        assert_eq!(adapt(0.5), 0.0);
+        let pause = (0..1000).take_while(|_| adapt(0.0) == 0.0).count();
+        assert_eq!(pause, PAUSE as usize - 1);
+        assert!(adapt(0.01) > 0.0);
     }
 }
