@@ -10,7 +10,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
-use super::reading_order::ReadingOrder;
+use super::reading_order::{self, ReadingOrder};
 use super::{Settings, Stats};
 use crate::Aabb;
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
@@ -40,6 +40,15 @@ pub struct UnisizeBroadPhase {
     has_warned: bool,
     /// The tree for queries, if any were made since the boxes last changed.
     pub(super) tree: OnceLock<Bvh>,
+}
+
+/// What colliders are read from, and how.
+struct World<'a> {
+    colliders: &'a ColliderSet,
+    bodies: &'a RigidBodySet,
+    prediction: Prediction,
+    /// In length units of the scene.
+    margin: Real,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -137,30 +146,56 @@ impl UnisizeBroadPhase {
         }
     }
 
+    /// Reads listed colliders in the order of their indices.
+    fn read_in_order(&mut self, handles: &[ColliderHandle], world: &World) {
+        let mut order = std::mem::take(&mut self.reading_order);
+        order.reserve(self.generations.len());
+        for &handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            if self.generations.get(slot as usize) == Some(&Some(generation)) {
+                order.insert(slot);
+            } else {
+                // It is new or unheard of, as few are.
+                self.read(handle, world);
+            }
+        }
+        for slot in order.drain() {
+            // A newer collider may have taken its place since, and has been read then.
+            if let Some(generation) = self.generations[slot as usize] {
+                self.read(ColliderHandle::from_raw_parts(slot, generation), world);
+            }
+        }
+        self.reading_order = order;
+    }
+
     /// Brings the proxy of a listed collider up to date.
     #[inline(always)]
-    fn modify(
-        &mut self,
-        handle: ColliderHandle,
-        collider: &Collider,
-        bodies: &RigidBodySet,
-        prediction: &Prediction,
-        margin: Real,
-    ) {
+    fn read(&mut self, handle: ColliderHandle, world: &World) {
+        match world.colliders.get(handle) {
+            Some(collider) if collider.is_enabled() => self.modify(handle, collider, world),
+            // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
+            _ => self.remove(handle),
+        }
+    }
+
+    #[inline(always)]
+    fn modify(&mut self, handle: ColliderHandle, collider: &Collider, world: &World) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
         if self.generations.get(index) != Some(&Some(generation)) {
             self.enlist(handle);
         }
         let outline = &mut self.outlines[index];
-        let aabb = prediction.collider_box(collider, outline, bodies);
+        let aabb = world
+            .prediction
+            .collider_box(collider, outline, world.bodies);
         let held = self.tracker.slot_box(slot);
         if held.contains(&aabb) & aabb.is_valid() {
             return;
         }
         self.stats.moved += 1;
         if held.is_valid() & aabb.is_valid() {
-            let loosened = aabb.loosened(margin);
+            let loosened = aabb.loosened(world.margin);
             // An infinite side less an infinite margin would be NaN.
             let renewed = if loosened.is_valid() { loosened } else { aabb };
             self.tracker.place(slot, renewed);
@@ -270,20 +305,20 @@ impl BroadPhase for UnisizeBroadPhase {
         for &handle in removed_colliders {
             self.remove(handle);
         }
-        let mut order = std::mem::take(&mut self.reading_order);
-        let prediction = Prediction::new(params);
-        // NaN counts as 0 too.
-        let margin = (self.settings.margin * params.length_unit).max(0.0);
-        for &handle in order.arrange(modified_colliders, self.generations.len()) {
-            match colliders.get(handle) {
-                Some(collider) if collider.is_enabled() => {
-                    self.modify(handle, collider, bodies, &prediction, margin);
-                }
-                // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
-                _ => self.remove(handle),
+        let world = World {
+            colliders,
+            bodies,
+            prediction: Prediction::new(params),
+            // NaN counts as 0 too.
+            margin: (self.settings.margin * params.length_unit).max(0.0),
+        };
+        if reading_order::is_favourable(modified_colliders) {
+            for &handle in modified_colliders {
+                self.read(handle, &world);
             }
+        } else {
+            self.read_in_order(modified_colliders, &world);
         }
-        self.reading_order = order;
         self.report(events);
     }
 }

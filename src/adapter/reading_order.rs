@@ -9,58 +9,42 @@ use super::rapier::geometry::ColliderHandle;
 /// Up to this many colliders fit the caches in any order.
 const FEW: usize = 256;
 
-/// Puts handles in the order of their indices; keeps its memory between calls.
+/// Whether the order of these handles is good enough as it is.
+pub(super) fn is_favourable(handles: &[ColliderHandle]) -> bool {
+    handles.len() <= FEW || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0)
+}
+
+/// A set of slots to be read in their order; keeps its memory between calls.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ReadingOrder {
-    /// One bit for each index.
+    /// One bit for each slot.
     listed: Vec<u64>,
-    /// For each listed index, the generation of its handle.
-    generations: Vec<u32>,
-    ordered: Vec<ColliderHandle>,
 }
 
 impl ReadingOrder {
-    /// The same handles, but for repetitions, in a favourable order.
-    pub(super) fn arrange<'a>(
-        &'a mut self,
-        handles: &'a [ColliderHandle],
-        known_slots: usize,
-    ) -> &'a [ColliderHandle] {
-        let index = |handle: &ColliderHandle| handle.into_raw_parts().0;
-        if handles.len() <= FEW || handles.is_sorted_by_key(index) {
-            return handles;
-        }
-        self.ordered.clear();
-        self.generations.resize(known_slots, 0);
-        self.listed.resize(known_slots.div_ceil(64), 0);
-        for &handle in handles {
-            let (index, generation) = handle.into_raw_parts();
-            let slot = index as usize;
-            if slot >= known_slots {
-                // New or unheard of: few, as a rule.
-                self.ordered.push(handle);
-                continue;
-            }
-            let (word, bit) = (slot / 64, 1 << (slot % 64));
-            if self.listed[word] & bit != 0 && self.generations[slot] != generation {
-                // Two handles of one index: at most one of them is alive.
-                self.ordered.push(handle);
-                continue;
-            }
-            self.listed[word] |= bit;
-            self.generations[slot] = generation;
-        }
-        for (word, first) in self.listed.iter_mut().zip((0..).step_by(64)) {
+    /// Makes room for so many slots.
+    pub(super) fn reserve(&mut self, slots: usize) {
+        self.listed.resize(slots.div_ceil(64), 0);
+    }
+
+    /// Adds a slot, of those there is room for.
+    #[inline(always)]
+    pub(super) fn insert(&mut self, slot: u32) {
+        self.listed[slot as usize / 64] |= 1 << (slot % 64);
+    }
+
+    /// Takes all slots out of the set, each once, and in order.
+    #[inline(always)]
+    pub(super) fn drain(&mut self) -> impl Iterator<Item = u32> + '_ {
+        let words = self.listed.iter_mut().zip((0..).step_by(64));
+        words.flat_map(|(word, first)| {
             let mut bits = std::mem::take(word);
-            while bits != 0 {
-                let slot = first + bits.trailing_zeros();
+            core::iter::from_fn(move || {
+                let bit = bits.checked_sub(1).map(|_| bits.trailing_zeros())?;
                 bits &= bits - 1;
-                let generation = self.generations[slot as usize];
-                self.ordered
-                    .push(ColliderHandle::from_raw_parts(slot, generation));
-            }
-        }
-        &self.ordered
+                Some(first + bit)
+            })
+        })
     }
 }
 
@@ -68,43 +52,32 @@ impl ReadingOrder {
 mod tests {
     use super::*;
 
-    fn read(order: &mut ReadingOrder, handles: &[ColliderHandle], slots: usize) -> Vec<(u32, u32)> {
-        let arranged = order.arrange(handles, slots).iter();
-        arranged.map(|handle| handle.into_raw_parts()).collect()
-    }
-
     #[test]
-    fn every_handle_is_read_and_known_ones_in_the_order_of_their_indices() {
+    fn slots_are_read_once_and_in_order() {
         let mut order = ReadingOrder::default();
-        for round in 0..3 {
-            // 1,000 handles, each index once, shuffled by a multiplication; 100 of them unknown.
-            let handles: Vec<_> = (0..1000)
-                .map(|i| ColliderHandle::from_raw_parts(i * 37 % 1000, round))
-                .collect();
-            let read = read(&mut order, &handles, 900);
-            let known: Vec<_> = read.iter().filter(|(index, _)| *index < 900).collect();
-            assert!(known.is_sorted());
-            let mut all = read.clone();
-            all.sort_unstable();
-            assert!(all.into_iter().eq((0..1000).map(|index| (index, round))));
+        for slots in [0, 1, 64, 1000] {
+            order.reserve(slots as usize);
+            // Shuffled by a multiplication, and every tenth twice.
+            let shuffled = (0..slots).map(|i| i * 37 % slots).filter(|i| i % 3 == 0);
+            let again = (0..slots).step_by(30);
+            shuffled.chain(again).for_each(|slot| order.insert(slot));
+            let expected: Vec<_> = (0..slots).step_by(3).collect();
+            assert!(order.drain().eq(expected));
+            assert_eq!(order.drain().next(), None);
         }
     }
 
     #[test]
-    fn both_generations_of_an_index_are_read_and_repetitions_once() {
-        let mut order = ReadingOrder::default();
-        let mut handles: Vec<_> = (0..300)
-            .rev()
-            .map(|i| ColliderHandle::from_raw_parts(i, 1))
-            .collect();
-        handles.push(ColliderHandle::from_raw_parts(7, 0));
-        handles.push(ColliderHandle::from_raw_parts(8, 1));
-        handles.push(ColliderHandle::from_raw_parts(u32::MAX, u32::MAX));
-        let mut read = read(&mut order, &handles, 300);
-        assert_eq!(read.len(), 302);
-        read.sort_unstable();
-        read.dedup();
-        assert_eq!(read.len(), 302);
-        assert!(read.contains(&(7, 0)) && read.contains(&(7, 1)));
+    fn few_or_ordered_handles_are_left_as_they_are() {
+        let handles = |slots: &[u32]| -> Vec<_> {
+            let handle = |&slot| ColliderHandle::from_raw_parts(slot, 0);
+            slots.iter().map(handle).collect()
+        };
+        assert!(is_favourable(&handles(&[])));
+        assert!(is_favourable(&handles(&[3, 1, 2])));
+        let mut many: Vec<_> = (0..1000).collect();
+        assert!(is_favourable(&handles(&many)));
+        many.swap(10, 500);
+        assert!(!is_favourable(&handles(&many)));
     }
 }

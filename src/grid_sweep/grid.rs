@@ -8,8 +8,8 @@
 
 use crate::{Aabb, Real};
 
-/// How many boxes are looked at to choose the grid.
-const SAMPLE: usize = 128;
+/// How many boxes are looked at to choose the grid: one in eight, within these limits.
+const SAMPLE: [usize; 2] = [16, 128];
 
 /// The width of a strip in box sizes. More means fewer boxes on a border, which are entered twice, and more
 /// candidates a box.
@@ -141,7 +141,7 @@ impl<R: Real> Grid<R> {
 /// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular
 /// distance, so that a pattern in the order of the boxes does not mislead.
 pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
-    let count = n.min(SAMPLE);
+    let count = (n / 8).clamp(SAMPLE[0], SAMPLE[1]).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| i * n / count);

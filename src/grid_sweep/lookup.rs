@@ -7,10 +7,13 @@
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too, so in each occupied
 //! tube that the box reaches a binary search finds the first entry to look at, whatever the sizes are.
 
-use super::grid::Grid;
+use super::grid::{Grid, Reach};
 use super::sweep::Emitter;
-use super::tubes::{Tube, Tubes, ghost_axes};
+use super::tubes::{NOWHERE, Tube, Tubes, ghost_axes};
 use crate::{Aabb, Real};
+
+/// Up to this many tubes are taken from the table one by one, whether they are occupied or not.
+const FEW: u64 = 16;
 
 impl<R: Real, const D: usize> Tubes<R, D> {
     /// Lets [`look_up`](Self::look_up) be called, until the next build.
@@ -37,6 +40,43 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         emitter: &mut Emitter,
     ) {
         let reach = grid.reach(aabb);
+        let [rows, columns] = [0, 1].map(|cut| u64::from(reach.last[cut] - reach.first[cut]) + 1);
+        if !self.table.is_empty() && rows * columns <= FEW {
+            self.look_up_in_table(grid, &reach, aabb, owner, emitter);
+        } else {
+            self.look_up_by_searching(&reach, aabb, owner, emitter);
+        }
+    }
+
+    /// For a box that reaches few tubes.
+    fn look_up_in_table(
+        &self,
+        grid: &Grid<R>,
+        reach: &Reach,
+        aabb: &Aabb<R, D>,
+        owner: u32,
+        emitter: &mut Emitter,
+    ) {
+        let columns = grid.axes[1].last + 1;
+        for row in reach.first[0]..=reach.last[0] {
+            for column in reach.first[1]..=reach.last[1] {
+                let position = self.table[(row * columns + column) as usize];
+                if position != NOWHERE {
+                    let tube = &self.tubes[position as usize];
+                    self.look_up_in(tube, reach, aabb, owner, emitter);
+                }
+            }
+        }
+    }
+
+    /// For a box that may reach any number of tubes, few of which need be occupied.
+    fn look_up_by_searching(
+        &self,
+        reach: &Reach,
+        aabb: &Aabb<R, D>,
+        owner: u32,
+        emitter: &mut Emitter,
+    ) {
         let mut rest = &self.tubes[..];
         let mut row = reach.first[0];
         // Row after row that has tubes, and in each the tubes between the columns.
@@ -51,10 +91,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             }
             let in_row = rest.partition_point(|t| t.strips <= [row, reach.last[1]]);
             for tube in &rest[..in_row] {
-                let ghost = ghost_axes(tube.strips, reach.first);
-                let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
-                let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
-                self.window::<true>(start, aabb, owner, ghost, emitter);
+                self.look_up_in(tube, reach, aabb, owner, emitter);
             }
             rest = &rest[in_row..];
             let Some(next) = row.checked_add(1) else {
@@ -62,5 +99,20 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             };
             row = next;
         }
+    }
+
+    #[inline(always)]
+    fn look_up_in(
+        &self,
+        tube: &Tube,
+        reach: &Reach,
+        aabb: &Aabb<R, D>,
+        owner: u32,
+        emitter: &mut Emitter,
+    ) {
+        let ghost = ghost_axes(tube.strips, reach.first);
+        let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
+        let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
+        self.window::<true>(start, aabb, owner, ghost, emitter);
     }
 }

@@ -25,6 +25,9 @@ pub(super) struct Tube {
 #[derive(Clone, Debug)]
 pub(super) struct Tubes<R, const D: usize> {
     pub(super) tubes: Vec<Tube>,
+    /// For each tube of the grid its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than
+    /// the number of boxes.
+    pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
     /// The index of the box of an entry.
@@ -57,8 +60,8 @@ struct Ghost {
 /// A box that is at most two strips wide reaches three tubes besides its own.
 const MAX_GHOSTS: usize = 3;
 
-/// In the place of a tube: that of an outsize box.
-const NOWHERE: u32 = u32::MAX;
+/// In the place of a tube: that of an outsize box, or one without entries.
+pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// Memory kept between calls to spare allocations.
 #[derive(Clone, Debug)]
@@ -80,6 +83,7 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
     fn default() -> Self {
         Self {
             tubes: Vec::new(),
+            table: Vec::new(),
             mins: core::array::from_fn(|_| Vec::new()),
             maxs: core::array::from_fn(|_| Vec::new()),
             owners: Vec::new(),
@@ -109,6 +113,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     ) {
         outsize.clear();
         self.tubes.clear();
+        self.table.clear();
         self.running_maxs.clear();
         if grid.tube_count() <= table_limit(members.len()) {
             self.place_by_table(boxes, members, grid, outsize);
@@ -177,7 +182,11 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         for (tube, cursor) in (0..).zip(cursors.iter_mut()) {
             let start = end;
             end += std::mem::replace(cursor, start);
-            if start < end {
+            let is_occupied = start < end;
+            let position = self.tubes.len() as u32;
+            self.table
+                .push(if is_occupied { position } else { NOWHERE });
+            if is_occupied {
                 let strips = [tube / columns, tube % columns];
                 self.tubes.push(Tube { strips, start, end });
             }

@@ -5,7 +5,7 @@
 //! boxes stay inside of their reaches, only the candidates have to be looked at.
 //!
 //! Things keep going where they went: the reach is the box, drawn out in the direction of its last move as far
-//! as it will get in a number of further moves, and a little to all sides. A longer horizon means fewer searches
+//! as it will get in a number of further moves, and by one move to all sides. A longer horizon means fewer searches
 //! and more candidates. With `c` the cost of comparing one candidate and `K` that of searching for one box, a move
 //! of `v` box sizes and `p` pairs a box, a move costs about `K / h + c · p · (1 + v · h)ᴰ` a box under a horizon of
 //! `h` moves, and is least near `h = √(K / (c · D · p · v))`.
@@ -23,7 +23,7 @@ const LONGEST: f64 = 48.0;
 
 /// Foresight does not pay if more than this share of all proxies leave their reaches in one update, because they
 /// collide all the time, say.
-const TOO_ERRATIC: f64 = 0.08;
+const TOO_ERRATIC: f64 = 0.05;
 
 /// Then there is none for so many full runs.
 const PAUSE: u32 = 32;
@@ -70,7 +70,7 @@ impl Horizon {
         if self.paused > 0 {
             self.moves = 0.0;
         } else if let Some(speed) = mean_speed(moved, now, before) {
-            let pairs = pairs_per_proxy.max(0.25);
+            let pairs = pairs_per_proxy.max(0.1);
             let best = (SEARCH_COST / (D as f64 * pairs * speed)).sqrt();
             self.moves = if speed < TOO_FAST {
                 best.min(LONGEST)
@@ -90,7 +90,7 @@ impl Horizon {
             return *now;
         }
         let moves = R::from_f64(self.moves);
-        let [half, quarter] = [0.5, 0.25].map(R::from_f64);
+        let quarter = R::from_f64(0.25);
         let steps: [R; D] = core::array::from_fn(|k| step(now, before, k));
         let longest = steps
             .iter()
@@ -100,7 +100,7 @@ impl Horizon {
             // No more than the size of the box, so that candidates are as few as pairs but for a factor.
             let size = now.maxs[k] - now.mins[k];
             let ahead = max(min(steps[k] * moves, size), R::ZERO - size);
-            let aside = min(longest * half, size * quarter);
+            let aside = min(longest, size * quarter);
             reach.mins[k] = now.mins[k] + min(ahead, R::ZERO) - aside;
             reach.maxs[k] = now.maxs[k] + max(ahead, R::ZERO) + aside;
         }
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn it_lies_ahead() {
         let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-0.1, 0.0));
-        assert!(reach.contains(&at(0.8, 0.0)) && !reach.contains(&at(-0.1, 0.0)));
+        assert!(reach.contains(&at(0.8, 0.0)) && !reach.contains(&at(-0.2, 0.0)));
         // Never by more than the size of the box and a quarter to each side.
         let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-100.0, 0.0));
         assert_eq!(reach, Aabb::new([-0.25, -0.25], [2.25, 1.25]));
