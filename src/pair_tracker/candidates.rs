@@ -313,6 +313,12 @@ impl Candidates {
         }
     }
 
+    /// Whether there are lists.
+    #[cfg(test)]
+    pub(super) fn are_linked(&self) -> bool {
+        self.links.are_made
+    }
+
     fn drop_of<R: Real, const D: usize>(
         &mut self,
         slot: u32,

@@ -82,25 +82,78 @@ fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
                 }
             }
         }
-        let [mut added, mut deleted] = model.finish();
-        tracker.finish(&mut layers, |change| {
-            let is_due = match change {
-                PairChange::Added(pair) => added.remove(&pair),
-                PairChange::Deleted(pair) => deleted.remove(&pair),
-            };
-            assert!(
-                is_due,
-                "update {update}: {change:?} is spurious or repeated"
-            );
-        });
-        assert!(added.is_empty(), "update {update}: not added: {added:?}");
-        assert!(
-            deleted.is_empty(),
-            "update {update}: not deleted: {deleted:?}"
-        );
-        assert_eq!(tracker.pair_count(), model.held.len());
-        assert!(tracker.pairs().collect::<BTreeSet<_>>() == model.held);
-        tracker.validate(&mut Layers::Brute(Default::default()));
+        finish_both(&mut tracker, &mut layers, &mut model);
+    }
+}
+
+/// Finishes the update of both, and compares.
+fn finish_both(tracker: &mut PairTracker<f32, 2>, layers: &mut Layers<f32, 2>, model: &mut Model) {
+    let [mut added, mut deleted] = model.finish();
+    tracker.finish(layers, |change| {
+        let is_due = match change {
+            PairChange::Added(pair) => added.remove(&pair),
+            PairChange::Deleted(pair) => deleted.remove(&pair),
+        };
+        assert!(is_due, "{change:?} is spurious or repeated");
+    });
+    assert!(added.is_empty(), "not added: {added:?}");
+    assert!(deleted.is_empty(), "not deleted: {deleted:?}");
+    assert_eq!(tracker.pair_count(), model.held.len());
+    assert!(tracker.pairs().collect::<BTreeSet<_>>() == model.held);
+    tracker.validate(&mut Layers::Brute(Default::default()));
+}
+
+/// Boxes that keep going where they go, for the reaches to be of use: so many updates with so many movers, then so
+/// many with so many others, and so on, to and fro over every threshold.
+#[test]
+fn drifting_boxes_agree_with_brute_force() {
+    const SLOTS: u32 = 500;
+    let world = (SLOTS as f32 / 1.5).sqrt();
+    for (seed, speed) in [(9, 0.02), (10, 0.1), (11, 0.6)] {
+        let mut random = Rand32::new(seed);
+        let mut corners = Vec::new();
+        let mut velocities = Vec::new();
+        for _ in 0..SLOTS {
+            corners.push([(); 2].map(|()| random.rand_float() * world));
+            velocities.push([(); 2].map(|()| (random.rand_float() - 0.5) * 2.0 * speed));
+        }
+        let mut tracker = PairTracker::<f32, 2>::default();
+        let mut layers = Layers::Grid(Box::default());
+        let mut model = Model::default();
+        let aabb = |corner: [f32; 2]| Aabb::new(corner, corner.map(|x| x + 1.0));
+        let (mut linked, mut watched) = (0, 0);
+        for stride in [1, 200, 1, 2, 3, 250, 20, 100, 5, 1, 300] {
+            for update in 0..20 {
+                for slot in (0..SLOTS).step_by(stride) {
+                    let i = slot as usize;
+                    // One in a hundred turns, and one is replaced.
+                    match random.rand_range(0..100) {
+                        0 => velocities[i] = velocities[i].map(|v| -v),
+                        1 => {
+                            tracker.remove(slot);
+                            model.remove(slot);
+                            corners[i] = [(); 2].map(|()| random.rand_float() * world);
+                        }
+                        2 if update % 2 == 0 => {
+                            tracker.lift(slot);
+                            model.proxies.remove(&slot);
+                            continue;
+                        }
+                        _ => {}
+                    }
+                    for k in 0..2 {
+                        corners[i][k] = (corners[i][k] + velocities[i][k]).rem_euclid(world);
+                    }
+                    tracker.place(slot, aabb(corners[i]));
+                    model.proxies.insert(slot, aabb(corners[i]));
+                }
+                finish_both(&mut tracker, &mut layers, &mut model);
+                linked += usize::from(tracker.candidates.are_linked());
+                watched += usize::from(tracker.candidate_count() > tracker.pair_count());
+            }
+        }
+        assert!(linked > 10, "candidates were linked {linked} times");
+        assert!(watched > 50, "there were candidates {watched} times");
     }
 }
 
