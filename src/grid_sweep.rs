@@ -3,12 +3,14 @@
 mod grid;
 mod lookup;
 mod order;
+mod slab;
 mod sweep;
 mod tubes;
 
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real};
+use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
+use slab::Slab;
 use sweep::Emitter;
 use tubes::Tubes;
 
@@ -17,6 +19,9 @@ const SMALL: usize = 24;
 
 /// How much wider than seemed best the strips are made, one after the other, if most boxes are too large.
 const WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];
+
+/// Fewer boxes than this are not worth a second thread.
+const WORTH_A_THREAD: usize = 1 << 13;
 
 /// Entries are numbered with 32 bits, and a box may have four.
 const MAX_BOXES: usize = 1 << 29;
@@ -35,6 +40,9 @@ const MAX_BOXES: usize = 1 << 29;
 /// 10⁸ times their size apart. **O(n + pairs)** memory always.
 ///
 /// At most 2²⁹ boxes; more are [`InvalidBoxReason::TooMany`].
+///
+/// With the feature `parallel`, many boxes are shared out among the threads of the current Rayon pool. The pairs are
+/// the same, in the same order.
 ///
 /// ```
 /// use unisize::{Aabb, GridSweep, PairFinder};
@@ -56,13 +64,17 @@ pub struct GridSweep<R, const D: usize> {
     class_count: usize,
     /// The indices of all boxes.
     everyone: Vec<u32>,
+    /// Into how many slabs many boxes are cut, if not into as many as there are threads.
+    slab_count: Option<usize>,
 }
 
 /// The boxes of one class of sizes, sorted into tubes.
 #[derive(Clone, Debug)]
 struct Class<R, const D: usize> {
     grid: Grid<R>,
-    tubes: Tubes<R, D>,
+    /// The first ones cover the grid; the rest is memory kept for further ones.
+    slabs: Vec<Slab<R, D>>,
+    slab_count: usize,
     /// The boxes too large for this class: the members of all following ones.
     outsize: Vec<u32>,
 }
@@ -71,7 +83,8 @@ impl<R: Real, const D: usize> Default for Class<R, D> {
     fn default() -> Self {
         Self {
             grid: Grid::default(),
-            tubes: Tubes::default(),
+            slabs: Vec::new(),
+            slab_count: 0,
             outsize: Vec::new(),
         }
     }
@@ -83,6 +96,7 @@ impl<R, const D: usize> Default for GridSweep<R, D> {
             classes: Vec::new(),
             class_count: 0,
             everyone: Vec::new(),
+            slab_count: None,
         }
     }
 }
@@ -112,6 +126,16 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> GridSweep<R, D> {
+    /// A kernel that cuts its work into so many slabs of tubes, whatever the number of boxes and of threads: one for
+    /// no threads at all, or more to share a small number of boxes out as well. The pairs are the same, in the same
+    /// order.
+    pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {
+        Self {
+            slab_count: Some(count.get()),
+            ..Self::default()
+        }
+    }
+
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
     /// order of the members for [`look_up`](Self::look_up).
     pub(crate) fn find_among(
@@ -121,7 +145,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
     ) {
         const { assert!(D > 0, "boxes have at least one axis") };
-        let mut emitter = Emitter::new(pairs);
+        let slab_count = match self.slab_count {
+            Some(count) => count,
+            None if members.len() < WORTH_A_THREAD => 1,
+            None => parallel::threads(),
+        };
         self.class_count = 0;
         loop {
             let index = self.class_count;
@@ -131,27 +159,26 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             let (smaller, rest) = self.classes.split_at_mut(index);
             let class = &mut rest[0];
             let members = smaller.last().map_or(members, |class| &class.outsize);
-            class.build(boxes, members);
+            class.build(boxes, members, slab_count);
             self.class_count += 1;
-            class.tubes.sweep(&mut emitter);
+            class.sweep(pairs);
             if class.outsize.is_empty() {
                 break;
             }
-            class.tubes.prepare_lookup();
+            class.prepare_lookup();
+            let mut emitter = Emitter::new(pairs);
             for &i in &class.outsize {
-                class
-                    .tubes
-                    .look_up(&class.grid, &boxes[i as usize], i, &mut emitter);
+                class.look_up(&boxes[i as usize], i, &mut emitter);
             }
+            emitter.finish();
         }
-        emitter.finish();
     }
 
     /// Lets [`look_up`](Self::look_up) be called, until the next run.
     #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
-            class.tubes.prepare_lookup();
+            class.prepare_lookup();
         }
     }
 
@@ -170,9 +197,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let mut emitter = Emitter::new(pairs);
         for i in queries {
             for class in &self.classes[..self.class_count] {
-                class
-                    .tubes
-                    .look_up(&class.grid, &boxes[i as usize], i, &mut emitter);
+                class.look_up(&boxes[i as usize], i, &mut emitter);
             }
         }
         emitter.finish();
@@ -184,20 +209,80 @@ impl<R: Real, const D: usize> Class<R, D> {
     ///
     /// Each class must take in a fair share of the boxes, so that there are few classes: if a grid turns out
     /// too fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
-    fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
+    fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32], slab_count: usize) {
         if members.len() > SMALL {
             for widening in WIDENINGS {
                 self.grid = Grid::choose(boxes, members, widening);
-                self.tubes
-                    .build(boxes, members, &mut self.grid, &mut self.outsize);
+                self.build_slabs(boxes, members, slab_count);
                 if self.outsize.len() <= members.len() / 8 * 7 {
                     return;
                 }
             }
         }
         self.grid = Grid::default();
-        self.tubes
-            .build(boxes, members, &mut self.grid, &mut self.outsize);
+        self.build_slabs(boxes, members, 1);
+    }
+
+    fn build_slabs(&mut self, boxes: &[Aabb<R, D>], members: &[u32], count: usize) {
+        let fits_table = Tubes::<R, D>::fits_table(&self.grid, members.len());
+        let ranges = if fits_table && count > 1 {
+            slab::split(&self.grid, boxes, members, count)
+        } else {
+            std::iter::once(0..self.grid.tube_count() as u32).collect()
+        };
+        self.slab_count = ranges.len();
+        if self.slabs.len() < ranges.len() {
+            self.slabs.resize_with(ranges.len(), Slab::default);
+        }
+        for (slab, range) in self.slabs.iter_mut().zip(ranges) {
+            slab.range = range;
+        }
+        let slabs = &mut self.slabs[..self.slab_count];
+        if fits_table {
+            let grid = &self.grid;
+            parallel::for_each(slabs, |slab| {
+                let range = slab.range.clone();
+                slab.tubes
+                    .build_by_table(boxes, members, grid, range, &mut slab.outsize);
+            });
+        } else {
+            let slab = &mut slabs[0];
+            slab.tubes
+                .build_by_sorting(boxes, members, &mut self.grid, &mut slab.outsize);
+        }
+        // Every slab has come across all of them.
+        std::mem::swap(&mut self.outsize, &mut slabs[0].outsize);
+    }
+
+    fn slabs(&self) -> &[Slab<R, D>] {
+        &self.slabs[..self.slab_count]
+    }
+
+    /// Appends all pairs among the entries.
+    fn sweep(&mut self, pairs: &mut Vec<[u32; 2]>) {
+        match &mut self.slabs[..self.slab_count] {
+            [slab] => {
+                let mut emitter = Emitter::new(pairs);
+                slab.tubes.sweep(&mut emitter);
+                emitter.finish();
+            }
+            slabs => {
+                parallel::for_each(slabs, Slab::sweep);
+                slabs.iter_mut().for_each(|slab| slab.take_pairs(pairs));
+            }
+        }
+    }
+
+    fn prepare_lookup(&mut self) {
+        parallel::for_each(&mut self.slabs[..self.slab_count], |slab| {
+            slab.tubes.prepare_lookup();
+        });
+    }
+
+    fn look_up(&self, aabb: &Aabb<R, D>, owner: u32, emitter: &mut Emitter) {
+        for slab in self.slabs() {
+            slab.tubes.look_up(&self.grid, aabb, owner, emitter);
+        }
     }
 }
 

@@ -54,6 +54,7 @@ mod grid_sweep;
 mod invalid_box;
 mod lanes;
 mod pair_finder;
+mod parallel;
 mod rank_sweep;
 mod real;
 

@@ -60,9 +60,10 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let columns = grid.axes[1].last + 1;
         for row in reach.first[0]..=reach.last[0] {
             for column in reach.first[1]..=reach.last[1] {
-                let position = self.table[(row * columns + column) as usize];
-                if position != NOWHERE {
-                    let tube = &self.tubes[position as usize];
+                let tube = (row * columns + column).wrapping_sub(self.range.start) as usize;
+                // Tubes of another slab are beyond the end.
+                let position = self.table.get(tube).copied().unwrap_or(NOWHERE);
+                if let Some(tube) = self.tubes.get(position as usize) {
                     self.look_up_in(tube, reach, aabb, owner, emitter);
                 }
             }

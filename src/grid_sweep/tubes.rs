@@ -4,6 +4,8 @@
 //! in the others. Entries are kept as a structure of arrays, tube after tube, so that eight of them are
 //! compared at once. Behind each tube stands a sentinel whose `mins[0]` is NaN, at which every window ends.
 
+use std::ops::Range;
+
 use super::grid::{Grid, Reach};
 use super::order::Order;
 use crate::lanes::LANES;
@@ -25,8 +27,10 @@ pub(super) struct Tube {
 #[derive(Clone, Debug)]
 pub(super) struct Tubes<R, const D: usize> {
     pub(super) tubes: Vec<Tube>,
-    /// For each tube of the grid its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than
-    /// the number of boxes.
+    /// The tubes of the grid that are dealt with here: all, or those of one slab. By number, row after row.
+    pub(super) range: Range<u32>,
+    /// For each of them its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than the number of
+    /// boxes.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
@@ -47,8 +51,16 @@ struct Entry<R, const D: usize> {
     ghost: u8,
 }
 
+/// A box on its way into its own tube.
+#[derive(Clone, Copy, Debug, Default)]
+struct Home {
+    /// Its place in the table of tubes.
+    tube: u32,
+    owner: u32,
+}
+
 /// A ghost on its way into a tube.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Ghost {
     /// Its place in the table of tubes.
     tube: u32,
@@ -60,7 +72,7 @@ struct Ghost {
 /// A box that is at most two strips wide reaches three tubes besides its own.
 const MAX_GHOSTS: usize = 3;
 
-/// In the place of a tube: that of an outsize box, or one without entries.
+/// In the place of a tube: one without entries.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// Memory kept between calls to spare allocations.
@@ -70,8 +82,8 @@ struct Scratch<R, const D: usize> {
     entries: Vec<Entry<R, D>>,
     /// For each tube of the table, occupied or not, where its entries go.
     cursors: Vec<u32>,
-    /// For each member, its own tube in that table.
-    homes: Vec<u32>,
+    /// The boxes whose own tube is in the table, with that tube, and rubbish behind them.
+    homes: Vec<Home>,
     /// The ghosts, and rubbish behind them.
     ghosts: Vec<Ghost>,
     /// For each entry in the order of the boxes, its tube, where there is no table.
@@ -83,6 +95,7 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
     fn default() -> Self {
         Self {
             tubes: Vec::new(),
+            range: 0..0,
             table: Vec::new(),
             mins: core::array::from_fn(|_| Vec::new()),
             maxs: core::array::from_fn(|_| Vec::new()),
@@ -102,41 +115,32 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
 }
 
 impl<R: Real, const D: usize> Tubes<R, D> {
-    /// Enters the members, indices of boxes, but for the outsize ones, which replace `outsize`. Lets the
-    /// strips of the grid go on if boxes lie far apart.
-    pub(super) fn build(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        members: &[u32],
-        grid: &mut Grid<R>,
-        outsize: &mut Vec<u32>,
-    ) {
-        outsize.clear();
-        self.tubes.clear();
-        self.table.clear();
-        self.running_maxs.clear();
-        if grid.tube_count() <= table_limit(members.len()) {
-            self.place_by_table(boxes, members, grid, outsize);
-        } else {
-            grid.extend::<D>();
-            self.place_by_sorting(boxes, members, grid, outsize);
-        }
-        self.sort_tubes();
+    /// Whether the grid is small enough for [`build_by_table`](Self::build_by_table) to be the faster way.
+    pub(super) fn fits_table(grid: &Grid<R>, members: usize) -> bool {
+        // The table must not cost more than the boxes do.
+        grid.tube_count() <= (members as u64 + 64).min(1 << 30)
     }
 
-    /// Counts the entries of each tube of a table, then places them.
+    /// Enters the members, indices of boxes, into those tubes of the grid whose numbers are in `range`. Outsize ones
+    /// are passed over and replace `outsize`.
     ///
-    /// Whether a box has a ghost is as good as random, so there is no branch on it: ghosts are always written
-    /// to a list, which grows by those that exist.
-    fn place_by_table(
+    /// Counts the entries of each tube of a table, then places them. Whether a box has a ghost is as good as random, and
+    /// so is whether it is in the range, so there is no branch on either: homes and ghosts are always written to a
+    /// list, which grows by those that exist.
+    pub(super) fn build_by_table(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
         grid: &Grid<R>,
+        range: Range<u32>,
         outsize: &mut Vec<u32>,
     ) {
+        self.clear();
+        outsize.clear();
         let columns = grid.axes[1].last + 1;
-        let tube_of = |[row, column]: [u32; 2]| row * columns + column;
+        let tube_count = range.len() as u32;
+        // Tubes out of the range wrap around to large numbers.
+        let tube_of = |[row, column]: [u32; 2]| (row * columns + column).wrapping_sub(range.start);
         let Scratch {
             entries,
             cursors,
@@ -145,41 +149,38 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             ..
         } = &mut self.scratch;
         cursors.clear();
-        cursors.resize(grid.tube_count() as usize, 0);
-        homes.clear();
-        let mut ghost_count = 0;
+        // One more for those out of the range.
+        cursors.resize(tube_count as usize + 1, 0);
+        if homes.len() < members.len() {
+            homes.resize(members.len(), Home::default());
+        }
+        let (mut home_count, mut ghost_count) = (0, 0);
         for &owner in members {
             let reach = grid.reach(&boxes[owner as usize]);
             if reach.is_outsize() {
                 outsize.push(owner);
-                homes.push(NOWHERE);
                 continue;
             }
-            let home = tube_of(reach.first);
-            homes.push(home);
-            cursors[home as usize] += 1;
+            let tube = tube_of(reach.first);
+            homes[home_count] = Home { tube, owner };
+            home_count += usize::from(tube < tube_count);
+            cursors[tube.min(tube_count) as usize] += 1;
             if ghosts.len() < ghost_count + MAX_GHOSTS {
-                ghosts.resize(
-                    2 * ghost_count + MAX_GHOSTS,
-                    Ghost {
-                        tube: 0,
-                        owner: 0,
-                        axes: 0,
-                    },
-                );
+                ghosts.resize(2 * ghost_count + MAX_GHOSTS, Ghost::default());
             }
             let list = ghosts[ghost_count..]
                 .first_chunk_mut()
                 .expect("there is room");
-            ghost_count += write_ghosts::<D>(&reach, owner, tube_of, list);
+            ghost_count += write_ghosts::<D>(&reach, owner, tube_of, tube_count, list);
         }
-        let ghosts = &ghosts[..ghost_count];
+        let (homes, ghosts) = (&homes[..home_count], &ghosts[..ghost_count]);
         for ghost in ghosts {
             cursors[ghost.tube as usize] += 1;
         }
 
         let mut end = 0;
-        for (tube, cursor) in (0..).zip(cursors.iter_mut()) {
+        cursors.truncate(tube_count as usize);
+        for (tube, cursor) in range.clone().zip(cursors.iter_mut()) {
             let start = end;
             end += std::mem::replace(cursor, start);
             let is_occupied = start < end;
@@ -213,24 +214,34 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             };
             *cursor += 1;
         };
-        for (&owner, &home) in members.iter().zip(homes.iter()) {
-            if home != NOWHERE {
-                place(home, owner, 0);
-            }
+        for home in homes {
+            place(home.tube, home.owner, 0);
         }
         for ghost in ghosts {
             place(ghost.tube, ghost.owner, ghost.axes);
         }
+        self.range = range;
+        self.sort_tubes();
     }
 
-    /// Sorts the entries by tube: for boxes so far apart that a table would be mostly empty.
-    fn place_by_sorting(
+    fn clear(&mut self) {
+        self.tubes.clear();
+        self.table.clear();
+        self.running_maxs.clear();
+    }
+
+    /// Enters the members into all tubes by sorting: for boxes so far apart that a table would be mostly empty. Lets the
+    /// strips of the grid go on as far as numbers reach.
+    pub(super) fn build_by_sorting(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
-        grid: &Grid<R>,
+        grid: &mut Grid<R>,
         outsize: &mut Vec<u32>,
     ) {
+        self.clear();
+        outsize.clear();
+        grid.extend::<D>();
         let Scratch { entries, keyed, .. } = &mut self.scratch;
         keyed.clear();
         for &owner in members {
@@ -261,6 +272,8 @@ impl<R: Real, const D: usize> Tubes<R, D> {
                 ghost,
             });
         }
+        self.range = 0..u32::MAX;
+        self.sort_tubes();
     }
 
     /// Sorts each tube by `mins[0]` into the arrays that are swept, and puts the sentinels between them.
@@ -305,11 +318,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 }
 
-/// The largest table of tubes for `n` boxes: it must not cost more than the boxes do.
-fn table_limit(n: usize) -> u64 {
-    (n as u64 + 64).min(1 << 30)
-}
-
 /// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
 fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
     let Reach { first, last } = *reach;
@@ -320,37 +328,28 @@ fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
     }
 }
 
-/// Writes the ghosts of a box that is at most two strips wide to the front of `list`, and returns their
-/// number. What is behind them in the list is rubbish.
+/// Writes the ghosts of a box that is at most two strips wide, those in the first `tube_count` tubes, to the front of
+/// `list`, and returns their number. What is behind them in the list is rubbish.
 #[inline(always)]
 fn write_ghosts<const D: usize>(
     reach: &Reach,
     owner: u32,
     tube_of: impl Fn([u32; 2]) -> u32,
+    tube_count: u32,
     list: &mut [Ghost; MAX_GHOSTS],
 ) -> usize {
     let Reach { first, last } = *reach;
-    let next_row = usize::from(last[0] > first[0]);
-    list[0] = Ghost {
-        tube: tube_of([last[0], first[1]]),
-        owner,
-        axes: GHOST[0],
+    let [is_row, is_column] = [0, 1].map(|cut| last[cut] > first[cut]);
+    let mut count = 0;
+    let mut write = |strips: [u32; 2], axes: u8, exists: bool| {
+        let tube = tube_of(strips);
+        list[count] = Ghost { tube, owner, axes };
+        count += usize::from(exists & (tube < tube_count));
     };
-    let mut count = next_row;
+    write([last[0], first[1]], GHOST[0], is_row);
     if D > 2 {
-        let next_column = usize::from(last[1] > first[1]);
-        list[count] = Ghost {
-            tube: tube_of([first[0], last[1]]),
-            owner,
-            axes: GHOST[1],
-        };
-        count += next_column;
-        list[count] = Ghost {
-            tube: tube_of(last),
-            owner,
-            axes: GHOST[0] | GHOST[1],
-        };
-        count += next_row & next_column;
+        write([first[0], last[1]], GHOST[1], is_column);
+        write(last, GHOST[0] | GHOST[1], is_row & is_column);
     }
     count
 }

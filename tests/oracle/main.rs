@@ -16,7 +16,9 @@ mod placement;
 mod random;
 mod report;
 mod shapes;
+mod slabs;
 
+use slabs::InSlabs;
 use unisize::{BruteForce, GridSweep, RankSweep};
 
 /// Instantiates the suite for one kernel: the module's name, the kernel, its scalar and its dimension.
@@ -66,6 +68,11 @@ oracle_suite!(grid_sweep_f32_2, GridSweep<f32, 2>, f32, 2);
 oracle_suite!(grid_sweep_f32_3, GridSweep<f32, 3>, f32, 3);
 oracle_suite!(grid_sweep_f64_2, GridSweep<f64, 2>, f64, 2);
 oracle_suite!(grid_sweep_f64_3, GridSweep<f64, 3>, f64, 3);
+
+oracle_suite!(grid_sweep_in_slabs_f32_2, InSlabs<f32, 2>, f32, 2);
+oracle_suite!(grid_sweep_in_slabs_f32_3, InSlabs<f32, 3>, f32, 3);
+oracle_suite!(grid_sweep_in_slabs_f64_2, InSlabs<f64, 2>, f64, 2);
+oracle_suite!(grid_sweep_in_slabs_f64_3, InSlabs<f64, 3>, f64, 3);
 
 // Not what they are made for, but nothing forbids it.
 oracle_suite!(grid_sweep_f32_1, GridSweep<f32, 1>, f32, 1);

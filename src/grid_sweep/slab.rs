@@ -1,0 +1,80 @@
+//! A part of the tubes, for one thread.
+//!
+//! Tubes do not depend on each other, so any range of them can be filled, sorted and swept apart. Each slab
+//! goes through all boxes and takes those that reach its tubes: going through them is a small part of the work, and
+//! so nothing is shared. What slabs find, one after the other, is what a single one finds, in the same order.
+
+use std::ops::Range;
+
+use super::grid::Grid;
+use super::sweep::Emitter;
+use super::tubes::Tubes;
+use crate::{Aabb, Real};
+
+/// How many boxes are looked at to make slabs of about equal work.
+const SAMPLE: usize = 2048;
+
+/// Some of the tubes of a grid, and the pairs found in them.
+#[derive(Clone, Debug)]
+pub(super) struct Slab<R, const D: usize> {
+    pub(super) tubes: Tubes<R, D>,
+    /// The numbers of the tubes in the grid.
+    pub(super) range: Range<u32>,
+    /// Scratch: the boxes too large for the grid, and the pairs.
+    pub(super) outsize: Vec<u32>,
+    pairs: Vec<[u32; 2]>,
+}
+
+impl<R: Real, const D: usize> Default for Slab<R, D> {
+    fn default() -> Self {
+        Self {
+            tubes: Tubes::default(),
+            range: 0..0,
+            outsize: Vec::new(),
+            pairs: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Slab<R, D> {
+    /// Finds the pairs and keeps them until they are [taken](Self::take_pairs).
+    pub(super) fn sweep(&mut self) {
+        let mut emitter = Emitter::new(&mut self.pairs);
+        self.tubes.sweep(&mut emitter);
+        emitter.finish();
+    }
+
+    /// Appends the pairs that were found.
+    pub(super) fn take_pairs(&mut self, pairs: &mut Vec<[u32; 2]>) {
+        pairs.append(&mut self.pairs);
+    }
+}
+
+/// Cuts the tubes of a grid into at most so many ranges that are about equally full.
+pub(super) fn split<R: Real, const D: usize>(
+    grid: &Grid<R>,
+    boxes: &[Aabb<R, D>],
+    members: &[u32],
+    count: usize,
+) -> Vec<Range<u32>> {
+    let columns = grid.axes[1].last + 1;
+    let end = grid.tube_count() as u32;
+    let mut tubes: Vec<u32> = members
+        .iter()
+        .step_by(members.len() / SAMPLE + 1)
+        .map(|&member| {
+            let [row, column] = grid.reach(&boxes[member as usize]).first;
+            row * columns + column
+        })
+        .collect();
+    tubes.sort_unstable();
+    let mut start = 0;
+    let mut ranges: Vec<_> = (1..count)
+        .filter_map(|part| {
+            let border = *tubes.get(part * tubes.len() / count)?;
+            (border > start).then(|| std::mem::replace(&mut start, border)..border)
+        })
+        .collect();
+    ranges.push(start..end);
+    ranges
+}

@@ -1,0 +1,23 @@
+//! Work on several threads, if the feature `parallel` is on, and in a row otherwise.
+//!
+//! Nothing here changes an outcome: work is cut into parts that do not depend on each other, and what they
+//! yield is put together in the order of the parts.
+
+/// Into how many parts work is best cut.
+pub(crate) fn threads() -> usize {
+    #[cfg(feature = "parallel")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "parallel"))]
+    return 1;
+}
+
+/// Calls `work` with each part.
+pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
+    #[cfg(feature = "parallel")]
+    if parts.len() > 1 {
+        use rayon::prelude::*;
+        parts.par_iter_mut().with_max_len(1).for_each(work);
+        return;
+    }
+    parts.iter_mut().for_each(work);
+}

@@ -1,0 +1,39 @@
+//! The fast kernel cut into slabs, as it is on several threads.
+
+use std::num::NonZero;
+
+use unisize::{Aabb, GridSweep, InvalidBox, PairFinder, Real};
+
+/// [`GridSweep`] in three slabs, which must answer as it does in one, order included.
+pub(crate) struct InSlabs<R, const D: usize> {
+    one: GridSweep<R, D>,
+    three: GridSweep<R, D>,
+    expected: Vec<[u32; 2]>,
+}
+
+impl<R: Real, const D: usize> Default for InSlabs<R, D> {
+    fn default() -> Self {
+        let [one, three] = [1, 3].map(|count| {
+            GridSweep::with_slabs(NonZero::new(count).expect("a number of slabs is not 0"))
+        });
+        Self {
+            one,
+            three,
+            expected: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real, const D: usize> PairFinder<R, D> for InSlabs<R, D> {
+    fn find_pairs(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        pairs: &mut Vec<[u32; 2]>,
+    ) -> Result<(), InvalidBox> {
+        let expected = self.one.find_pairs(boxes, &mut self.expected);
+        let found = self.three.find_pairs(boxes, pairs);
+        assert_eq!(found, expected);
+        assert!(*pairs == self.expected, "another answer, or another order");
+        found
+    }
+}
