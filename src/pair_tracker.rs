@@ -31,6 +31,13 @@ pub(crate) enum PairChange {
     Deleted([u32; 2]),
 }
 
+/// What is to be noted of a proxy that was moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Placed {
+    /// Whether it has left its reach.
+    pub(crate) is_escaped: bool,
+}
+
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R, const D: usize> {
@@ -94,8 +101,24 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             self.grow(index + 1);
         }
         self.boxes[index] = aabb;
+        let is_escaped = !self.reaches[index].contains(&aabb);
+        self.note(slot, Placed { is_escaped });
+    }
+
+    /// The boxes and the reaches of so many slots at least, to move proxies where they are. Each move is to be
+    /// [noted](Self::note).
+    pub(crate) fn boxes_and_reaches(&mut self, slots: usize) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
+        if slots > self.boxes.len() {
+            self.grow(slots);
+        }
+        (&mut self.boxes, &self.reaches)
+    }
+
+    /// Takes note that a proxy was moved.
+    #[inline(always)]
+    pub(crate) fn note(&mut self, slot: u32, placed: Placed) {
         self.moved.push(slot);
-        if !self.reaches[index].contains(&aabb) {
+        if placed.is_escaped {
             self.escaped.insert(slot);
         }
     }

@@ -11,9 +11,10 @@ use super::rapier::geometry::{
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
 use super::reading_order::{self, ReadingOrder};
+use super::reading_part::{self, Outcome, ReadingPart};
 use super::{Settings, Stats};
-use crate::Aabb;
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
+use crate::{Aabb, parallel};
 
 /// A broad phase for scenes of many colliders of about the same size: give it to `PhysicsPipeline::step` or
 /// `CollisionPipeline::step` in the place of `DefaultBroadPhase`.
@@ -43,12 +44,43 @@ pub struct UnisizeBroadPhase {
 }
 
 /// What colliders are read from, and how.
-struct World<'a> {
-    colliders: &'a ColliderSet,
+pub(super) struct World<'a> {
+    pub(super) colliders: &'a ColliderSet,
     bodies: &'a RigidBodySet,
     prediction: Prediction,
     /// In length units of the scene.
     margin: Real,
+}
+
+impl World<'_> {
+    /// The box of a collider, without the margin.
+    #[inline(always)]
+    pub(super) fn collider_box(
+        &self,
+        collider: &Collider,
+        outline: &mut Outline,
+    ) -> Aabb<Real, DIM> {
+        self.prediction.collider_box(collider, outline, self.bodies)
+    }
+
+    /// What to do with a proxy whose box is `held` and should be around `aabb`: nothing, or to put this new box in its
+    /// place, or, with `Some(None)`, something else, because one of the two is not valid.
+    #[inline(always)]
+    pub(super) fn renewed(
+        &self,
+        held: &Aabb<Real, DIM>,
+        aabb: &Aabb<Real, DIM>,
+    ) -> Option<Option<Aabb<Real, DIM>>> {
+        if held.contains(aabb) & aabb.is_valid() {
+            return None;
+        }
+        if !(held.is_valid() & aabb.is_valid()) {
+            return Some(None);
+        }
+        let loosened = aabb.loosened(self.margin);
+        // An infinite side less an infinite margin would be NaN.
+        Some(Some(if loosened.is_valid() { loosened } else { *aabb }))
+    }
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -159,13 +191,57 @@ impl UnisizeBroadPhase {
                 self.read(handle, world);
             }
         }
-        for slot in order.drain() {
-            // A newer collider may have taken its place since, and has been read then.
-            if let Some(generation) = self.generations[slot as usize] {
-                self.read(ColliderHandle::from_raw_parts(slot, generation), world);
-            }
+        if handles.len() >= reading_part::WORTH_A_THREAD && parallel::threads() > 1 {
+            self.read_in_parts(order.listed(), world);
+        } else {
+            order.drain().for_each(|slot| self.read_slot(slot, world));
         }
         self.reading_order = order;
+    }
+
+    fn read_slot(&mut self, slot: u32, world: &World) {
+        // A newer collider may have taken its place since it was listed, and has been read then.
+        if let Some(generation) = self.generations[slot as usize] {
+            self.read(ColliderHandle::from_raw_parts(slot, generation), world);
+        }
+    }
+
+    /// Reads the colliders of the slots whose bits are set, on several threads, and clears the bits.
+    fn read_in_parts(&mut self, listed: &mut [u64], world: &World) {
+        // Some more than threads, for some will be faster than others.
+        let words = listed.len().div_ceil(4 * parallel::threads()).max(1);
+        let slots = 64 * words;
+        let (boxes, reaches) = self.tracker.boxes_and_reaches(self.generations.len());
+        let kept = self.generations.chunks(slots);
+        let kept = kept.zip(self.outlines.chunks_mut(slots));
+        let placed = boxes.chunks_mut(slots).zip(reaches.chunks(slots));
+        let first_slots = (0..).step_by(slots);
+        let mut parts: Vec<_> = first_slots
+            .zip(listed.chunks_mut(words))
+            .zip(kept.zip(placed))
+            .map(
+                |((first_slot, listed), ((generations, outlines), (boxes, reaches)))| ReadingPart {
+                    first_slot,
+                    listed,
+                    generations,
+                    outlines,
+                    boxes,
+                    reaches,
+                    outcomes: Vec::new(),
+                },
+            )
+            .collect();
+        parallel::for_each(&mut parts, |part| part.read(world));
+        let outcomes: Vec<_> = parts.into_iter().map(|part| part.outcomes).collect();
+        for (slot, outcome) in outcomes.into_iter().flatten() {
+            match outcome {
+                Outcome::Placed(placed) => {
+                    self.tracker.note(slot, placed);
+                    self.stats.moved += 1;
+                }
+                Outcome::Left => self.read_slot(slot, world),
+            }
+        }
     }
 
     /// Brings the proxy of a listed collider up to date.
@@ -185,22 +261,14 @@ impl UnisizeBroadPhase {
         if self.generations.get(index) != Some(&Some(generation)) {
             self.enlist(handle);
         }
-        let outline = &mut self.outlines[index];
-        let aabb = world
-            .prediction
-            .collider_box(collider, outline, world.bodies);
-        let held = self.tracker.slot_box(slot);
-        if held.contains(&aabb) & aabb.is_valid() {
-            return;
-        }
-        self.stats.moved += 1;
-        if held.is_valid() & aabb.is_valid() {
-            let loosened = aabb.loosened(world.margin);
-            // An infinite side less an infinite margin would be NaN.
-            let renewed = if loosened.is_valid() { loosened } else { aabb };
-            self.tracker.place(slot, renewed);
-        } else {
-            self.admit_or_refuse(handle, aabb);
+        let aabb = world.collider_box(collider, &mut self.outlines[index]);
+        match world.renewed(&self.tracker.slot_box(slot), &aabb) {
+            None => {}
+            Some(Some(renewed)) => {
+                self.tracker.place(slot, renewed);
+                self.stats.moved += 1;
+            }
+            Some(None) => self.admit_or_refuse(handle, aabb),
         }
     }
 
@@ -229,16 +297,16 @@ impl UnisizeBroadPhase {
         if aabb.is_valid() {
             // A new box gets no margin, as in Rapier: what never moves never needs one.
             self.tracker.place(slot, aabb);
+            self.stats.moved += 1;
             self.stats.proxies += 1;
             self.stats.refused -= 1;
             return;
         }
         if self.tracker.get(slot).is_some() {
             self.tracker.lift(slot);
+            self.stats.moved += 1;
             self.stats.proxies -= 1;
             self.stats.refused += 1;
-        } else {
-            self.stats.moved -= 1;
         }
         if !self.has_warned {
             self.has_warned = true;
@@ -312,7 +380,9 @@ impl BroadPhase for UnisizeBroadPhase {
             // NaN counts as 0 too.
             margin: (self.settings.margin * params.length_unit).max(0.0),
         };
-        if reading_order::is_favourable(modified_colliders) {
+        let is_shared =
+            modified_colliders.len() >= reading_part::WORTH_A_THREAD && parallel::threads() > 1;
+        if !is_shared && reading_order::is_favourable(modified_colliders) {
             for &handle in modified_colliders {
                 self.read(handle, &world);
             }

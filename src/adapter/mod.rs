@@ -10,6 +10,7 @@ mod collider_box;
 mod outline;
 mod queries;
 mod reading_order;
+mod reading_part;
 mod settings;
 mod stats;
 

@@ -33,6 +33,11 @@ impl ReadingOrder {
         self.listed[slot as usize / 64] |= 1 << (slot % 64);
     }
 
+    /// The bits, which may be cleared.
+    pub(super) fn listed(&mut self) -> &mut [u64] {
+        &mut self.listed
+    }
+
     /// Takes all slots out of the set, each once, and in order.
     #[inline(always)]
     pub(super) fn drain(&mut self) -> impl Iterator<Item = u32> + '_ {

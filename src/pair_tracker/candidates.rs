@@ -5,6 +5,7 @@
 //! are made when they are first needed and kept up from then on.
 
 use super::{PairChange, SlotSet};
+use crate::parallel::{ask_each, ones};
 use crate::{Aabb, Real};
 
 /// In the place of a slot: of a candidate that is no more.
@@ -15,9 +16,6 @@ const WALK_COST: usize = 64;
 
 /// Making the lists costs about as much as picking so many times.
 const LINK_COST: u32 = 8;
-
-/// So many candidates are compared before there is a branch on the outcome.
-const CHUNK: usize = 64;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
@@ -55,8 +53,9 @@ pub(super) struct Candidates {
     held_count: usize,
     gone_count: usize,
     links: Links,
-    /// Scratch: a bit for each slot.
+    /// Scratch: a bit for each slot, and for each candidate.
     picked: Vec<u64>,
+    bits: Vec<u64>,
 }
 
 /// For each slot a list of its candidates.
@@ -101,9 +100,16 @@ impl Candidates {
         boxes: &Boxes<R, D>,
         report: &mut impl FnMut(PairChange),
     ) {
-        for pair in self.held() {
-            report_end(pair, boxes, report);
-        }
+        let Self {
+            pairs, held, bits, ..
+        } = self;
+        ask_each(pairs.len(), bits, |range| {
+            gather(
+                pairs[range.clone()].iter().zip(&held[range]),
+                |(&pair, &is_held)| is_held && ends(pair, boxes),
+            )
+        });
+        ones(bits).for_each(|i| report(PairChange::Deleted(pairs[i])));
         std::mem::swap(&mut self.pairs, found);
         self.held.clear();
         self.held_count = 0;
@@ -135,21 +141,26 @@ impl Candidates {
         boxes: &Boxes<R, D>,
         report: &mut impl FnMut(PairChange),
     ) {
-        for pairs in found.chunks(CHUNK) {
-            let mut added = 0_u64;
-            self.held.extend(pairs.iter().map(|&pair| {
-                let is_held = boxes.overlap(pair);
-                let is_added = is_held & !boxes.overlapped(pair);
-                added = added >> 1 | u64::from(is_added) << (CHUNK - 1);
-                self.held_count += usize::from(is_held);
-                is_held
-            }));
-            added >>= CHUNK - pairs.len();
-            while added != 0 {
-                report(PairChange::Added(pairs[added.trailing_zeros() as usize]));
-                added &= added - 1;
-            }
-        }
+        let Self {
+            held,
+            held_count,
+            bits,
+            ..
+        } = self;
+        ask_each(found.len(), bits, |range| {
+            gather(&found[range], |&pair| boxes.overlap(pair))
+        });
+        let words = found.chunks(64).zip(bits.iter());
+        held.extend(
+            words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
+        );
+        *held_count += ones(bits).count();
+        ask_each(found.len(), bits, |range| {
+            gather(&found[range], |&pair| {
+                boxes.overlap(pair) & !boxes.overlapped(pair)
+            })
+        });
+        ones(bits).for_each(|i| report(PairChange::Added(found[i])));
     }
 
     /// Brings all candidates up to date with the present boxes, and drops those of the `dropped`, which
@@ -160,51 +171,35 @@ impl Candidates {
         boxes: &Boxes<R, D>,
         report: &mut impl FnMut(PairChange),
     ) {
-        let are_dropped = !dropped.slots().is_empty();
-        if are_dropped {
-            let Self {
-                pairs,
-                held,
-                held_count,
-                ..
-            } = self;
-            let mut kept = 0;
-            for i in 0..pairs.len() {
-                let pair = pairs[i];
-                if pair[0] == GONE {
-                    continue;
-                }
-                if dropped.contains(pair[0]) | dropped.contains(pair[1]) {
-                    if held[i] {
-                        *held_count -= 1;
-                        report_end(pair, boxes, report);
-                    }
-                    continue;
-                }
-                pairs[kept] = pair;
-                held[kept] = held[i];
-                kept += 1;
-            }
-            pairs.truncate(kept);
-            held.truncate(kept);
-            self.gone_count = 0;
-            self.links.forget();
-        }
         self.compact();
+        if !dropped.slots().is_empty() {
+            let Self { pairs, bits, .. } = self;
+            ask_each(pairs.len(), bits, |range| {
+                gather(&pairs[range], |&[a, b]| {
+                    dropped.contains(a) | dropped.contains(b)
+                })
+            });
+            let bits = std::mem::take(bits);
+            ones(&bits).for_each(|i| self.drop_at(i, boxes, report));
+            self.bits = bits;
+            self.compact();
+        }
+        let Self {
+            pairs,
+            held,
+            held_count,
+            bits,
+            ..
+        } = self;
         // Which ones overlap is as good as random, so there is no branch on it, only on whether any of many has
         // turned.
-        for (pairs, held) in self.pairs.chunks(CHUNK).zip(self.held.chunks_mut(CHUNK)) {
-            let mut turned = 0_u64;
-            for (&pair, &is_held) in pairs.iter().zip(held.iter()) {
-                turned = turned >> 1 | u64::from(boxes.overlap(pair) ^ is_held) << (CHUNK - 1);
-            }
-            turned >>= CHUNK - pairs.len();
-            while turned != 0 {
-                let i = turned.trailing_zeros() as usize;
-                turned &= turned - 1;
-                held[i] = !held[i];
-                self.held_count = report_turn(pairs[i], held[i], self.held_count, report);
-            }
+        ask_each(pairs.len(), bits, |range| {
+            let all = pairs[range.clone()].iter().zip(&held[range]);
+            gather(all, |(&pair, &is_held)| boxes.overlap(pair) ^ is_held)
+        });
+        for i in ones(bits) {
+            held[i] = !held[i];
+            *held_count = report_turn(pairs[i], held[i], *held_count, report);
         }
     }
 
@@ -257,27 +252,23 @@ impl Candidates {
         let last = picked.len() - 1;
         // A candidate that is gone has no such slot; any word will do for it.
         let is_picked = |slot: u32| picked[(slot as usize / 64).min(last)] >> (slot % 64) & 1;
-        for start in (0..self.pairs.len()).step_by(CHUNK) {
-            let chunk = &self.pairs[start..self.pairs.len().min(start + CHUNK)];
-            let mut due = 0_u64;
-            for &[a, b] in chunk {
-                due = due >> 1 | (is_picked(a) | is_picked(b)) << (CHUNK - 1);
+        let mut bits = std::mem::take(&mut self.bits);
+        let pairs = &self.pairs;
+        ask_each(pairs.len(), &mut bits, |range| {
+            gather(&pairs[range], |&[a, b]| is_picked(a) | is_picked(b) == 1)
+        });
+        for i in ones(&bits) {
+            let pair = self.pairs[i];
+            if pair[0] == GONE {
+                continue;
             }
-            due >>= CHUNK - chunk.len();
-            while due != 0 {
-                let i = start + due.trailing_zeros() as usize;
-                due &= due - 1;
-                let pair = self.pairs[i];
-                if pair[0] == GONE {
-                    continue;
-                }
-                if dropped.contains(pair[0]) | dropped.contains(pair[1]) {
-                    self.drop_at(i, boxes, report);
-                } else {
-                    self.refresh_at(i, boxes, report);
-                }
+            if dropped.contains(pair[0]) | dropped.contains(pair[1]) {
+                self.drop_at(i, boxes, report);
+            } else {
+                self.refresh_at(i, boxes, report);
             }
         }
+        self.bits = bits;
         for &slot in moved {
             picked[slot as usize / 64] = 0;
         }
@@ -290,13 +281,14 @@ impl Candidates {
         boxes: &Boxes<R, D>,
         report: &mut impl FnMut(PairChange),
     ) {
-        if self.held[i] {
-            self.held[i] = false;
-            self.held_count -= 1;
-            report_end(self.pairs[i], boxes, report);
-        }
-        self.pairs[i] = [GONE; 2];
+        let pair = std::mem::replace(&mut self.pairs[i], [GONE; 2]);
         self.gone_count += 1;
+        if std::mem::take(&mut self.held[i]) {
+            self.held_count -= 1;
+            if ends(pair, boxes) {
+                report(PairChange::Deleted(pair));
+            }
+        }
     }
 
     fn refresh_at<R: Real, const D: usize>(
@@ -435,17 +427,23 @@ impl Links {
     }
 }
 
-/// Reports the end of a pair that was held, unless its boxes still overlap, for then it will be found again. The
-/// pairs of removed proxies, which have no box before either, end without a word.
+/// Whether a held pair whose candidate is dropped ends: not if its boxes still overlap, for then it will be found
+/// again. The pairs of removed proxies, which have no box before either, do not end but are forgotten without a word.
 #[inline(always)]
-fn report_end<R: Real, const D: usize>(
-    pair: [u32; 2],
-    boxes: &Boxes<R, D>,
-    report: &mut impl FnMut(PairChange),
-) {
-    if !boxes.overlap(pair) && boxes.overlapped(pair) {
-        report(PairChange::Deleted(pair));
-    }
+fn ends<R: Real, const D: usize>(pair: [u32; 2], boxes: &Boxes<R, D>) -> bool {
+    !boxes.overlap(pair) & boxes.overlapped(pair)
+}
+
+/// The answers for up to 64 items, the first one lowest. Without a branch, for answers are as good as random.
+#[inline(always)]
+fn gather<T>(
+    items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,
+    ask: impl Fn(T) -> bool,
+) -> u64 {
+    let items = items.into_iter();
+    let unused = 64 - items.len();
+    let word = items.fold(0, |word, item| word >> 1 | u64::from(ask(item)) << 63);
+    word >> unused
 }
 
 /// Reports that a candidate is now held, or no longer, and returns the number of held ones after that.

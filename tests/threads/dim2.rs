@@ -1,0 +1,7 @@
+//! The test for rapier2d.
+
+use rapier2d as rapier;
+use unisize::rapier2d::UnisizeBroadPhase;
+
+#[path = "suite.rs"]
+mod suite;

@@ -1,0 +1,7 @@
+//! The test for rapier3d.
+
+use rapier3d as rapier;
+use unisize::rapier3d::UnisizeBroadPhase;
+
+#[path = "suite.rs"]
+mod suite;

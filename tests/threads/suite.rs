@@ -1,0 +1,89 @@
+//! Many colliders that move, come, go and are spoilt, with one thread and with three: one source for both dimensions.
+
+use super::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+use oorandom::Rand32;
+
+/// Enough for every part of the work to be shared.
+const COUNT: u32 = 20_000;
+
+const UPDATES: usize = 30;
+
+/// Whether a pair was added, and the two colliders.
+type Change = (bool, [ColliderHandle; 2]);
+
+fn change(event: &BroadPhasePairEvent) -> Change {
+    let (is_added, pair) = match event {
+        BroadPhasePairEvent::AddPair(pair) => (true, pair),
+        BroadPhasePairEvent::DeletePair(pair) => (false, pair),
+    };
+    (is_added, [pair.collider1, pair.collider2])
+}
+
+/// The events of each update of a world that depends on nothing but chance.
+fn events(threads: usize) -> Vec<Vec<Change>> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.expect("there are threads to be had");
+    let mut random = Rand32::new(7);
+    let side = (f64::from(COUNT) * 2.0).powf(1.0 / DIM as f64) as Real;
+    let params = IntegrationParameters::default();
+    let mut bodies = RigidBodySet::new();
+    let mut colliders = ColliderSet::new();
+    let mut broad_phase = UnisizeBroadPhase::new();
+    let (mut listed, mut removed) = (Vec::new(), Vec::new());
+    let somewhere = |random: &mut Rand32| Vector::from_fn(|_, _| random.rand_float() * side);
+    let mut velocities = Vec::new();
+    for _ in 0..COUNT {
+        let place = somewhere(&mut random);
+        let collider = ColliderBuilder::ball(0.5).translation(place);
+        let body = bodies.insert(RigidBodyBuilder::dynamic());
+        listed.push(colliders.insert_with_parent(collider, body, &mut bodies));
+        colliders[listed[listed.len() - 1]].set_translation(place);
+        velocities.push(Vector::from_fn(|_, _| 0.1 * (random.rand_float() - 0.5)));
+    }
+    // In no order, as the islands of Rapier list them.
+    for i in (1..listed.len()).rev() {
+        let other = random.rand_range(0..i as u32 + 1) as usize;
+        listed.swap(i, other);
+    }
+    let mut all = Vec::new();
+    for update in 0..UPDATES {
+        let mut events = Vec::new();
+        pool.install(|| {
+            broad_phase.update(&params, &colliders, &bodies, &listed, &removed, &mut events);
+        });
+        all.push(events.iter().map(change).collect());
+        removed.clear();
+        for (i, handle) in listed.iter_mut().enumerate() {
+            let collider = &mut colliders[*handle];
+            let place = collider.translation() + velocities[i];
+            match random.rand_range(0..2000) {
+                0 => collider.set_translation(Vector::repeat(Real::NAN)),
+                1 | 2 => collider.set_translation(somewhere(&mut random)),
+                3 => collider.set_enabled(update % 2 == 0),
+                4 => {
+                    let parent = collider.parent().expect("each has a body");
+                    let mut islands = IslandManager::new();
+                    colliders.remove(*handle, &mut islands, &mut bodies, false);
+                    removed.push(*handle);
+                    let collider = ColliderBuilder::ball(0.5);
+                    *handle = colliders.insert_with_parent(collider, parent, &mut bodies);
+                }
+                _ => collider.set_translation(place),
+            }
+        }
+    }
+    broad_phase.validate();
+    assert!(broad_phase.stats().refused > 0 && broad_phase.stats().pairs > 1000);
+    all
+}
+
+#[test]
+fn events_are_the_same_in_the_same_order() {
+    let expected = events(1);
+    for threads in [2, 3] {
+        for (update, (found, expected)) in events(threads).iter().zip(&expected).enumerate() {
+            assert!(found == expected, "update {update} with {threads} threads");
+        }
+    }
+}
