@@ -28,7 +28,7 @@ pub(crate) fn ask_each(
         *word = ask(64 * i..items.min(64 * (i + 1)));
     };
     #[cfg(feature = "parallel")]
-    if items >= WORTH_A_THREAD {
+    if items >= WORTH_A_THREAD && threads() > 1 {
         use rayon::prelude::*;
         let words = bits.par_iter_mut().enumerate();
         words.with_min_len(WORTH_A_THREAD / 64 / 4).for_each(answer);
@@ -52,7 +52,7 @@ pub(crate) fn ones(bits: &[u64]) -> impl Iterator<Item = usize> + '_ {
 /// Calls `work` with each part.
 pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
     #[cfg(feature = "parallel")]
-    if parts.len() > 1 {
+    if parts.len() > 1 && threads() > 1 {
         use rayon::prelude::*;
         parts.par_iter_mut().with_max_len(1).for_each(work);
         return;

@@ -155,12 +155,12 @@ impl Candidates {
             words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
         );
         *held_count += ones(bits).count();
-        ask_each(found.len(), bits, |range| {
-            gather(&found[range], |&pair| {
-                boxes.overlap(pair) & !boxes.overlapped(pair)
-            })
-        });
-        ones(bits).for_each(|i| report(PairChange::Added(found[i])));
+        // Few of those that are held were not before.
+        for i in ones(bits) {
+            if !boxes.overlapped(found[i]) {
+                report(PairChange::Added(found[i]));
+            }
+        }
     }
 
     /// Brings all candidates up to date with the present boxes, and drops those of the `dropped`, which
