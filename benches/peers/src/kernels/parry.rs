@@ -1,0 +1,110 @@
+//! Parry's bounding volume hierarchy by itself, without what Rapier's broad phase does around it: one source,
+//! compiled once in each dimension.
+//!
+//! Two ways to use it: a new tree for each frame, as for boxes out of nowhere; and a tree that is kept, whose
+//! leaves are moved. All trees are traversed against themselves.
+
+use super::parry;
+use crate::kernels::contender::{Family, Kernel, Setting};
+use crate::kernels::frame::Frame;
+use anyhow::Result;
+use parry::bounding_volume::Aabb;
+use parry::math::{DIM, Point};
+use parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+
+/// A tree built for each frame, and a tree that is kept, each in the best of several ways.
+pub(crate) fn families() -> Vec<Family<DIM>> {
+    let setting = |(name, upkeep)| Setting::new(name, move || Ok(Tree::new(upkeep)));
+    let built = [
+        ("binned", Upkeep::Build(BvhBuildStrategy::Binned)),
+        ("PLOC", Upkeep::Build(BvhBuildStrategy::Ploc)),
+    ];
+    let kept = [
+        ("refit", Upkeep::Refit),
+        ("optimized and refit", Upkeep::OptimizeAndRefit),
+        ("rebuilt, binned", Upkeep::Rebuild(BvhBuildStrategy::Binned)),
+    ];
+    vec![
+        Family::new("Parry Bvh, new", built.map(setting)),
+        Family::new("Parry Bvh, kept", kept.map(setting)),
+    ]
+}
+
+/// What is done to the tree before it is traversed.
+#[derive(Clone, Copy)]
+enum Upkeep {
+    /// It is thrown away and built anew.
+    Build(BvhBuildStrategy),
+    /// Its leaves are moved and its inner nodes are fitted to them.
+    Refit,
+    /// The same, after some subtrees were rebuilt, others in each frame: what Rapier does.
+    OptimizeAndRefit,
+    /// Its leaves are moved and its inner nodes are built anew, in the same memory.
+    Rebuild(BvhBuildStrategy),
+}
+
+struct Tree {
+    upkeep: Upkeep,
+    tree: Bvh,
+    workspace: BvhWorkspace,
+    pairs: Vec<[u32; 2]>,
+}
+
+impl Tree {
+    fn new(upkeep: Upkeep) -> Self {
+        Self {
+            upkeep,
+            tree: Bvh::new(),
+            workspace: BvhWorkspace::default(),
+            pairs: Vec::new(),
+        }
+    }
+}
+
+fn aabb(&[mins, maxs]: &[[f32; DIM]; 2]) -> Aabb {
+    Aabb::new(Point::from(mins), Point::from(maxs))
+}
+
+fn move_leaves(tree: &mut Bvh, corners: &[[[f32; DIM]; 2]]) {
+    for (index, corners) in corners.iter().enumerate() {
+        // Without a margin: the boxes are to be these very ones.
+        tree.insert_or_update_partially(aabb(corners), index as u32, 0.0);
+    }
+}
+
+impl Kernel<DIM> for Tree {
+    fn find_pairs(&mut self, frame: &Frame<DIM>) -> Result<()> {
+        let (corners, tree, workspace) = (&frame.corners, &mut self.tree, &mut self.workspace);
+        let build = |strategy| {
+            let leaves = corners.iter().map(aabb).enumerate();
+            Bvh::from_iter(strategy, leaves)
+        };
+        match self.upkeep {
+            Upkeep::Build(strategy) => *tree = build(strategy),
+            _ if tree.is_empty() => *tree = build(BvhBuildStrategy::Binned),
+            Upkeep::Refit => {
+                move_leaves(tree, corners);
+                tree.refit(workspace);
+            }
+            Upkeep::OptimizeAndRefit => {
+                move_leaves(tree, corners);
+                tree.optimize_incremental(workspace);
+                tree.refit(workspace);
+            }
+            Upkeep::Rebuild(strategy) => {
+                move_leaves(tree, corners);
+                tree.rebuild(workspace, strategy);
+                // Puts the nodes into the order in which they are visited.
+                tree.refit(workspace);
+            }
+        }
+        let pairs = &mut self.pairs;
+        pairs.clear();
+        tree.traverse_bvtt_single_tree::<false>(workspace, &mut |a, b| pairs.push([a, b]));
+        Ok(())
+    }
+
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
+    }
+}
