@@ -3,12 +3,17 @@
 //! The boxes drift on by a frame between any two measurements. Contenders take turns of some frames each, in
 //! one order and then in the other, so that none is always first, and each finds its own memory in the caches.
 
+#[cfg(feature = "box_intersect_ze")]
+mod box_intersect_ze;
+mod broccoli;
 mod cgal;
 mod contender;
 mod frame;
 mod ours;
 mod parry2;
 mod parry3;
+mod rstar;
+mod zelll;
 
 use crate::pair_set::PairSet;
 use crate::progress::Progress;
@@ -69,6 +74,8 @@ fn families_2d() -> Vec<Family<2>> {
     let mut families = ours::families(usize::MAX);
     families.extend(cgal::families());
     families.extend(parry2::families());
+    families.push(broccoli::family());
+    families.extend(others());
     families
 }
 
@@ -77,7 +84,21 @@ fn families_3d() -> Vec<Family<3>> {
     let mut families = ours::families(1 << 17);
     families.extend(cgal::families());
     families.extend(parry3::families());
+    families.extend(others());
     families
+}
+
+/// Those that are the same in every dimension.
+fn others<const D: usize>() -> Vec<Family<D>>
+where
+    [f32; D]: ::rstar::Point<Scalar = f32>,
+{
+    vec![
+        rstar::family(),
+        zelll::family(),
+        #[cfg(feature = "box_intersect_ze")]
+        box_intersect_ze::family(),
+    ]
 }
 
 fn measure_case<const D: usize>(

@@ -24,27 +24,11 @@ pub(crate) struct Row {
     pub(crate) worst_ms: f64,
     /// The pairs of the last frame.
     pub(crate) pairs: usize,
-    /// Its time in that of unisize's own in this case: above 1, unisize is faster. Of the medians for kernels,
-    /// of the means for updates.
+    /// Its mean in that of unisize's own in this case: above 1, unisize is faster.
     pub(crate) ratio: f64,
 }
 
 impl Row {
-    /// The time that counts. Every frame is the same work for a kernel, so whatever is above the median is
-    /// noise; in a broad phase over time, frames differ, and the expensive ones belong to it.
-    pub(crate) fn time(&self) -> f64 {
-        if self.subject == "kernels" {
-            self.median_ms
-        } else {
-            self.mean_ms
-        }
-    }
-
-    /// Whether both are of the same case.
-    pub(crate) fn is_beside(&self, other: &Self) -> bool {
-        self.is_in_series_with(other) && self.count == other.count
-    }
-
     /// Whether both are of the same case but for the number of boxes.
     pub(crate) fn is_in_series_with(&self, other: &Self) -> bool {
         self.subject == other.subject
@@ -56,9 +40,9 @@ impl Row {
 
 /// Sets the ratios of the rows of one case, of which the first is unisize's own.
 pub(crate) fn set_ratios(rows: &mut [Row]) {
-    let ours = rows.first().map_or(f64::NAN, Row::time);
+    let ours = rows.first().map_or(f64::NAN, |row| row.mean_ms);
     for row in rows {
-        row.ratio = row.time() / ours;
+        row.ratio = row.mean_ms / ours;
     }
 }
 

@@ -12,7 +12,7 @@ pub(crate) fn print(rows: &[Row]) {
 fn print_one(rows: &[Row]) {
     let Some(first) = rows.first() else { return };
     let figure = match first.subject {
-        "kernels" => "milliseconds (median) and ratio to unisize",
+        "kernels" => "milliseconds (mean) and ratio to unisize",
         _ => "milliseconds (mean / worst frame), ratio of means to unisize and held pairs",
     };
     let motion = if first.motion.is_empty() {
@@ -57,7 +57,7 @@ fn cell(row: &Row) -> String {
             "" => String::new(),
             setting => format!(" ({setting})"),
         };
-        return format!("{} {ratio}{setting}", significant(row.median_ms));
+        return format!("{} {ratio}{setting}", significant(row.mean_ms));
     }
     format!(
         "{} / {} {ratio}, {}",

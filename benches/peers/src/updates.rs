@@ -18,9 +18,6 @@ use choreography::Choreography;
 use motion::Motion;
 use peer::{Entry, Peer};
 
-/// The trees go on being mended for some frames after the first.
-const FRAMES_TO_SETTLE: usize = 5;
-
 /// Turns of each broad phase in a case.
 const ROUNDS: usize = 4;
 
@@ -34,6 +31,9 @@ const EFFORTS: [(usize, usize); 5] = [
 ];
 
 const QUICK_EFFORTS: [(usize, usize); 2] = [(100, 50), (10_000, 5)];
+
+/// The number for the motion that goes on for long: with more, it would take minutes.
+const LONG_COUNT: usize = 10_000;
 
 /// The number for an update that learns of nothing: it hardly depends on it.
 const NOTHING_COUNT: usize = 1 << 17;
@@ -60,6 +60,7 @@ fn measure_in<const D: usize>(
                     // Fewer than one in so many would be no other case than one in as many as there are.
                     Motion::OneIn(stride) => count >= stride,
                     Motion::InMargin => true,
+                    Motion::AllForLong => count == LONG_COUNT && !quick,
                     Motion::Nothing => count == NOTHING_COUNT,
                 };
                 if is_wanted {
@@ -112,7 +113,7 @@ fn contend<const D: usize>(
             peer: (entry.create)(start.centers(), start.motion().stride()),
             times: Times::default(),
         };
-        contender.run(FRAMES_TO_SETTLE);
+        contender.run(start.motion().frames_to_settle());
         contender.times = Times::default();
         contender
     };

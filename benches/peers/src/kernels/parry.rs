@@ -11,6 +11,7 @@ use anyhow::Result;
 use parry::bounding_volume::Aabb;
 use parry::math::{DIM, Point};
 use parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+use std::borrow::Cow;
 
 /// A tree built for each frame, and a tree that is kept, each in the best of several ways.
 pub(crate) fn families() -> Vec<Family<DIM>> {
@@ -22,13 +23,17 @@ pub(crate) fn families() -> Vec<Family<DIM>> {
     let kept = [
         ("refit", Upkeep::Refit),
         ("optimized and refit", Upkeep::OptimizeAndRefit),
-        ("rebuilt, binned", Upkeep::Rebuild(BvhBuildStrategy::Binned)),
+        ("rebuilt each frame", Upkeep::RebuildOneIn(1)),
+        ("rebuilt one frame in 8", Upkeep::RebuildOneIn(PERIOD)),
     ];
-    vec![
-        Family::new("Parry Bvh, new", built.map(setting)),
-        Family::new("Parry Bvh, kept", kept.map(setting)),
-    ]
+    let built = Family::new("Parry Bvh, new", built.map(setting));
+    let mut kept = Family::new("Parry Bvh, kept", kept.map(setting));
+    kept.least_trial_frames = PERIOD;
+    vec![built, kept]
 }
+
+/// Frames between two rebuilds, where not every frame has one.
+const PERIOD: usize = 8;
 
 /// What is done to the tree before it is traversed.
 #[derive(Clone, Copy)]
@@ -39,12 +44,14 @@ enum Upkeep {
     Refit,
     /// The same, after some subtrees were rebuilt, others in each frame: what Rapier does.
     OptimizeAndRefit,
-    /// Its leaves are moved and its inner nodes are built anew, in the same memory.
-    Rebuild(BvhBuildStrategy),
+    /// Its leaves are moved and its inner nodes are built anew, in the same memory, in one of so many frames; in
+    /// the others they are fitted.
+    RebuildOneIn(usize),
 }
 
 struct Tree {
     upkeep: Upkeep,
+    frame: usize,
     tree: Bvh,
     workspace: BvhWorkspace,
     pairs: Vec<[u32; 2]>,
@@ -54,6 +61,7 @@ impl Tree {
     fn new(upkeep: Upkeep) -> Self {
         Self {
             upkeep,
+            frame: 0,
             tree: Bvh::new(),
             workspace: BvhWorkspace::default(),
             pairs: Vec::new(),
@@ -91,20 +99,23 @@ impl Kernel<DIM> for Tree {
                 tree.optimize_incremental(workspace);
                 tree.refit(workspace);
             }
-            Upkeep::Rebuild(strategy) => {
+            Upkeep::RebuildOneIn(period) => {
                 move_leaves(tree, corners);
-                tree.rebuild(workspace, strategy);
+                if self.frame % period == 0 {
+                    tree.rebuild(workspace, BvhBuildStrategy::Binned);
+                }
                 // Puts the nodes into the order in which they are visited.
                 tree.refit(workspace);
             }
         }
+        self.frame += 1;
         let pairs = &mut self.pairs;
         pairs.clear();
         tree.traverse_bvtt_single_tree::<false>(workspace, &mut |a, b| pairs.push([a, b]));
         Ok(())
     }
 
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
+    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
+        Cow::Borrowed(&self.pairs)
     }
 }

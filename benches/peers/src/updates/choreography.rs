@@ -47,6 +47,10 @@ impl<const D: usize> Choreography<D> {
                 self.boxes.advance();
                 (stride, 0.0)
             }
+            Motion::AllForLong => {
+                self.boxes.advance();
+                (1, 0.0)
+            }
             // The first frame takes boxes out of their place, for only then do they get a margin.
             Motion::InMargin => (1, LEAP + NUDGE * (self.frame % 2) as f32),
             Motion::Nothing => return,
