@@ -12,6 +12,8 @@ mod frame;
 mod ours;
 mod parry2;
 mod parry3;
+#[cfg(feature = "physx")]
+mod physx;
 mod rstar;
 mod zelll;
 
@@ -34,10 +36,13 @@ struct Effort {
 
 const EFFORTS: [Effort; 4] = [
     effort(1 << 10, 20, 4, 100),
-    effort(1 << 14, 10, 4, 25),
-    effort(1 << 17, 5, 4, 6),
-    effort(1 << 20, 2, 2, 2),
+    effort(1 << 14, 10, 4, 24),
+    effort(1 << 17, 5, 4, 8),
+    effort(1 << 20, 1, 2, 2),
 ];
+
+/// Beyond this, a case takes more than a minute, and only the higher density is measured.
+const SPARSE_MAX_COUNT: usize = 1 << 17;
 
 const QUICK_EFFORTS: [Effort; 2] = [effort(1 << 10, 5, 2, 10), effort(1 << 14, 3, 2, 4)];
 
@@ -53,18 +58,34 @@ const fn effort(count: usize, trial_frames: usize, rounds: usize, frames_a_round
 /// Measures every library in two and three dimensions.
 pub(crate) fn measure(quick: bool, progress: &Progress) -> Result<Vec<Row>> {
     let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
-    let densities = if quick { 1 } else { 2 };
-    progress.expect(2 * densities * efforts.len());
-    let mut rows = Vec::new();
-    for density in &[0.8, 0.2][..densities] {
-        for effort in efforts {
-            rows.extend(measure_case(&families_2d(), *density, effort, progress)?);
-        }
+    let mut rows = measure_in(&families_2d(), [0.8, 0.2], efforts, quick, progress)?;
+    rows.extend(measure_in(
+        &families_3d(),
+        [0.4, 0.1],
+        efforts,
+        quick,
+        progress,
+    )?);
+    Ok(rows)
+}
+
+fn measure_in<const D: usize>(
+    families: &[Family<D>],
+    [dense, sparse]: [f64; 2],
+    efforts: &[Effort],
+    quick: bool,
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let mut cases: Vec<_> = efforts.iter().map(|effort| (dense, effort)).collect();
+    if !quick {
+        let is_quick_enough = |effort: &&Effort| effort.count <= SPARSE_MAX_COUNT;
+        let sparse_efforts = efforts.iter().filter(is_quick_enough);
+        cases.extend(sparse_efforts.map(|effort| (sparse, effort)));
     }
-    for density in &[0.4, 0.1][..densities] {
-        for effort in efforts {
-            rows.extend(measure_case(&families_3d(), *density, effort, progress)?);
-        }
+    progress.expect(cases.len());
+    let mut rows = Vec::new();
+    for (density, effort) in cases {
+        rows.extend(measure_case(families, density, effort, progress)?);
     }
     Ok(rows)
 }
@@ -93,12 +114,16 @@ fn others<const D: usize>() -> Vec<Family<D>>
 where
     [f32; D]: ::rstar::Point<Scalar = f32>,
 {
-    vec![
-        rstar::family(),
-        zelll::family(),
-        #[cfg(feature = "box_intersect_ze")]
-        box_intersect_ze::family(),
-    ]
+    #[cfg_attr(
+        not(any(feature = "box_intersect_ze", feature = "physx")),
+        expect(unused_mut)
+    )]
+    let mut families = vec![rstar::family(), zelll::family()];
+    #[cfg(feature = "box_intersect_ze")]
+    families.push(box_intersect_ze::family());
+    #[cfg(feature = "physx")]
+    families.extend(physx::families());
+    families
 }
 
 fn measure_case<const D: usize>(

@@ -44,7 +44,7 @@ pub(crate) struct Family<const D: usize> {
     /// With more boxes, a frame takes seconds.
     pub(crate) max_count: usize,
     /// Its frames differ, and only so many together tell its time.
-    pub(crate) least_trial_frames: usize,
+    pub(crate) least_frames: usize,
 }
 
 impl<const D: usize> Family<D> {
@@ -53,10 +53,13 @@ impl<const D: usize> Family<D> {
             name,
             settings: settings.into_iter().collect(),
             max_count: usize::MAX,
-            least_trial_frames: 0,
+            least_frames: 1,
         }
     }
 }
+
+/// A setting is tried no longer if its first frame, which also allocates, takes so much more than the best.
+const HOPELESS: f64 = 3.0;
 
 /// A family at its best setting, with boxes of its own that drift on, the same for all contenders.
 pub(crate) struct Contender<const D: usize> {
@@ -64,6 +67,7 @@ pub(crate) struct Contender<const D: usize> {
     setting: String,
     kernel: Box<dyn Kernel<D>>,
     boxes: DriftingBoxes<D>,
+    least_frames: usize,
     times: Times,
 }
 
@@ -84,12 +88,19 @@ impl<const D: usize> Contender<D> {
                 setting: setting.name.clone(),
                 kernel: (setting.create)()?,
                 boxes: boxes.clone(),
+                least_frames: family.least_frames,
                 times: Times::default(),
             };
             frame.show(&contender.boxes);
+            let start = Instant::now();
             contender.kernel.find_pairs(frame)?;
+            let first_ms = start.elapsed().as_secs_f64() * 1e3;
             contender.check(expected)?;
-            contender.run(frames.max(family.least_trial_frames), frame)?;
+            let is_hopeless = |best: &Self| first_ms > HOPELESS * best.times.mean();
+            if family.least_frames <= 1 && best.as_ref().is_some_and(is_hopeless) {
+                continue;
+            }
+            contender.run(frames, frame)?;
             let is_better = |best: &Self| contender.times.mean() < best.times.mean();
             if best.as_ref().is_none_or(is_better) {
                 best = Some(contender);
@@ -102,9 +113,9 @@ impl<const D: usize> Contender<D> {
         Ok(best)
     }
 
-    /// Measures so many frames, each after the boxes have drifted on.
+    /// Measures so many frames, or as many as the family needs, each after the boxes have drifted on.
     pub(crate) fn run(&mut self, frames: usize, frame: &mut Frame<D>) -> Result<()> {
-        for _ in 0..frames {
+        for _ in 0..frames.max(self.least_frames) {
             self.boxes.advance();
             frame.show(&self.boxes);
             let start = Instant::now();
