@@ -13,7 +13,7 @@ use panel::{Panel, Ranges};
 use plotters::prelude::*;
 use std::path::{Path, PathBuf};
 
-const PANEL_SIZE: (u32, u32) = (380, 340);
+const PANEL_SIZE: (u32, u32) = (420, 380);
 const TITLE_HEIGHT: u32 = 40;
 const LEGEND_ROW_HEIGHT: u32 = 22;
 

@@ -35,16 +35,16 @@ struct Effort {
 }
 
 const EFFORTS: [Effort; 4] = [
-    effort(1 << 10, 20, 4, 100),
-    effort(1 << 14, 10, 4, 24),
-    effort(1 << 17, 5, 4, 8),
-    effort(1 << 20, 1, 2, 2),
+    effort(1 << 10, 20, 5, 80),
+    effort(1 << 14, 10, 5, 16),
+    effort(1 << 17, 5, 5, 6),
+    effort(1 << 20, 1, 3, 1),
 ];
 
 /// Beyond this, a case takes more than a minute, and only the higher density is measured.
 const SPARSE_MAX_COUNT: usize = 1 << 17;
 
-const QUICK_EFFORTS: [Effort; 2] = [effort(1 << 10, 5, 2, 10), effort(1 << 14, 3, 2, 4)];
+const QUICK_EFFORTS: [Effort; 2] = [effort(1 << 10, 5, 3, 10), effort(1 << 14, 3, 3, 3)];
 
 const fn effort(count: usize, trial_frames: usize, rounds: usize, frames_a_round: usize) -> Effort {
     Effort {

@@ -19,12 +19,14 @@ pub(crate) struct Row {
     /// The setting that was best, of those that were tried.
     pub(crate) setting: String,
     pub(crate) frames: usize,
+    /// The mean of the median turn.
+    pub(crate) typical_ms: f64,
+    /// The mean of all frames, held up or not.
     pub(crate) mean_ms: f64,
-    pub(crate) median_ms: f64,
     pub(crate) worst_ms: f64,
     /// The pairs of the last frame.
     pub(crate) pairs: usize,
-    /// Its mean in that of unisize's own in this case: above 1, unisize is faster.
+    /// Its typical time in that of unisize's own in this case: above 1, unisize is faster.
     pub(crate) ratio: f64,
 }
 
@@ -40,9 +42,9 @@ impl Row {
 
 /// Sets the ratios of the rows of one case, of which the first is unisize's own.
 pub(crate) fn set_ratios(rows: &mut [Row]) {
-    let ours = rows.first().map_or(f64::NAN, |row| row.mean_ms);
+    let ours = rows.first().map_or(f64::NAN, |row| row.typical_ms);
     for row in rows {
-        row.ratio = row.mean_ms / ours;
+        row.ratio = row.typical_ms / ours;
     }
 }
 

@@ -12,8 +12,8 @@ pub(crate) fn print(rows: &[Row]) {
 fn print_one(rows: &[Row]) {
     let Some(first) = rows.first() else { return };
     let figure = match first.subject {
-        "kernels" => "milliseconds (mean) and ratio to unisize",
-        _ => "milliseconds (mean / worst frame), ratio of means to unisize and held pairs",
+        "kernels" => "milliseconds and ratio to unisize",
+        _ => "milliseconds (mean / worst frame), ratio to unisize and held pairs",
     };
     let motion = if first.motion.is_empty() {
         String::new()
@@ -57,11 +57,11 @@ fn cell(row: &Row) -> String {
             "" => String::new(),
             setting => format!(" ({setting})"),
         };
-        return format!("{} {ratio}{setting}", significant(row.mean_ms));
+        return format!("{} {ratio}{setting}", significant(row.typical_ms));
     }
     format!(
         "{} / {} {ratio}, {}",
-        significant(row.mean_ms),
+        significant(row.typical_ms),
         significant(row.worst_ms),
         row.pairs
     )

@@ -5,10 +5,11 @@ use super::panel::Panel;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// Colours that can be told apart by most; the first is this repository's own.
+/// For what is of this repository.
+const OUR_COLORS: [RGBColor; 2] = [RGBColor(213, 0, 0), RGBColor(240, 130, 110)];
+
+/// For all others, such as most can tell apart.
 const COLORS: [RGBColor; 10] = [
-    RGBColor(213, 0, 0),
-    RGBColor(240, 130, 110),
     RGBColor(0, 90, 181),
     RGBColor(80, 170, 230),
     RGBColor(0, 130, 80),
@@ -16,10 +17,12 @@ const COLORS: [RGBColor; 10] = [
     RGBColor(120, 60, 160),
     RGBColor(200, 140, 0),
     RGBColor(60, 60, 60),
-    RGBColor(150, 150, 150),
+    RGBColor(160, 160, 160),
+    RGBColor(225, 70, 180),
+    RGBColor(240, 160, 215),
 ];
 
-const ENTRY_WIDTH: u32 = 190;
+const ENTRY_WIDTH: u32 = 200;
 
 /// The contenders in the order of the legend.
 pub(super) struct Legend(Vec<&'static str>);
@@ -40,9 +43,14 @@ impl Legend {
     }
 
     /// How the contender with this index is drawn.
-    pub(super) fn style(index: usize) -> ShapeStyle {
-        let width = if index == 0 { 4 } else { 2 };
-        COLORS[index % COLORS.len()].stroke_width(width)
+    pub(super) fn style(&self, index: usize) -> ShapeStyle {
+        let is_ours = |name: &&str| name.starts_with("unisize");
+        let ours = self.0.iter().take_while(|name| is_ours(name)).count();
+        let color = match index.checked_sub(ours) {
+            None => OUR_COLORS[index % OUR_COLORS.len()],
+            Some(index) => COLORS[index % COLORS.len()],
+        };
+        color.stroke_width(if index == 0 { 4 } else { 2 })
     }
 
     /// The radius of its marks.
@@ -67,7 +75,7 @@ impl Legend {
             let (row, column) = (index as u32 / entries_a_row, index as u32 % entries_a_row);
             let x = (column * ENTRY_WIDTH) as i32 + 16;
             let y = (row * LEGEND_ROW_HEIGHT + LEGEND_ROW_HEIGHT / 2) as i32;
-            let style = Self::style(index);
+            let style = self.style(index);
             area.draw(&PathElement::new([(x, y), (x + 24, y)], style))?;
             area.draw(&Circle::new(
                 (x + 12, y),

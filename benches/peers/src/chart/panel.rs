@@ -71,7 +71,7 @@ impl Ranges {
 }
 
 fn nanoseconds_a_box(row: &Row) -> f64 {
-    row.mean_ms * 1e6 / row.count as f64
+    row.typical_ms * 1e6 / row.count as f64
 }
 
 impl Panel<'_> {
@@ -98,8 +98,8 @@ impl Panel<'_> {
             .axis_desc_style(("sans-serif", 14))
             .x_desc("n")
             .y_desc("nanoseconds a box")
-            .x_label_formatter(&|&count| plain(count))
-            .y_label_formatter(&|&time| plain(time))
+            .x_label_formatter(&|&count| label(count, &[1]))
+            .y_label_formatter(&|&time| label(time, &[1, 2, 5]))
             .draw()?;
         // This repository's own last, above all others.
         for (index, contender) in legend.contenders().iter().enumerate().rev() {
@@ -107,7 +107,7 @@ impl Panel<'_> {
             let points: Vec<_> = rows
                 .map(|row| (row.count as f64, nanoseconds_a_box(row)))
                 .collect();
-            let style = Legend::style(index);
+            let style = legend.style(index);
             chart.draw_series(LineSeries::new(points.iter().copied(), style))?;
             let mark = |&point| Circle::new(point, Legend::radius(index), style.filled());
             chart.draw_series(points.iter().map(mark))?;
@@ -116,18 +116,36 @@ impl Panel<'_> {
     }
 }
 
-/// A number in full, with commas.
-fn plain(number: f64) -> String {
-    if number < 10.0 {
-        return format!("{number}");
+/// A number in full, with commas, if it is one of these digits and zeros: others have no room.
+fn label(number: f64, digits: &[u32]) -> String {
+    let text = format!("{number}");
+    let significant = text.trim_matches(['0', '.']);
+    if !digits.iter().any(|digit| significant == digit.to_string()) {
+        return String::new();
     }
-    let digits = format!("{number:.0}");
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            text.push(',');
+    if number < 1000.0 {
+        return text;
+    }
+    let mut with_commas = String::new();
+    for (i, digit) in text.chars().enumerate() {
+        if i > 0 && (text.len() - i) % 3 == 0 {
+            with_commas.push(',');
         }
-        text.push(digit);
+        with_commas.push(digit);
     }
-    text
+    with_commas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn round_numbers_have_labels_and_others_have_none() {
+        assert_eq!(label(1e6, &[1]), "1,000,000");
+        assert_eq!(label(200.0, &[1, 2]), "200");
+        assert_eq!(label(0.5, &[5]), "0.5");
+        assert_eq!(label(2e4, &[1]), "");
+        assert_eq!(label(1200.0, &[1, 2]), "");
+    }
 }

@@ -58,8 +58,11 @@ impl<const D: usize> Family<D> {
     }
 }
 
-/// A setting is tried no longer if its first frame, which also allocates, takes so much more than the best.
+/// A setting is tried no longer if its first frame takes so much more than the best setting's frames.
 const HOPELESS: f64 = 3.0;
+
+/// Milliseconds of a first frame below which a setting is tried in any case: allocation may be most of it.
+const WORTH_TRYING_MS: f64 = 50.0;
 
 /// A family at its best setting, with boxes of its own that drift on, the same for all contenders.
 pub(crate) struct Contender<const D: usize> {
@@ -96,12 +99,13 @@ impl<const D: usize> Contender<D> {
             contender.kernel.find_pairs(frame)?;
             let first_ms = start.elapsed().as_secs_f64() * 1e3;
             contender.check(expected)?;
-            let is_hopeless = |best: &Self| first_ms > HOPELESS * best.times.mean();
+            let limit_ms = |best: &Self| (HOPELESS * best.times.typical()).max(WORTH_TRYING_MS);
+            let is_hopeless = |best: &Self| first_ms > limit_ms(best);
             if family.least_frames <= 1 && best.as_ref().is_some_and(is_hopeless) {
                 continue;
             }
             contender.run(frames, frame)?;
-            let is_better = |best: &Self| contender.times.mean() < best.times.mean();
+            let is_better = |best: &Self| contender.times.typical() < best.times.typical();
             if best.as_ref().is_none_or(is_better) {
                 best = Some(contender);
             }
@@ -113,9 +117,10 @@ impl<const D: usize> Contender<D> {
         Ok(best)
     }
 
-    /// Measures so many frames, or as many as the family needs, each after the boxes have drifted on.
+    /// Measures so many frames, or a few more if the family needs them, each after the boxes have drifted on.
     pub(crate) fn run(&mut self, frames: usize, frame: &mut Frame<D>) -> Result<()> {
-        for _ in 0..frames.max(self.least_frames) {
+        self.times.begin_turn();
+        for _ in 0..frames.next_multiple_of(self.least_frames) {
             self.boxes.advance();
             frame.show(&self.boxes);
             let start = Instant::now();
@@ -150,8 +155,8 @@ impl<const D: usize> Contender<D> {
             contender: self.name,
             setting: self.setting.clone(),
             frames: self.times.count(),
+            typical_ms: self.times.typical(),
             mean_ms: self.times.mean(),
-            median_ms: self.times.median(),
             worst_ms: self.times.worst(),
             pairs: self.kernel.pairs().len(),
             ratio: f64::NAN,

@@ -27,7 +27,7 @@ pub(crate) fn families() -> Vec<Family<DIM>> {
             Upkeep::RebuildOneIn(frames),
         )
     };
-    let kept = [1, 4, 8, MAX_PERIOD].map(period);
+    let kept = [4, 8, MAX_PERIOD].map(period);
     let built = Family::new("Parry Bvh, new", built.map(setting));
     let mut kept = Family::new("Parry Bvh, kept", kept.map(setting));
     kept.least_frames = MAX_PERIOD;
@@ -91,7 +91,7 @@ impl Kernel<DIM> for Tree {
             _ if tree.is_empty() => *tree = build(BvhBuildStrategy::Binned),
             Upkeep::RebuildOneIn(period) => {
                 move_leaves(tree, corners);
-                if self.frame % period == 0 {
+                if self.frame.is_multiple_of(period) {
                     tree.rebuild(workspace, BvhBuildStrategy::Binned);
                 }
                 // Puts the nodes into the order in which they are visited.
