@@ -3,7 +3,7 @@
 fn main() {
     let source = "cpp/cgal.cpp";
     println!("cargo::rerun-if-changed={source}");
-    cc::Build::new()
+    let compiled = cc::Build::new()
         .cpp(true)
         .std("c++17")
         .opt_level(3)
@@ -11,5 +11,9 @@ fn main() {
         .file(source)
         // Headers of others.
         .warnings(false)
-        .compile("peers_cgal");
+        .try_compile("peers_cgal");
+    if let Err(error) = compiled {
+        println!("cargo::error={error}");
+        println!("cargo::error=Is CGAL there? On Debian: apt-get install g++ libcgal-dev");
+    }
 }

@@ -1,7 +1,7 @@
 //! broccoli, in two dimensions only: a kd-tree over boxes, with a sweep and prune in each node.
 //!
-//! Boxes are closed there as well. They lie in the tree by value with their index, the layout that its
-//! documentation has as the fastest for small contents. Its one setting is the height of the tree.
+//! Boxes are closed there as well. They lie in the tree by value, with their index. The one setting is the
+//! height of the tree.
 
 use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
