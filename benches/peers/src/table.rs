@@ -57,11 +57,11 @@ fn cell(row: &Row) -> String {
             "" => String::new(),
             setting => format!(" ({setting})"),
         };
-        return format!("{} {ratio}{setting}", significant(row.typical_ms));
+        return format!("{} {ratio}{setting}", significant(row.time_ms()));
     }
     format!(
         "{} / {} {ratio}, {}",
-        significant(row.typical_ms),
+        significant(row.time_ms()),
         significant(row.worst_ms),
         row.pairs
     )

@@ -25,7 +25,7 @@ impl Times {
 
     /// The median turn's mean, in milliseconds; 0 if there are no frames.
     ///
-    /// A mean, because frames differ and the slow ones count; of the median turn, because a frame that something
+    /// A mean, because frames may differ and the slow ones count; of the median turn, because a frame that something
     /// else on the machine has held up says nothing, and can be a hundred times as long as the others.
     pub(crate) fn typical(&self) -> f64 {
         let mut means: Vec<_> = self.0.iter().map(|turn| mean(turn)).collect();

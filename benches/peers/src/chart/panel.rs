@@ -71,7 +71,7 @@ impl Ranges {
 }
 
 fn nanoseconds_a_box(row: &Row) -> f64 {
-    row.typical_ms * 1e6 / row.count as f64
+    row.time_ms() * 1e6 / row.count as f64
 }
 
 impl Panel<'_> {
