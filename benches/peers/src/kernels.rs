@@ -1,0 +1,174 @@
+//! All overlapping pairs of n boxes of one size, by every library that can find them.
+//!
+//! The boxes drift on by a frame between any two measurements. Contenders take turns of some frames each, in
+//! one order and then in the other, so that none is always first, and each finds its own memory in the caches.
+
+#[cfg(feature = "box_intersect_ze")]
+mod box_intersect_ze;
+mod broccoli;
+mod cgal;
+mod contender;
+mod frame;
+mod ours;
+mod parry2;
+mod parry3;
+#[cfg(feature = "physx")]
+mod physx;
+mod rstar;
+mod zelll;
+
+use crate::pair_set::PairSet;
+use crate::progress::Progress;
+use crate::row::{self, Row};
+use anyhow::{Context, Result};
+use contender::{Contender, Family};
+use frame::Frame;
+use unisize_scenes::DriftingBoxes;
+
+/// How long one number of boxes is measured.
+struct Effort {
+    count: usize,
+    /// Frames for each setting of a library, to find the best one.
+    trial_frames: usize,
+    rounds: usize,
+    frames_a_round: usize,
+}
+
+const EFFORTS: [Effort; 4] = [
+    effort(1 << 10, 20, 5, 80),
+    effort(1 << 14, 10, 5, 16),
+    effort(1 << 17, 5, 5, 6),
+    effort(1 << 20, 1, 3, 1),
+];
+
+/// Beyond this, a case takes more than a minute, and only the higher density is measured.
+const SPARSE_MAX_COUNT: usize = 1 << 17;
+
+const QUICK_EFFORTS: [Effort; 2] = [effort(1 << 10, 5, 3, 10), effort(1 << 14, 3, 3, 3)];
+
+const fn effort(count: usize, trial_frames: usize, rounds: usize, frames_a_round: usize) -> Effort {
+    Effort {
+        count,
+        trial_frames,
+        rounds,
+        frames_a_round,
+    }
+}
+
+/// Measures every library in two and three dimensions.
+pub(crate) fn measure(quick: bool, progress: &Progress) -> Result<Vec<Row>> {
+    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
+    let mut rows = measure_in(&families_2d(), [0.8, 0.2], efforts, quick, progress)?;
+    rows.extend(measure_in(
+        &families_3d(),
+        [0.4, 0.1],
+        efforts,
+        quick,
+        progress,
+    )?);
+    Ok(rows)
+}
+
+fn measure_in<const D: usize>(
+    families: &[Family<D>],
+    [dense, sparse]: [f64; 2],
+    efforts: &[Effort],
+    quick: bool,
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let mut cases: Vec<_> = efforts.iter().map(|effort| (dense, effort)).collect();
+    if !quick {
+        let is_quick_enough = |effort: &&Effort| effort.count <= SPARSE_MAX_COUNT;
+        let sparse_efforts = efforts.iter().filter(is_quick_enough);
+        cases.extend(sparse_efforts.map(|effort| (sparse, effort)));
+    }
+    progress.expect(cases.len());
+    let mut rows = Vec::new();
+    for (density, effort) in cases {
+        rows.extend(measure_case(families, density, effort, progress)?);
+    }
+    Ok(rows)
+}
+
+/// Every library in two dimensions, that of this repository first.
+fn families_2d() -> Vec<Family<2>> {
+    let mut families = ours::families(usize::MAX);
+    families.extend(cgal::families());
+    families.extend(parry2::families());
+    families.push(broccoli::family());
+    families.extend(others());
+    families
+}
+
+/// Every library in three dimensions, that of this repository first.
+fn families_3d() -> Vec<Family<3>> {
+    let mut families = ours::families(1 << 17);
+    families.extend(cgal::families());
+    families.extend(parry3::families());
+    families.extend(others());
+    families
+}
+
+/// Those that are the same in every dimension.
+fn others<const D: usize>() -> Vec<Family<D>>
+where
+    [f32; D]: ::rstar::Point<Scalar = f32>,
+{
+    #[cfg_attr(
+        not(any(feature = "box_intersect_ze", feature = "physx")),
+        expect(unused_mut)
+    )]
+    let mut families = vec![rstar::family(), zelll::family()];
+    #[cfg(feature = "box_intersect_ze")]
+    families.push(box_intersect_ze::family());
+    #[cfg(feature = "physx")]
+    families.extend(physx::families());
+    families
+}
+
+fn measure_case<const D: usize>(
+    families: &[Family<D>],
+    density: f64,
+    effort: &Effort,
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let case = format!("kernels, {D}D, density {density}, n = {}", effort.count);
+    progress.begin(case.clone());
+    let rows = contend(families, density, effort).context(case)?;
+    progress.end();
+    Ok(rows)
+}
+
+fn contend<const D: usize>(
+    families: &[Family<D>],
+    density: f64,
+    effort: &Effort,
+) -> Result<Vec<Row>> {
+    let boxes = DriftingBoxes::new(effort.count, density, 7);
+    let mut frame = Frame::new();
+    frame.show(&boxes);
+    let expected = PairSet::of_boxes(&frame.boxes)?;
+
+    let mut contenders = Vec::new();
+    for family in families {
+        if effort.count <= family.max_count {
+            let trial_frames = effort.trial_frames;
+            let best = Contender::best_of(family, &boxes, &expected, trial_frames, &mut frame)?;
+            contenders.push(best);
+        }
+    }
+    for round in 0..effort.rounds {
+        let run = |contender: &mut Contender<D>| contender.run(effort.frames_a_round, &mut frame);
+        if round % 2 == 0 {
+            contenders.iter_mut().try_for_each(run)?;
+        } else {
+            contenders.iter_mut().rev().try_for_each(run)?;
+        }
+    }
+    for contender in &contenders {
+        contender.check_last(&mut frame)?;
+    }
+    let mut rows: Vec<_> = contenders.iter().map(|c| c.row(density)).collect();
+    row::set_ratios(&mut rows);
+    Ok(rows)
+}

@@ -1,0 +1,165 @@
+//! One library in one case: its best setting is searched for, then measured.
+
+use super::frame::Frame;
+use crate::pair_set::PairSet;
+use crate::row::Row;
+use crate::times::Times;
+use anyhow::{Result, bail};
+use std::borrow::Cow;
+use std::hint::black_box;
+use std::time::Instant;
+use unisize_scenes::DriftingBoxes;
+
+/// Something that finds all overlapping pairs of boxes.
+pub(crate) trait Kernel<const D: usize> {
+    /// Finds the pairs of these boxes, and keeps them as a list: all of this is timed.
+    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()>;
+
+    /// The pairs found, each once, in any order. Not timed: a list of another type may be converted here.
+    fn pairs(&self) -> Cow<'_, [[u32; 2]]>;
+}
+
+/// A way to set a kernel up. It has no name if there is no other.
+pub(crate) struct Setting<const D: usize> {
+    pub(crate) name: String,
+    pub(crate) create: Box<dyn Fn() -> Result<Box<dyn Kernel<D>>>>,
+}
+
+impl<const D: usize> Setting<D> {
+    pub(crate) fn new<K: Kernel<D> + 'static>(
+        name: impl ToString,
+        create: impl Fn() -> Result<K> + 'static,
+    ) -> Self {
+        Self {
+            name: name.to_string(),
+            create: Box::new(move || Ok(Box::new(create()?))),
+        }
+    }
+}
+
+/// A library, with all settings worth trying.
+pub(crate) struct Family<const D: usize> {
+    pub(crate) name: &'static str,
+    pub(crate) settings: Vec<Setting<D>>,
+    /// With more boxes, a frame takes seconds.
+    pub(crate) max_count: usize,
+    /// Its frames differ, and only so many together tell its time.
+    pub(crate) least_frames: usize,
+}
+
+impl<const D: usize> Family<D> {
+    pub(crate) fn new(name: &'static str, settings: impl IntoIterator<Item = Setting<D>>) -> Self {
+        Self {
+            name,
+            settings: settings.into_iter().collect(),
+            max_count: usize::MAX,
+            least_frames: 1,
+        }
+    }
+}
+
+/// A setting is tried no longer if its first frame takes so much more than the best setting's frames.
+const HOPELESS: f64 = 3.0;
+
+/// Milliseconds of a first frame below which a setting is tried in any case: allocation may be most of it.
+const WORTH_TRYING_MS: f64 = 50.0;
+
+/// A family at its best setting, with boxes of its own that drift on, the same for all contenders.
+pub(crate) struct Contender<const D: usize> {
+    name: &'static str,
+    setting: String,
+    kernel: Box<dyn Kernel<D>>,
+    boxes: DriftingBoxes<D>,
+    least_frames: usize,
+    times: Times,
+}
+
+impl<const D: usize> Contender<D> {
+    /// Tries every setting on so many frames, and keeps the one with the best mean. On the first frame,
+    /// every one is compared with the oracle.
+    pub(crate) fn best_of(
+        family: &Family<D>,
+        boxes: &DriftingBoxes<D>,
+        expected: &PairSet,
+        frames: usize,
+        frame: &mut Frame<D>,
+    ) -> Result<Self> {
+        let mut best: Option<Self> = None;
+        for setting in &family.settings {
+            let mut contender = Self {
+                name: family.name,
+                setting: setting.name.clone(),
+                kernel: (setting.create)()?,
+                boxes: boxes.clone(),
+                least_frames: family.least_frames,
+                times: Times::default(),
+            };
+            frame.show(&contender.boxes);
+            let start = Instant::now();
+            contender.kernel.find_pairs(frame)?;
+            let first_ms = start.elapsed().as_secs_f64() * 1e3;
+            contender.check(expected)?;
+            let limit_ms = |best: &Self| (HOPELESS * best.times.typical()).max(WORTH_TRYING_MS);
+            let is_hopeless = |best: &Self| first_ms > limit_ms(best);
+            if family.least_frames <= 1 && best.as_ref().is_some_and(is_hopeless) {
+                continue;
+            }
+            contender.run(frames, frame)?;
+            let is_better = |best: &Self| contender.times.typical() < best.times.typical();
+            if best.as_ref().is_none_or(is_better) {
+                best = Some(contender);
+            }
+        }
+        let Some(mut best) = best else {
+            bail!("{} has no settings", family.name);
+        };
+        best.times = Times::default();
+        Ok(best)
+    }
+
+    /// Measures so many frames, or a few more if the family needs them, each after the boxes have drifted on.
+    pub(crate) fn run(&mut self, frames: usize, frame: &mut Frame<D>) -> Result<()> {
+        self.times.begin_turn();
+        for _ in 0..frames.next_multiple_of(self.least_frames) {
+            self.boxes.advance();
+            frame.show(&self.boxes);
+            let start = Instant::now();
+            self.kernel.find_pairs(black_box(frame))?;
+            self.times.push(start.elapsed());
+            black_box(&self.kernel);
+        }
+        Ok(())
+    }
+
+    /// Compares the pairs of the last frame with the oracle's.
+    pub(crate) fn check_last(&self, frame: &mut Frame<D>) -> Result<()> {
+        frame.show(&self.boxes);
+        self.check(&PairSet::of_boxes(&frame.boxes)?)
+    }
+
+    fn check(&self, expected: &PairSet) -> Result<()> {
+        let found = PairSet::new(self.kernel.pairs().iter().copied());
+        if let Some(difference) = found.difference(expected) {
+            bail!("{} ({}) found {difference}", self.name, self.setting);
+        }
+        Ok(())
+    }
+
+    pub(crate) fn row(&self, density: f64) -> Row {
+        Row {
+            subject: "kernels",
+            dimension: D,
+            density,
+            motion: String::new(),
+            count: self.boxes.mins().len(),
+            contender: self.name,
+            setting: self.setting.clone(),
+            frames: self.times.count(),
+            typical_ms: self.times.typical(),
+            mean_ms: self.times.mean(),
+            worst_ms: self.times.worst(),
+            pairs: self.kernel.pairs().len(),
+            ratio: f64::NAN,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! zelll: cell lists, made for particles, not boxes.
+//!
+//! Boxes of one size overlap only if their lower corners lie no farther apart than that size on each axis. So
+//! the corners are the particles, the cells are a little larger than the boxes, and every pair of corners in
+//! neighbouring cells is compared box with box. With boxes of different sizes it would not work at all.
+
+use super::contender::{Family, Kernel, Setting};
+use super::frame::Frame;
+use anyhow::Result;
+use std::borrow::Cow;
+use unisize_scenes::DriftingBoxes;
+use zelll::{CellGrid, ParticleLike};
+
+/// Sides of a cell in sides of a box. The first is as small as rounding allows: the upper corners of these
+/// boxes are rounded, and so is the number of a cell.
+const CELL_SIZES: [f32; 3] = [1.001, 1.5, 2.0];
+
+/// zelll at its best size of a cell.
+pub(crate) fn family<const D: usize>() -> Family<D> {
+    let setting = |size| {
+        Setting::new(format!("cells of {size}"), move || {
+            Ok(Zelll {
+                cutoff: size * DriftingBoxes::<D>::SIZE,
+                grid: None,
+                pairs: Vec::new(),
+            })
+        })
+    };
+    Family::new("zelll", CELL_SIZES.map(setting))
+}
+
+#[derive(Clone, Copy)]
+struct Particle<const D: usize> {
+    corners: [[f32; D]; 2],
+    index: u32,
+}
+
+impl<const D: usize> Default for Particle<D> {
+    fn default() -> Self {
+        Self {
+            corners: [[0.0; D]; 2],
+            index: 0,
+        }
+    }
+}
+
+impl<const D: usize> ParticleLike<[f32; D]> for Particle<D> {
+    fn coords(&self) -> [f32; D] {
+        self.corners[0]
+    }
+}
+
+impl<const D: usize> Particle<D> {
+    fn overlaps(&self, other: &Self) -> bool {
+        let ([a_mins, a_maxs], [b_mins, b_maxs]) = (&self.corners, &other.corners);
+        let mut overlaps = true;
+        for k in 0..D {
+            overlaps &= (a_mins[k] <= b_maxs[k]) & (b_mins[k] <= a_maxs[k]);
+        }
+        overlaps
+    }
+}
+
+struct Zelll<const D: usize> {
+    cutoff: f32,
+    grid: Option<CellGrid<Particle<D>, D, f32>>,
+    pairs: Vec<[u32; 2]>,
+}
+
+impl<const D: usize> Kernel<D> for Zelll<D> {
+    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
+        let particle = |(index, &corners): (usize, &[[f32; D]; 2])| Particle {
+            corners,
+            index: index as u32,
+        };
+        let particles = frame.corners.iter().enumerate().map(particle);
+        match &mut self.grid {
+            Some(grid) => grid.rebuild_mut(particles, None),
+            none => *none = Some(CellGrid::new(particles, self.cutoff)),
+        }
+        self.pairs.clear();
+        for (a, b) in self.grid.iter().flat_map(CellGrid::particle_pairs) {
+            if a.overlaps(b) {
+                self.pairs.push([a.index, b.index]);
+            }
+        }
+        Ok(())
+    }
+
+    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
+        Cow::Borrowed(&self.pairs)
+    }
+}

@@ -1,0 +1,175 @@
+//! Broad phases over time: what one update takes after some of the colliders have moved.
+//!
+//! Every broad phase has a world of its own with the same colliders, which are moved outside of the timing.
+//! They take turns of some frames each, in one order and then in the other, so that none is always first.
+
+mod choreography;
+mod dim2;
+mod dim3;
+mod motion;
+mod peer;
+
+use crate::pair_set::PairSet;
+use crate::progress::Progress;
+use crate::row::{self, Row};
+use crate::times::Times;
+use anyhow::{Context, Result, bail};
+use choreography::Choreography;
+use motion::Motion;
+use peer::{Entry, Peer};
+
+/// Turns of each broad phase in a case.
+const ROUNDS: usize = 5;
+
+/// Numbers of colliders, and frames in a turn.
+const EFFORTS: [(usize, usize); 5] = [
+    (10, 400),
+    (100, 200),
+    (1_000, 80),
+    (10_000, 24),
+    (1 << 17, 12),
+];
+
+const QUICK_EFFORTS: [(usize, usize); 2] = [(100, 50), (10_000, 5)];
+
+/// The number for the motion that goes on for long: with more, it would take minutes.
+const LONG_COUNT: usize = 10_000;
+
+/// The number for an update that learns of nothing: it hardly depends on it.
+const NOTHING_COUNT: usize = 1 << 17;
+
+/// Measures every broad phase in two and three dimensions.
+pub(crate) fn measure(quick: bool, progress: &Progress) -> Result<Vec<Row>> {
+    let mut rows = measure_in(&dim2::ENTRIES, [0.8, 0.2], quick, progress)?;
+    rows.extend(measure_in(&dim3::ENTRIES, [0.4, 0.1], quick, progress)?);
+    Ok(rows)
+}
+
+fn measure_in<const D: usize>(
+    entries: &[Entry<D>],
+    densities: [f64; 2],
+    quick: bool,
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
+    let mut cases = Vec::new();
+    for &density in &densities[..if quick { 1 } else { 2 }] {
+        for motion in Motion::ALL {
+            for &(count, frames) in efforts {
+                let is_wanted = match motion {
+                    // Fewer than one in so many would be no other case than one in as many as there are.
+                    Motion::OneIn(stride) => count >= stride,
+                    Motion::InMargin => true,
+                    Motion::AllForLong => count == LONG_COUNT && !quick,
+                    Motion::Nothing => count == NOTHING_COUNT,
+                };
+                if is_wanted {
+                    cases.push((density, motion, count, frames));
+                }
+            }
+        }
+    }
+    progress.expect(cases.len());
+    let mut rows = Vec::new();
+    for (density, motion, count, frames) in cases {
+        let case = format!("updates, {D}D, density {density}, {motion}, n = {count}");
+        progress.begin(case.clone());
+        let start = Choreography::new(count, density, motion);
+        let of_case = contend(entries, &start, density, frames).context(case)?;
+        rows.extend(of_case);
+        progress.end();
+    }
+    Ok(rows)
+}
+
+/// One broad phase in one case.
+struct Contender<const D: usize> {
+    name: &'static str,
+    choreography: Choreography<D>,
+    peer: Box<dyn Peer<D>>,
+    times: Times,
+}
+
+impl<const D: usize> Contender<D> {
+    fn run(&mut self, frames: usize) {
+        self.times.begin_turn();
+        for _ in 0..frames {
+            self.choreography.advance();
+            self.peer.place(self.choreography.centers());
+            self.times.push(self.peer.update());
+        }
+    }
+}
+
+fn contend<const D: usize>(
+    entries: &[Entry<D>],
+    start: &Choreography<D>,
+    density: f64,
+    frames_a_round: usize,
+) -> Result<Vec<Row>> {
+    let enter = |entry: &Entry<D>| {
+        let mut contender = Contender {
+            name: entry.name,
+            choreography: start.clone(),
+            peer: (entry.create)(start.centers(), start.motion().stride()),
+            times: Times::default(),
+        };
+        contender.run(start.motion().frames_to_settle());
+        contender.times = Times::default();
+        contender
+    };
+    let mut contenders: Vec<_> = entries.iter().map(enter).collect();
+    for round in 0..ROUNDS {
+        let run = |contender: &mut Contender<D>| contender.run(frames_a_round);
+        if round % 2 == 0 {
+            contenders.iter_mut().for_each(run);
+        } else {
+            contenders.iter_mut().rev().for_each(run);
+        }
+    }
+
+    let held: Vec<_> = contenders.iter().map(|c| c.peer.held_pairs()).collect();
+    check(&contenders, &held)?;
+    let row = |(contender, held): (&Contender<D>, &PairSet)| Row {
+        subject: "updates",
+        dimension: D,
+        density,
+        motion: start.motion().to_string(),
+        count: start.centers().len(),
+        contender: contender.name,
+        setting: String::new(),
+        frames: contender.times.count(),
+        typical_ms: contender.times.typical(),
+        mean_ms: contender.times.mean(),
+        worst_ms: contender.times.worst(),
+        pairs: held.len(),
+        ratio: f64::NAN,
+    };
+    let mut rows: Vec<_> = contenders.iter().zip(&held).map(row).collect();
+    row::set_ratios(&mut rows);
+    Ok(rows)
+}
+
+/// Every broad phase must hold every pair of colliders that overlap, and may hold more: each has margins of its
+/// own. The first two have the same, and must hold the same.
+fn check<const D: usize>(contenders: &[Contender<D>], held: &[PairSet]) -> Result<()> {
+    for (contender, held) in contenders.iter().zip(held) {
+        let overlapping = PairSet::of_boxes(&contender.choreography.boxes())?;
+        let missing = overlapping.missing_in(held);
+        if missing > 0 {
+            bail!(
+                "{} does not hold {missing} pairs that overlap",
+                contender.name
+            );
+        }
+    }
+    let [ours, default, ..] = held else {
+        return Ok(());
+    };
+    match ours.difference(default) {
+        Some(difference) => {
+            bail!("unisize and the broad phase that it replaces hold different pairs: {difference}")
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,77 @@
+//! Where the colliders are in each frame.
+
+use super::motion::Motion;
+use unisize::Aabb;
+use unisize_scenes::DriftingBoxes;
+
+/// So much farther than any margin that every box is renewed.
+const LEAP: f32 = 0.1;
+
+/// Half of the smallest margin, which is 0.01 in Rapier 0.27.
+const NUDGE: f32 = 0.005;
+
+/// Cubes of side 1 that drift about, or those of them that do. Equal arguments make equal frames.
+#[derive(Clone)]
+pub(crate) struct Choreography<const D: usize> {
+    boxes: DriftingBoxes<D>,
+    motion: Motion,
+    frame: usize,
+    centers: Vec<[f32; D]>,
+}
+
+impl<const D: usize> Choreography<D> {
+    /// Before the first frame.
+    pub(crate) fn new(count: usize, density: f64, motion: Motion) -> Self {
+        let boxes = DriftingBoxes::new(count, density, 7);
+        let centers = boxes.mins().iter().map(center).collect();
+        Self {
+            boxes,
+            motion,
+            frame: 0,
+            centers,
+        }
+    }
+
+    pub(crate) fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    pub(crate) fn centers(&self) -> &[[f32; D]] {
+        &self.centers
+    }
+
+    /// On to the next frame. Those that are not listed stay where they were.
+    pub(crate) fn advance(&mut self) {
+        let (stride, offset) = match self.motion {
+            Motion::OneIn(stride) => {
+                self.boxes.advance();
+                (stride, 0.0)
+            }
+            Motion::AllForLong => {
+                self.boxes.advance();
+                (1, 0.0)
+            }
+            // The first frame takes boxes out of their place, for only then do they get a margin.
+            Motion::InMargin => (1, LEAP + NUDGE * (self.frame % 2) as f32),
+            Motion::Nothing => return,
+        };
+        self.frame += 1;
+        let places = self.centers.iter_mut().zip(self.boxes.mins());
+        for (place, min) in places.step_by(stride) {
+            *place = center(min);
+            place[0] += offset;
+        }
+    }
+
+    /// The boxes themselves, without any margin.
+    pub(crate) fn boxes(&self) -> Vec<Aabb<f32, D>> {
+        let half = DriftingBoxes::<D>::SIZE / 2.0;
+        let around =
+            |&center: &[f32; D]| Aabb::new(center.map(|x| x - half), center.map(|x| x + half));
+        self.centers.iter().map(around).collect()
+    }
+}
+
+fn center<const D: usize>(min: &[f32; D]) -> [f32; D] {
+    min.map(|x| x + DriftingBoxes::<D>::SIZE / 2.0)
+}

@@ -1,0 +1,10 @@
+//! rapier3d 0.27.
+
+use rapier3d as rapier;
+use unisize::rapier3d as ours;
+
+#[path = "../engine/v027.rs"]
+mod engine;
+#[path = "../engine/world.rs"]
+mod world;
+pub(super) use engine::{DEFAULT, OURS};

@@ -1,0 +1,34 @@
+//! Rapier 0.27, where the broad phase is a trait that its own hierarchy and unisize implement alike.
+
+use super::ours::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+use super::world::{BroadPhaseOfEngine, Driven, World};
+use crate::updates::peer::Entry;
+
+pub(crate) const OURS: Entry<DIM> = Entry {
+    name: "unisize",
+    create: |centers, stride| Box::new(Driven::new(UnisizeBroadPhase::new(), centers, stride)),
+};
+
+pub(crate) const DEFAULT: Entry<DIM> = Entry {
+    name: "Rapier 0.27, BVH",
+    create: |centers, stride| Box::new(Driven::new(DefaultBroadPhase::new(), centers, stride)),
+};
+
+impl<B: BroadPhase> BroadPhaseOfEngine for B {
+    fn introduce(&mut self, world: &mut World) {
+        BroadPhaseOfEngine::update(self, world);
+    }
+
+    fn update(&mut self, world: &mut World) {
+        BroadPhase::update(
+            self,
+            &world.params,
+            &world.colliders,
+            &world.bodies,
+            &world.listed,
+            &[],
+            &mut world.events,
+        );
+    }
+}

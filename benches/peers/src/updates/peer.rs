@@ -1,0 +1,24 @@
+//! A broad phase with a world of its own, of whichever version of Rapier.
+
+use crate::pair_set::PairSet;
+use std::time::Duration;
+
+pub(crate) trait Peer<const D: usize> {
+    /// Moves the listed colliders to where they are now, given the centres of all.
+    fn place(&mut self, centers: &[[f32; D]]);
+
+    /// How long the broad phase takes to learn of it.
+    fn update(&mut self) -> Duration;
+
+    /// The pairs that it holds, by the events that it has sent.
+    fn held_pairs(&self) -> PairSet;
+}
+
+/// A broad phase that can be created for colliders with given centres, of which one in `stride` is listed
+/// from then on.
+pub(crate) struct Entry<const D: usize> {
+    pub(crate) name: &'static str,
+    pub(crate) create: Create<D>,
+}
+
+type Create<const D: usize> = fn(centers: &[[f32; D]], stride: Option<usize>) -> Box<dyn Peer<D>>;
