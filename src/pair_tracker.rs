@@ -14,12 +14,15 @@ mod slot_set;
 #[cfg(test)]
 mod tests;
 
-use crate::{Aabb, Real};
+use crate::{Aabb, Real, parallel};
 use candidates::{Boxes, Candidates};
 use reach::Horizon;
 use slot_set::SlotSet;
 
 pub(crate) use layers::{Layers, Unlayered};
+
+/// How many proxies a thread is given at a time.
+const PART: usize = 1 << 14;
 
 /// If fewer than one proxy in so many has moved, their candidates are looked for among all candidates.
 const MANY: usize = 3;
@@ -29,13 +32,6 @@ const MANY: usize = 3;
 pub(crate) enum PairChange {
     Added([u32; 2]),
     Deleted([u32; 2]),
-}
-
-/// What is to be noted of a proxy that was moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Placed {
-    /// Whether it has left its reach.
-    pub(crate) is_escaped: bool,
 }
 
 /// The proxies and the pairs they form.
@@ -101,8 +97,10 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             self.grow(index + 1);
         }
         self.boxes[index] = aabb;
-        let is_escaped = !self.reaches[index].contains(&aabb);
-        self.note(slot, Placed { is_escaped });
+        self.moved.push(slot);
+        if !self.reaches[index].contains(&aabb) {
+            self.escaped.insert(slot);
+        }
     }
 
     /// The boxes and the reaches of so many slots at least, to move proxies where they are. Each move is to be
@@ -114,11 +112,10 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         (&mut self.boxes, &self.reaches)
     }
 
-    /// Takes note that a proxy was moved.
-    #[inline(always)]
-    pub(crate) fn note(&mut self, slot: u32, placed: Placed) {
-        self.moved.push(slot);
-        if placed.is_escaped {
+    /// Takes note of proxies that were moved, and of those of them that have left their reach.
+    pub(crate) fn note(&mut self, moved: &[u32], escaped: &[u32]) {
+        self.moved.extend_from_slice(moved);
+        for &slot in escaped {
             self.escaped.insert(slot);
         }
     }
@@ -203,10 +200,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             let pairs_per_proxy = candidates.held_count() as f64 / boxes.len() as f64;
             let escaping = layers.changes_per_update() / boxes.len() as f64;
             horizon.adapt(moved, boxes, previous, pairs_per_proxy, escaping);
-            for &slot in moved.iter() {
-                let i = slot as usize;
-                reaches[i] = horizon.reach(&boxes[i], &previous[i]);
-            }
+            renew_reaches(reaches, &both, moved, *horizon);
             layers.find_all(reaches, found);
             candidates.replace(found, &both, report);
         } else {
@@ -227,8 +221,12 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
 
     /// Makes the present boxes the previous ones.
     fn settle(&mut self) {
-        if self.moved.len() > self.boxes.len() / 4 {
-            self.previous.copy_from_slice(&self.boxes);
+        if self.moved.len() > self.boxes.len() / MANY {
+            let chunks = self.previous.chunks_mut(PART).zip(self.boxes.chunks(PART));
+            let mut parts: Vec<_> = chunks.collect();
+            parallel::for_each(&mut parts, |(previous, boxes)| {
+                previous.copy_from_slice(boxes)
+            });
         } else {
             for &slot in &self.moved {
                 self.previous[slot as usize] = self.boxes[slot as usize];
@@ -267,4 +265,30 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             "the candidates",
         );
     }
+}
+
+/// Gives the moved proxies new reaches.
+fn renew_reaches<R: Real, const D: usize>(
+    reaches: &mut [Aabb<R, D>],
+    boxes: &Boxes<R, D>,
+    moved: &[u32],
+    horizon: Horizon,
+) {
+    if moved.len() < reaches.len() / MANY {
+        for &slot in moved {
+            let i = slot as usize;
+            reaches[i] = horizon.reach(&boxes.now[i], &boxes.before[i]);
+        }
+        return;
+    }
+    let boxes = boxes.now.chunks(PART).zip(boxes.before.chunks(PART));
+    let mut parts: Vec<_> = reaches.chunks_mut(PART).zip(boxes).collect();
+    parallel::for_each(&mut parts, |(reaches, (now, before))| {
+        for (reach, (now, before)) in reaches.iter_mut().zip(now.iter().zip(*before)) {
+            // The others have not moved; or there is no box any more, and that is not equal to itself.
+            if now != before {
+                *reach = horizon.reach(now, before);
+            }
+        }
+    });
 }

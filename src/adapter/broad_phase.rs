@@ -11,7 +11,7 @@ use super::rapier::geometry::{
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
 use super::reading_order::{self, ReadingOrder};
-use super::reading_part::{self, Outcome, ReadingPart};
+use super::reading_part::{self, Findings, ReadingPart};
 use super::{Settings, Stats};
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
 use crate::{Aabb, parallel};
@@ -36,6 +36,9 @@ pub struct UnisizeBroadPhase {
     outlines: Vec<Outline>,
     layers: Layers<Real, DIM>,
     reading_order: ReadingOrder,
+    /// Scratch: listed colliders that are not known, and what has come of reading the parts.
+    strangers: Vec<ColliderHandle>,
+    findings: Vec<Findings>,
     settings: Settings,
     stats: Stats,
     has_warned: bool,
@@ -114,6 +117,8 @@ impl UnisizeBroadPhase {
             outlines: Vec::new(),
             layers: settings.kernel.layers(),
             reading_order: ReadingOrder::default(),
+            strangers: Vec::new(),
+            findings: Vec::new(),
             settings,
             stats: Stats::default(),
             has_warned: false,
@@ -181,24 +186,21 @@ impl UnisizeBroadPhase {
     }
 
     /// Reads listed colliders in the order of their indices.
-    fn read_in_order(&mut self, handles: &[ColliderHandle], world: &World) {
+    fn read_in_order(&mut self, handles: &[ColliderHandle], world: &World, is_shared: bool) {
         let mut order = std::mem::take(&mut self.reading_order);
-        order.reserve(self.generations.len());
-        for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            if self.generations.get(slot as usize) == Some(&Some(generation)) {
-                order.insert(slot);
-            } else {
-                // It is new or unheard of, as few are.
-                self.read(handle, world);
-            }
+        let mut strangers = std::mem::take(&mut self.strangers);
+        order.insert_known(handles, &self.generations, &mut strangers, is_shared);
+        // They are new or unheard of, as few are.
+        for handle in strangers.drain(..) {
+            self.read(handle, world);
         }
-        if handles.len() >= reading_part::WORTH_A_THREAD && parallel::threads() > 1 {
+        if is_shared {
             self.read_in_parts(order.listed(), world);
         } else {
             order.drain().for_each(|slot| self.read_slot(slot, world));
         }
         self.reading_order = order;
+        self.strangers = strangers;
     }
 
     fn read_slot(&mut self, slot: u32, world: &World) {
@@ -214,36 +216,49 @@ impl UnisizeBroadPhase {
         let words = listed.len().div_ceil(4 * parallel::threads()).max(1);
         let slots = 64 * words;
         let (boxes, reaches) = self.tracker.boxes_and_reaches(self.generations.len());
+        let mut findings = std::mem::take(&mut self.findings);
+        findings.resize(listed.len().div_ceil(words), Findings::default());
         let kept = self.generations.chunks(slots);
         let kept = kept.zip(self.outlines.chunks_mut(slots));
         let placed = boxes.chunks_mut(slots).zip(reaches.chunks(slots));
-        let first_slots = (0..).step_by(slots);
-        let mut parts: Vec<_> = first_slots
-            .zip(listed.chunks_mut(words))
+        let listed = listed.chunks_mut(words).zip(&mut findings);
+        let mut parts: Vec<_> = (0..)
+            .step_by(slots)
+            .zip(listed)
             .zip(kept.zip(placed))
             .map(
-                |((first_slot, listed), ((generations, outlines), (boxes, reaches)))| ReadingPart {
+                |((first_slot, (listed, findings)), (kept, placed))| ReadingPart {
                     first_slot,
                     listed,
-                    generations,
-                    outlines,
-                    boxes,
-                    reaches,
-                    outcomes: Vec::new(),
+                    generations: kept.0,
+                    outlines: kept.1,
+                    boxes: placed.0,
+                    reaches: placed.1,
+                    findings,
                 },
             )
             .collect();
         parallel::for_each(&mut parts, |part| part.read(world));
-        let outcomes: Vec<_> = parts.into_iter().map(|part| part.outcomes).collect();
-        for (slot, outcome) in outcomes.into_iter().flatten() {
-            match outcome {
-                Outcome::Placed(placed) => {
-                    self.tracker.note(slot, placed);
-                    self.stats.moved += 1;
-                }
-                Outcome::Left => self.read_slot(slot, world),
+        for Findings {
+            moved,
+            escaped,
+            left,
+        } in &findings
+        {
+            // In the order of the slots, as if each had been read when its turn came.
+            let (mut moved, mut escaped) = (&moved[..], &escaped[..]);
+            for &slot in left {
+                self.note(take_below(&mut moved, slot), take_below(&mut escaped, slot));
+                self.read_slot(slot, world);
             }
+            self.note(moved, escaped);
         }
+        self.findings = findings;
+    }
+
+    fn note(&mut self, moved: &[u32], escaped: &[u32]) {
+        self.stats.moved += moved.len();
+        self.tracker.note(moved, escaped);
     }
 
     /// Brings the proxy of a listed collider up to date.
@@ -389,10 +404,17 @@ impl BroadPhase for UnisizeBroadPhase {
                 self.read(handle, &world);
             }
         } else {
-            self.read_in_order(modified_colliders, &world);
+            self.read_in_order(modified_colliders, &world, is_shared);
         }
         self.report(events);
     }
+}
+
+/// Splits off the slots that are smaller than this one; they ascend.
+fn take_below<'a>(slots: &mut &'a [u32], slot: u32) -> &'a [u32] {
+    let (below, rest) = slots.split_at(slots.partition_point(|&other| other < slot));
+    *slots = rest;
+    below
 }
 
 /// The handles of two slots.

@@ -5,6 +5,7 @@
 //! halves the time of reading them. The order decides nothing else.
 
 use super::rapier::geometry::ColliderHandle;
+use crate::parallel;
 
 /// Up to this many colliders fit the caches in any order.
 const FEW: usize = 256;
@@ -22,15 +23,34 @@ pub(super) struct ReadingOrder {
 }
 
 impl ReadingOrder {
-    /// Makes room for so many slots.
-    pub(super) fn reserve(&mut self, slots: usize) {
-        self.listed.resize(slots.div_ceil(64), 0);
-    }
-
-    /// Adds a slot, of those there is room for.
-    #[inline(always)]
-    pub(super) fn insert(&mut self, slot: u32) {
-        self.listed[slot as usize / 64] |= 1 << (slot % 64);
+    /// Adds the slots of those handles whose generation is the known one, and all others, in their order, to
+    /// `strangers`; with `is_shared`, on several threads.
+    pub(super) fn insert_known(
+        &mut self,
+        handles: &[ColliderHandle],
+        generations: &[Option<u32>],
+        strangers: &mut Vec<ColliderHandle>,
+        is_shared: bool,
+    ) {
+        self.listed.resize(generations.len().div_ceil(64), 0);
+        if !is_shared {
+            insert_known(&mut self.listed, handles, generations, strangers);
+            return;
+        }
+        let words = self.listed.len();
+        let count = parallel::threads();
+        let mut parts: Vec<_> = handles
+            .chunks(handles.len().div_ceil(count).max(1))
+            .map(|handles| (handles, vec![0; words], Vec::new()))
+            .collect();
+        parallel::for_each(&mut parts, |(handles, listed, strangers)| {
+            insert_known(listed, handles, generations, strangers);
+        });
+        for (_, listed, mut others) in parts {
+            let words = self.listed.iter_mut().zip(listed);
+            words.for_each(|(word, more)| *word |= more);
+            strangers.append(&mut others);
+        }
     }
 
     /// The bits, which may be cleared.
@@ -53,22 +73,50 @@ impl ReadingOrder {
     }
 }
 
+fn insert_known(
+    listed: &mut [u64],
+    handles: &[ColliderHandle],
+    generations: &[Option<u32>],
+    strangers: &mut Vec<ColliderHandle>,
+) {
+    for &handle in handles {
+        let (slot, generation) = handle.into_raw_parts();
+        let slot = slot as usize;
+        if generations.get(slot) == Some(&Some(generation)) {
+            listed[slot / 64] |= 1 << (slot % 64);
+        } else {
+            strangers.push(handle);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn slots_are_read_once_and_in_order() {
+    fn slots_are_read_once_and_in_order_and_strangers_are_told_apart() {
         let mut order = ReadingOrder::default();
-        for slots in [0, 1, 64, 1000] {
-            order.reserve(slots as usize);
-            // Shuffled by a multiplication, and every tenth twice.
-            let shuffled = (0..slots).map(|i| i * 37 % slots).filter(|i| i % 3 == 0);
-            let again = (0..slots).step_by(30);
-            shuffled.chain(again).for_each(|slot| order.insert(slot));
-            let expected: Vec<_> = (0..slots).step_by(3).collect();
-            assert!(order.drain().eq(expected));
-            assert_eq!(order.drain().next(), None);
+        for is_shared in [false, true] {
+            for slots in [0_u32, 1, 64, 1000] {
+                let known: Vec<_> = (0..slots).map(|i| (i % 5 != 0).then_some(7)).collect();
+                // Shuffled by a multiplication, and every tenth twice.
+                let shuffled = (0..slots).map(|i| i * 37 % slots);
+                let again = (0..slots).step_by(10);
+                let handles: Vec<_> = shuffled
+                    .chain(again)
+                    .chain([slots, u32::MAX])
+                    .map(|slot| ColliderHandle::from_raw_parts(slot, 7))
+                    .collect();
+                let mut strangers = Vec::new();
+                order.insert_known(&handles, &known, &mut strangers, is_shared);
+                assert!(order.drain().eq((0..slots).filter(|i| i % 5 != 0)));
+                assert_eq!(order.drain().next(), None);
+                let is_stranger = |handle: &&ColliderHandle| {
+                    known.get(handle.into_raw_parts().0 as usize) != Some(&Some(7))
+                };
+                assert!(handles.iter().filter(is_stranger).eq(&strangers));
+            }
         }
     }
 

@@ -9,18 +9,19 @@ use super::outline::Outline;
 use super::rapier::geometry::ColliderHandle;
 use super::rapier::math::{DIM, Real};
 use crate::Aabb;
-use crate::pair_tracker::Placed;
 
 /// Fewer listed colliders than this are not worth a second thread.
 pub(super) const WORTH_A_THREAD: usize = 1 << 12;
 
-/// What has come of a slot that was read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
-    /// Its proxy was moved.
-    Placed(Placed),
-    /// It needs a second look.
-    Left,
+/// What has come of reading a part, by slots in ascending order. Its memory is kept between updates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Findings {
+    /// Those whose proxy was moved.
+    pub(super) moved: Vec<u32>,
+    /// Those of them that have left their reach.
+    pub(super) escaped: Vec<u32>,
+    /// Those that need a second look.
+    pub(super) left: Vec<u32>,
 }
 
 /// A part of the slots, and what is kept under them.
@@ -32,40 +33,49 @@ pub(super) struct ReadingPart<'a> {
     pub(super) outlines: &'a mut [Outline],
     pub(super) boxes: &'a mut [Aabb<Real, DIM>],
     pub(super) reaches: &'a [Aabb<Real, DIM>],
-    /// The slots of which there is something to tell, in order.
-    pub(super) outcomes: Vec<(u32, Outcome)>,
+    pub(super) findings: &'a mut Findings,
 }
 
 impl ReadingPart<'_> {
     /// Reads the listed colliders, and lists them no longer.
     pub(super) fn read(&mut self, world: &World) {
+        let Findings {
+            moved,
+            escaped,
+            left,
+        } = &mut *self.findings;
+        moved.clear();
+        escaped.clear();
+        left.clear();
         for word in 0..self.listed.len() {
             let mut bits = std::mem::take(&mut self.listed[word]);
             while bits != 0 {
                 let i = 64 * word + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                if let Some(outcome) = self.read_one(i, world) {
-                    self.outcomes.push((self.first_slot + i as u32, outcome));
+                // A newer collider may have taken its place since it was listed, and has been read then.
+                let Some(generation) = self.generations[i] else {
+                    continue;
+                };
+                let slot = self.first_slot + i as u32;
+                let handle = ColliderHandle::from_raw_parts(slot, generation);
+                let collider = world.colliders.get(handle);
+                let Some(collider) = collider.filter(|collider| collider.is_enabled()) else {
+                    left.push(slot);
+                    continue;
+                };
+                let aabb = world.collider_box(collider, &mut self.outlines[i]);
+                match world.renewed(&self.boxes[i], &aabb) {
+                    None => {}
+                    Some(None) => left.push(slot),
+                    Some(Some(renewed)) => {
+                        self.boxes[i] = renewed;
+                        moved.push(slot);
+                        if !self.reaches[i].contains(&renewed) {
+                            escaped.push(slot);
+                        }
+                    }
                 }
             }
-        }
-    }
-
-    #[inline(always)]
-    fn read_one(&mut self, i: usize, world: &World) -> Option<Outcome> {
-        let handle =
-            ColliderHandle::from_raw_parts(self.first_slot + i as u32, self.generations[i]?);
-        let Some(collider) = world.colliders.get(handle).filter(|co| co.is_enabled()) else {
-            return Some(Outcome::Left);
-        };
-        let aabb = world.collider_box(collider, &mut self.outlines[i]);
-        match world.renewed(&self.boxes[i], &aabb)? {
-            Some(renewed) => {
-                self.boxes[i] = renewed;
-                let is_escaped = !self.reaches[i].contains(&renewed);
-                Some(Outcome::Placed(Placed { is_escaped }))
-            }
-            None => Some(Outcome::Left),
         }
     }
 }
