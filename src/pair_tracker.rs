@@ -16,7 +16,7 @@ mod tests;
 
 use crate::{Aabb, Real, parallel};
 use candidates::{Boxes, Candidates};
-use reach::Horizon;
+use reach::{Experience, Horizon};
 use slot_set::SlotSet;
 
 pub(crate) use layers::{Layers, Unlayered};
@@ -197,9 +197,14 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         };
         found.clear();
         if layers.is_full_run_due(escaped.slots().len(), boxes.len()) {
-            let pairs_per_proxy = candidates.held_count() as f64 / boxes.len() as f64;
-            let escaping = layers.changes_per_update() / boxes.len() as f64;
-            horizon.adapt(moved, boxes, previous, pairs_per_proxy, escaping);
+            let slots = boxes.len() as f64;
+            let held = candidates.held_count();
+            let experience = Experience {
+                pairs: held as f64 / slots,
+                excess: (candidates.len() - held) as f64 / slots,
+                escaping: layers.changes_per_update() / slots,
+            };
+            horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
             layers.find_all(reaches, found);
             candidates.replace(found, &both, report);

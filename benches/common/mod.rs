@@ -4,8 +4,12 @@ use criterion::Criterion;
 use std::time::Duration;
 
 /// Ten short samples a figure, so that a whole bench takes a few minutes; arguments on the command line
-/// come before this.
+/// come before this. One thread, unless `RAYON_NUM_THREADS` says otherwise.
 pub(crate) fn criterion() -> Criterion {
+    if std::env::var_os("RAYON_NUM_THREADS").is_none() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+        pool.build_global().expect("no pool was made before");
+    }
     Criterion::default()
         .without_plots()
         .sample_size(10)

@@ -35,6 +35,11 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(options.threads);
+    if let Err(error) = threads.build_global() {
+        eprintln!("error: cannot have {} threads: {error}", options.threads);
+        return ExitCode::from(2);
+    }
     let bar = progress_bar(&options);
     let mut report = Report::default();
     for dim in options.dims() {

@@ -37,6 +37,9 @@ pub(super) struct Options {
     /// What finds the pairs in unisize
     #[arg(long, value_enum, default_value = "grid-sweep")]
     pub(super) kernel: Kernel,
+    /// How many threads unisize may use, which only pays for very many bodies; Rapier's has one
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
+    pub(super) threads: usize,
     /// The seed of the scenes' randomness
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,

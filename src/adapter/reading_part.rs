@@ -11,7 +11,7 @@ use super::rapier::math::{DIM, Real};
 use crate::Aabb;
 
 /// Fewer listed colliders than this are not worth a second thread.
-pub(super) const WORTH_A_THREAD: usize = 1 << 12;
+pub(super) const WORTH_A_THREAD: usize = 1 << 14;
 
 /// What has come of reading a part, by slots in ascending order. Its memory is kept between updates.
 #[derive(Clone, Debug, Default)]

@@ -5,15 +5,16 @@
 //! boxes stay inside of their reaches, only the candidates have to be looked at.
 //!
 //! Things keep going where they went: the reach is the box, drawn out in the direction of its last move as far
-//! as it will get in a number of further moves, and by an eighth of that to all sides. A longer horizon means fewer searches
-//! and more candidates. With `c` the cost of comparing one candidate and `K` that of searching for one box, a move
-//! of `v` box sizes and `p` pairs a box, a move costs about `K / h + c · p · (1 + v · h)ᴰ` a box under a horizon of
-//! `h` moves, and is least near `h = √(K / (c · D · p · v))`.
+//! as it will get in a number of further moves, and by an eighth of that to all sides. A longer horizon means fewer
+//! searches and more candidates. If `K` is what searching for one box costs and `c` what comparing one candidate, an
+//! update under a horizon of `h` moves costs about `K / h + c · e(h)` a box, with `e` the candidates a box that are not
+//! held. Those are counted, and grow about as `h` does, so the next horizon is near `√(K / c · h / e(h))`. The first
+//! one goes by a model: with moves of `v` box sizes and `p` pairs a box, `e(h)` is near `p · D · v · h`.
 
 use crate::{Aabb, Real};
 
 /// `K / c`: searching for a box costs about as much as comparing so many candidates.
-const SEARCH_COST: f64 = 12.0;
+const SEARCH_COST: f64 = 16.0;
 
 /// How far the reach goes to all sides, as a part of how far it goes ahead: things never move quite straight.
 const ASIDE: f64 = 0.125;
@@ -22,7 +23,7 @@ const ASIDE: f64 = 0.125;
 const TOO_FAST: f64 = 0.5;
 
 /// The longest horizon: sooner or later things turn.
-const LONGEST: f64 = 48.0;
+const LONGEST: f64 = 64.0;
 
 /// Foresight does not pay if more than this share of all proxies leave their reaches in one update, because they
 /// collide all the time, say.
@@ -45,6 +46,17 @@ pub(crate) struct Horizon {
     paused: u32,
 }
 
+/// What has come of a horizon.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Experience {
+    /// Held pairs a proxy.
+    pub(super) pairs: f64,
+    /// Candidates a proxy that are not held.
+    pub(super) excess: f64,
+    /// The share of all proxies that have left their reaches in each update.
+    pub(super) escaping: f64,
+}
+
 impl Default for Horizon {
     fn default() -> Self {
         Self {
@@ -55,31 +67,31 @@ impl Default for Horizon {
 }
 
 impl Horizon {
-    /// Suits it to these slots, which have moved, to this number of held pairs a proxy, and to the share of all
-    /// proxies that have left their reaches in each of the updates since the last call.
+    /// Suits it to these slots, which have moved, and to what has come of the last one.
     pub(super) fn adapt<R: Real, const D: usize>(
         &mut self,
         moved: &[u32],
         now: &[Aabb<R, D>],
         before: &[Aabb<R, D>],
-        pairs_per_proxy: f64,
-        escaping: f64,
+        experience: Experience,
     ) {
         if self.paused > 0 {
             self.paused -= 1;
-        } else if escaping > TOO_ERRATIC {
+        } else if experience.escaping > TOO_ERRATIC {
             self.paused = PAUSE;
         }
-        if self.paused > 0 {
+        let Some(speed) = mean_speed(moved, now, before) else {
+            return;
+        };
+        if self.paused > 0 || speed > TOO_FAST {
             self.moves = 0.0;
-        } else if let Some(speed) = mean_speed(moved, now, before) {
-            let pairs = pairs_per_proxy.max(0.1);
-            let best = (SEARCH_COST / (D as f64 * pairs * speed)).sqrt();
-            self.moves = if speed < TOO_FAST {
-                best.min(LONGEST)
-            } else {
-                0.0
-            };
+        } else if self.moves > 0.0 && experience.excess > 0.0 {
+            let best = (SEARCH_COST * self.moves / experience.excess).sqrt();
+            // Half way, by ratio, lest it goes to and fro.
+            self.moves = (self.moves * best).sqrt().min(LONGEST);
+        } else {
+            let growth = D as f64 * experience.pairs.max(0.1) * speed;
+            self.moves = (SEARCH_COST / growth).sqrt().min(LONGEST);
         }
     }
 
@@ -207,31 +219,61 @@ mod tests {
         assert!(count > 1000);
     }
 
+    fn adapted(mut horizon: Horizon, step: f32, experience: Experience) -> Horizon {
+        let before: Vec<_> = (0..50).map(|i| at(i as f32, 0.0)).collect();
+        let now: Vec<_> = (0..50).map(|i| at(i as f32 + step, step)).collect();
+        let slots: Vec<_> = (0..50).collect();
+        horizon.adapt(&slots, &now, &before, experience);
+        horizon
+    }
+
     #[test]
     fn the_faster_the_shorter() {
-        let before: Vec<_> = (0..50).map(|i| at(i as f32, 0.0)).collect();
-        let slots: Vec<_> = (0..50).collect();
-        let moves = |step: f32| {
-            let now: Vec<_> = (0..50).map(|i| at(i as f32 + step, step)).collect();
-            let mut horizon = Horizon::default();
-            horizon.adapt(&slots, &now, &before, 1.0, 0.0);
-            horizon.moves
+        let first = |step| {
+            let experience = Experience {
+                pairs: 1.0,
+                ..Experience::default()
+            };
+            adapted(Horizon::default(), step, experience).moves
         };
-        assert_eq!(moves(0.001), LONGEST);
-        assert!(moves(0.05) > moves(0.1) && moves(0.1) > 2.0);
-        assert_eq!(moves(1.5), 0.0);
-        let absent = vec![Aabb::new([f32::NAN; 2], [f32::NAN; 2]); 50];
+        assert_eq!(first(0.001), LONGEST);
+        assert!(first(0.05) > first(0.1) && first(0.1) > 2.0);
+        assert_eq!(first(1.5), 0.0);
+    }
+
+    #[test]
+    fn it_finds_the_best_where_candidates_grow_with_it() {
         let mut horizon = Horizon::default();
-        horizon.adapt(&slots, &before, &absent, 1.0, 0.0);
+        for _ in 0..20 {
+            let experience = Experience {
+                pairs: 1.0,
+                excess: 0.04 * horizon.moves,
+                escaping: 0.0,
+            };
+            horizon = adapted(horizon, 0.05, experience);
+        }
+        assert!((horizon.moves - 20.0).abs() < 0.1, "{horizon:?}");
+    }
+
+    #[test]
+    fn what_is_new_says_nothing() {
+        let now = [at(0.0, 0.0)];
+        let absent = [Aabb::new([f32::NAN; 2], [f32::NAN; 2])];
+        let mut horizon = Horizon::default();
+        horizon.adapt(&[0], &now, &absent, Experience::default());
         assert_eq!(horizon, Horizon::default());
     }
 
     #[test]
     fn there_is_none_for_a_while_where_it_does_not_pay() {
-        let [before, now] = [0.0, 0.1].map(|x| vec![at(x, x)]);
         let mut horizon = Horizon::default();
         let mut adapt = |escaping| {
-            horizon.adapt(&[0], &now, &before, 1.0, escaping);
+            let experience = Experience {
+                pairs: 1.0,
+                escaping,
+                ..Experience::default()
+            };
+            horizon = adapted(horizon, 0.1, experience);
             horizon.moves
         };
         assert!(adapt(0.01) > 0.0);
