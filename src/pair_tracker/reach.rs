@@ -30,7 +30,7 @@ const LONGEST: f64 = 64.0;
 const TOO_ERRATIC: f64 = 0.05;
 
 /// Then there is none for so many full runs.
-const PAUSE: u32 = 32;
+const PAUSE: u32 = 128;
 
 /// How many of the moved are looked at, at most.
 const SAMPLE: usize = 128;
