@@ -37,7 +37,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// boxes of about one size, in two and in three dimensions, but for the logarithm of sorting where boxes are very
 /// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for
 /// larger ones, where many large boxes reach many tubes without touching anything there, or where boxes lie
-/// 10⁸ times their size apart. **O(n + pairs)** memory always.
+/// 10⁸ times their size apart. **O(n + pairs)** memory always, of which some 16 bytes a box for each thread.
 ///
 /// At most 2²⁹ boxes; more are [`InvalidBoxReason::TooMany`].
 ///
@@ -274,6 +274,9 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     fn prepare_lookup(&mut self) {
+        if self.slabs().iter().all(|slab| slab.tubes.is_prepared()) {
+            return;
+        }
         parallel::for_each(&mut self.slabs[..self.slab_count], |slab| {
             slab.tubes.prepare_lookup();
         });

@@ -202,12 +202,22 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             let experience = Experience {
                 pairs: held as f64 / slots,
                 excess: (candidates.len() - held) as f64 / slots,
-                escaping: layers.changes_per_update() / slots,
+                cost: layers.cost_per_update(boxes.len()),
             };
             horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
             layers.find_all(reaches, found);
+            if Horizon::are_too_many(found.len(), boxes.len(), held) {
+                // Perhaps there are as many pairs as that; else this frees what is not needed.
+                horizon.pause();
+                reaches.copy_from_slice(boxes);
+                *found = Vec::new();
+                layers.find_all(reaches, found);
+            }
             candidates.replace(found, &both, report);
+            if found.capacity() / 2 > candidates.len() {
+                *found = Vec::new();
+            }
         } else {
             for &slot in escaped.slots() {
                 let i = slot as usize;
@@ -220,6 +230,11 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                 candidates.refresh_all(escaped, &both, report);
             }
             candidates.extend(found, &both, report);
+            let held = candidates.held_count();
+            if Horizon::are_too_many(candidates.len(), boxes.len(), held) {
+                horizon.pause();
+                layers.forget();
+            }
         }
         self.settle();
     }
@@ -290,8 +305,8 @@ fn renew_reaches<R: Real, const D: usize>(
     let mut parts: Vec<_> = reaches.chunks_mut(PART).zip(boxes).collect();
     parallel::for_each(&mut parts, |(reaches, (now, before))| {
         for (reach, (now, before)) in reaches.iter_mut().zip(now.iter().zip(*before)) {
-            // The others have not moved; or there is no box any more, and that is not equal to itself.
-            if now != before {
+            // The others have not moved, or came back at once.
+            if now != before || !reach.contains(now) {
                 *reach = horizon.reach(now, before);
             }
         }

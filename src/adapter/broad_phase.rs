@@ -23,9 +23,10 @@ use crate::{Aabb, parallel};
 /// every pair whose boxes overlap, as that one does. Contacts, intersections and the bodies that are woken are
 /// therefore the same.
 ///
-/// An update in which no collider has left its margin costs one box comparison for each listed collider. If
-/// few have left it, each is looked up among the others in about **O(log n)**, and the held pairs are looked
-/// through once; if many have, there is one run of the [kernel](super::Kernel) over all boxes.
+/// An update in which no collider has left its margin costs one box comparison for each listed collider. The pairs
+/// to come are searched for some updates ahead, so most updates only compare boxes that are known to be near each other.
+/// What moves otherwise than was foreseen is looked up among the others in about **O(log n)** each; where that is much,
+/// there is one run of the [kernel](super::Kernel) over all boxes.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) tracker: PairTracker<Real, DIM>,
@@ -397,13 +398,14 @@ impl BroadPhase for UnisizeBroadPhase {
             // NaN counts as 0 too.
             margin: (self.settings.margin * params.length_unit).max(0.0),
         };
-        let is_shared =
-            modified_colliders.len() >= reading_part::WORTH_A_THREAD && parallel::threads() > 1;
-        if !is_shared && reading_order::is_favourable(modified_colliders) {
+        // The order must not depend on the number of threads.
+        let are_many = modified_colliders.len() >= reading_part::WORTH_A_THREAD;
+        if !are_many && reading_order::is_favourable(modified_colliders) {
             for &handle in modified_colliders {
                 self.read(handle, &world);
             }
         } else {
+            let is_shared = are_many && parallel::threads() > 1;
             self.read_in_order(modified_colliders, &world, is_shared);
         }
         self.report(events);

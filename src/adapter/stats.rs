@@ -10,8 +10,8 @@ pub struct Stats {
     /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves
     /// once it is sound.
     pub refused: usize,
-    /// Slots in the moving layer: those whose proxy is new, gone or renewed since the last full run of the
-    /// kernel.
+    /// Slots in the moving layer: those whose proxy is new, gone, or elsewhere than was foreseen, since the last full
+    /// run of the kernel.
     pub moving: usize,
     /// Pairs held.
     pub pairs: usize,

@@ -16,9 +16,14 @@ use crate::{Aabb, Real};
 const FEW: u64 = 16;
 
 impl<R: Real, const D: usize> Tubes<R, D> {
+    /// Whether [`look_up`](Self::look_up) may be called.
+    pub(super) fn is_prepared(&self) -> bool {
+        self.running_maxs.len() == self.owners.len()
+    }
+
     /// Lets [`look_up`](Self::look_up) be called, until the next build.
     pub(super) fn prepare_lookup(&mut self) {
-        if !self.running_maxs.is_empty() {
+        if self.is_prepared() {
             return;
         }
         self.running_maxs.extend_from_slice(&self.maxs[0]);

@@ -68,6 +68,8 @@ pub(super) fn split<R: Real, const D: usize>(
         })
         .collect();
     tubes.sort_unstable();
+    // More would be empty.
+    let count = count.min(tubes.len());
     let mut start = 0;
     let mut ranges: Vec<_> = (1..count)
         .filter_map(|part| {

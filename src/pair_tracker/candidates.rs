@@ -2,7 +2,7 @@
 //!
 //! When many proxies have moved, all candidates are gone through in order; when few have, only theirs. For that
 //! the candidates of each proxy are linked into a list, in the arrays of the candidates themselves. The lists
-//! are made when they are first needed and kept up from then on.
+//! are made once they would have been of use some times, and kept up until all candidates are replaced.
 
 use super::{PairChange, SlotSet};
 use crate::parallel::{ask_each, ones};
@@ -12,7 +12,10 @@ use crate::{Aabb, Real};
 const GONE: u32 = u32::MAX;
 
 /// Going through the list of one slot costs about as much as picking from this many candidates.
-const WALK_COST: usize = 64;
+const WALK_COST: usize = 32;
+
+/// The most candidates that links, of 32 bits, can tell apart.
+const MOST_LINKED: usize = 1 << 30;
 
 /// Making the lists costs about as much as picking so many times.
 const LINK_COST: u32 = 8;
@@ -130,6 +133,9 @@ impl Candidates {
         let first = self.pairs.len();
         self.hold_new(found, boxes, report);
         self.pairs.extend_from_slice(found);
+        if self.pairs.len() > MOST_LINKED {
+            self.links.forget();
+        }
         if self.links.are_made {
             self.links.add(&self.pairs, first, boxes.now.len());
         }
@@ -218,7 +224,7 @@ impl Candidates {
             self.compact();
         }
         let are_few = WALK_COST * moved.len() < self.pairs.len();
-        if are_few && !self.links.are_made && self.pairs.len() < 1 << 30 {
+        if are_few && !self.links.are_made && self.pairs.len() <= MOST_LINKED {
             self.links.wanted += 1;
             if self.links.wanted > LINK_COST {
                 self.compact();
@@ -309,6 +315,12 @@ impl Candidates {
     #[cfg(test)]
     pub(super) fn are_linked(&self) -> bool {
         self.links.are_made
+    }
+
+    /// How many of those that are gone still take room.
+    #[cfg(test)]
+    pub(super) fn gone(&self) -> usize {
+        self.gone_count
     }
 
     fn drop_of<R: Real, const D: usize>(
@@ -418,7 +430,7 @@ impl Links {
     /// Links the candidates from `first` on.
     fn add(&mut self, pairs: &[[u32; 2]], first: usize, slots: usize) {
         self.heads.resize(slots, END);
-        for (i, pair) in (0..).zip(pairs).skip(first) {
+        for (i, pair) in (first as u32..).zip(&pairs[first..]) {
             let [a, b] = pair.map(|slot| slot as usize);
             self.next.push([self.heads[a], self.heads[b]]);
             self.heads[a] = 2 * i;

@@ -20,7 +20,7 @@ const LOOKUP_COST: usize = 6;
 const SECOND_LOOKUP_COST: usize = 2;
 
 /// It is a wave if so many times as many boxes change in one update as usual, and one in so many of all.
-const WAVE: [usize; 2] = [4, 24];
+const WAVE: [u64; 2] = [8, 24];
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
@@ -62,11 +62,22 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// How many boxes have changed in each of the updates since the last full run, on average.
-    pub(super) fn changes_per_update(&self) -> f64 {
+    /// What searching has cost in each update since the last full run, that one included, if another is made now. In
+    /// full runs; `None` if there was none.
+    pub(super) fn cost_per_update(&self, boxes: usize) -> Option<f64> {
         match self {
-            Self::Grid(layers) => layers.changes as f64 / layers.updates.max(1) as f64,
-            Self::Rank(_) | Self::Brute(_) => 0.0,
+            Self::Grid(layers) if layers.resting.is_sorted => {
+                let lookups = LOOKUP_COST as f64 * layers.changes as f64 / boxes as f64;
+                Some((1.0 + lookups) / (layers.updates + 1) as f64)
+            }
+            _ => None,
+        }
+    }
+
+    /// Makes the next change cause a full run.
+    pub(super) fn forget(&mut self) {
+        if let Self::Grid(layers) = self {
+            layers.resting.is_sorted = false;
         }
     }
 
@@ -86,8 +97,8 @@ pub(crate) struct GridLayers<R, const D: usize> {
     moving: Layer<R, D>,
     recent: GridSweep<R, D>,
     /// The updates since the last full run, and how many boxes have changed in them.
-    updates: usize,
-    changes: usize,
+    updates: u64,
+    changes: u64,
     /// Scratch: the members of a run.
     members: Vec<u32>,
 }
@@ -155,7 +166,8 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     fn is_full_run_due(&self, changed: usize, boxes: usize) -> bool {
         let [times, part] = WAVE;
         // Reaches that were made at the same time tend to be left at the same time; a run makes them all anew.
-        let is_wave = changed * self.updates > times * self.changes && part * changed > boxes;
+        let [count, all] = [changed as u64, boxes as u64];
+        let is_wave = count * self.updates > times * self.changes && part * count > all;
         let is_costly = LOOKUP_COST * changed > boxes || self.resting.spent > boxes;
         changed > 0 && (!self.resting.is_sorted || is_costly || is_wave)
     }
@@ -163,7 +175,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     fn find_changed(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
         let count = changed.slots().len();
         self.updates += 1;
-        self.changes += count;
+        self.changes += count as u64;
         if count == 0 {
             return;
         }

@@ -19,15 +19,19 @@ const SEARCH_COST: f64 = 16.0;
 /// How far the reach goes to all sides, as a part of how far it goes ahead: things never move quite straight.
 const ASIDE: f64 = 0.125;
 
-/// Moves farther than this, in box sizes, are not foreseen at all.
+/// If moves are farther than this on average, in box sizes, nothing is foreseen at all.
 const TOO_FAST: f64 = 0.5;
 
 /// The longest horizon: sooner or later things turn.
 const LONGEST: f64 = 64.0;
 
-/// Foresight does not pay if more than this share of all proxies leave their reaches in one update, because they
-/// collide all the time, say.
-const TOO_ERRATIC: f64 = 0.05;
+/// Foresight does not pay if searching costs more than this in each update all the same, in full runs: because things
+/// collide all the time, say, and leave their reaches.
+const TOO_DEAR: f64 = 0.5;
+
+/// Nor if there are more candidates than so many times as many as proxies and held pairs: because huge boxes
+/// are about to pass over many small ones, say.
+const TOO_MANY: usize = 8;
 
 /// Then there is none for so many full runs.
 const PAUSE: u32 = 128;
@@ -42,6 +46,8 @@ const UNKNOWN: f64 = 8.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Horizon {
     moves: f64,
+    /// Whether the reaches of the last full run were made with it.
+    is_tried: bool,
     /// For so many full runs it stays at 0.
     paused: u32,
 }
@@ -53,14 +59,15 @@ pub(super) struct Experience {
     pub(super) pairs: f64,
     /// Candidates a proxy that are not held.
     pub(super) excess: f64,
-    /// The share of all proxies that have left their reaches in each update.
-    pub(super) escaping: f64,
+    /// What searching has cost in each update, in full runs; `None` if nothing was searched for yet.
+    pub(super) cost: Option<f64>,
 }
 
 impl Default for Horizon {
     fn default() -> Self {
         Self {
             moves: UNKNOWN,
+            is_tried: false,
             paused: 0,
         }
     }
@@ -75,12 +82,15 @@ impl Horizon {
         before: &[Aabb<R, D>],
         experience: Experience,
     ) {
+        let is_too_dear = experience.cost.is_some_and(|cost| cost > TOO_DEAR);
         if self.paused > 0 {
             self.paused -= 1;
-        } else if experience.escaping > TOO_ERRATIC {
-            self.paused = PAUSE;
+        } else if self.is_tried && is_too_dear {
+            self.pause();
         }
-        let Some(speed) = mean_speed(moved, now, before) else {
+        let speed = mean_speed(moved, now, before);
+        self.is_tried = speed.is_some() && self.paused == 0;
+        let Some(speed) = speed else {
             return;
         };
         if self.paused > 0 || speed > TOO_FAST {
@@ -93,6 +103,17 @@ impl Horizon {
             let growth = D as f64 * experience.pairs.max(0.1) * speed;
             self.moves = (SEARCH_COST / growth).sqrt().min(LONGEST);
         }
+    }
+
+    /// Looks no longer ahead, for a while.
+    pub(super) fn pause(&mut self) {
+        self.paused = PAUSE;
+        self.moves = 0.0;
+    }
+
+    /// Whether there are more candidates than foresight can be worth.
+    pub(super) fn are_too_many(candidates: usize, proxies: usize, held: usize) -> bool {
+        candidates / TOO_MANY > proxies + held
     }
 
     /// The reach of a proxy that was at `before` and is at `now`. It contains `now`, whatever the numbers are.
@@ -112,7 +133,8 @@ impl Horizon {
             .fold(R::ZERO, |m, &s| max(max(m, s), R::ZERO - s));
         let mut reach = *now;
         for k in 0..D {
-            // No more than the size of the box, so that candidates are as few as pairs but for a factor.
+            // No more than the size of the box: for boxes of one size, candidates are then as few as pairs but for a
+            // factor.
             let size = now.maxs[k] - now.mins[k];
             let ahead = max(min(steps[k] * moves, size), R::ZERO - size);
             let aside = min(longest * moves * aside_share, size * quarter);
@@ -248,7 +270,7 @@ mod tests {
             let experience = Experience {
                 pairs: 1.0,
                 excess: 0.04 * horizon.moves,
-                escaping: 0.0,
+                cost: None,
             };
             horizon = adapted(horizon, 0.05, experience);
         }
@@ -267,19 +289,20 @@ mod tests {
     #[test]
     fn there_is_none_for_a_while_where_it_does_not_pay() {
         let mut horizon = Horizon::default();
-        let mut adapt = |escaping| {
+        let mut adapt = |cost| {
             let experience = Experience {
                 pairs: 1.0,
-                escaping,
+                cost,
                 ..Experience::default()
             };
             horizon = adapted(horizon, 0.1, experience);
             horizon.moves
         };
-        assert!(adapt(0.01) > 0.0);
-        assert_eq!(adapt(0.5), 0.0);
-        let pause = (0..1000).take_while(|_| adapt(0.0) == 0.0).count();
+        assert!(adapt(None) > 0.0);
+        assert!(adapt(Some(0.1)) > 0.0);
+        assert_eq!(adapt(Some(0.9)), 0.0);
+        let pause = (0..1000).take_while(|_| adapt(Some(1.0)) == 0.0).count();
         assert_eq!(pause, PAUSE as usize - 1);
-        assert!(adapt(0.01) > 0.0);
+        assert!(adapt(Some(0.1)) > 0.0);
     }
 }

@@ -149,11 +149,60 @@ fn drifting_boxes_agree_with_brute_force() {
                 }
                 finish_both(&mut tracker, &mut layers, &mut model);
                 linked += usize::from(tracker.candidates.are_linked());
+                assert!(tracker.candidates.gone() <= 100 + 2 * tracker.candidate_count());
                 watched += usize::from(tracker.candidate_count() > tracker.pair_count());
             }
         }
         assert!(linked > 10, "candidates were linked {linked} times");
-        assert!(watched > 50, "there were candidates {watched} times");
+        // The last ones are so fast that it does not pay.
+        let is_foreseen = watched > 50;
+        assert_eq!(is_foreseen, speed < 0.5, "{watched} times");
+    }
+}
+
+/// A proxy that goes and comes back within an update has not changed.
+#[test]
+fn proxies_may_be_lifted_and_put_back() {
+    for slots in [10, 1000] {
+        let mut tracker = PairTracker::<f32, 2>::default();
+        let mut layers = Layers::Grid(Box::default());
+        let mut model = Model::default();
+        for update in 0..4 {
+            for slot in (0..slots).step_by(1 + update / 2 * 9) {
+                let x = slot as f32 * 0.5;
+                let aabb = Aabb::new([x, 0.0], [x + 1.0, 1.0]);
+                tracker.lift(slot);
+                tracker.place(slot, aabb);
+                model.proxies.insert(slot, aabb);
+            }
+            finish_both(&mut tracker, &mut layers, &mut model);
+        }
+        assert_eq!(tracker.pair_count(), 2 * slots as usize - 3);
+    }
+}
+
+/// Huge boxes on their way to small ones would have a candidate with each of them.
+#[test]
+fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
+    let mut tracker = PairTracker::<f32, 2>::default();
+    let mut layers = Layers::Grid(Box::default());
+    let mut model = Model::default();
+    let small = |slot: u32| [(slot % 30) as f32 * 2.0, (slot / 30) as f32 * 2.0];
+    for update in 0..12 {
+        for slot in 0..600 {
+            // The first hundred are huge, and come nearer from the left.
+            let (corner, size) = if slot < 100 {
+                ([5.0 * update as f32 - 300.0, slot as f32 * 0.01], 200.0)
+            } else {
+                (small(slot - 100), 1.0)
+            };
+            let aabb = Aabb::new(corner, corner.map(|x| x + size));
+            tracker.place(slot, aabb);
+            model.proxies.insert(slot, aabb);
+        }
+        finish_both(&mut tracker, &mut layers, &mut model);
+        let most = 9 * (600 + tracker.pair_count());
+        assert!(tracker.candidate_count() <= most);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The test for rapier2d.
 
 use rapier2d as rapier;
-use unisize::rapier2d::UnisizeBroadPhase;
+use unisize::rapier2d::{Stats, UnisizeBroadPhase};
 
 #[path = "suite.rs"]
 mod suite;

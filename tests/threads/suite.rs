@@ -1,7 +1,7 @@
 //! Many colliders that move, come, go and are spoilt, with one thread and with three: one source for both dimensions.
 
-use super::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use super::{Stats, UnisizeBroadPhase};
 use oorandom::Rand32;
 
 /// Enough for every part of the work to be shared.
@@ -20,8 +20,8 @@ fn change(event: &BroadPhasePairEvent) -> Change {
     (is_added, [pair.collider1, pair.collider2])
 }
 
-/// The events of each update of a world that depends on nothing but chance.
-fn events(threads: usize) -> Vec<Vec<Change>> {
+/// The statistics and events of each update of a world that depends on nothing but chance.
+fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("there are threads to be had");
     let mut random = Rand32::new(7);
@@ -48,11 +48,16 @@ fn events(threads: usize) -> Vec<Vec<Change>> {
     }
     let mut all = Vec::new();
     for update in 0..UPDATES {
+        if update % 5 == 4 {
+            // In order, as after a first step; new ones last, out of it.
+            listed.sort_by_key(|handle| handle.into_raw_parts().0);
+            velocities.rotate_left(1);
+        }
         let mut events = Vec::new();
         pool.install(|| {
             broad_phase.update(&params, &colliders, &bodies, &listed, &removed, &mut events);
         });
-        all.push(events.iter().map(change).collect());
+        all.push((broad_phase.stats(), events.iter().map(change).collect()));
         removed.clear();
         for (i, handle) in listed.iter_mut().enumerate() {
             let collider = &mut colliders[*handle];
@@ -61,13 +66,21 @@ fn events(threads: usize) -> Vec<Vec<Change>> {
                 0 => collider.set_translation(Vector::repeat(Real::NAN)),
                 1 | 2 => collider.set_translation(somewhere(&mut random)),
                 3 => collider.set_enabled(update % 2 == 0),
+                5 => {
+                    // A new one, with an index of its own, to be read among known ones.
+                    let collider = ColliderBuilder::ball(0.5).translation(place);
+                    *handle = colliders.insert(collider);
+                }
                 4 => {
-                    let parent = collider.parent().expect("each has a body");
+                    let parent = collider.parent();
                     let mut islands = IslandManager::new();
                     colliders.remove(*handle, &mut islands, &mut bodies, false);
                     removed.push(*handle);
                     let collider = ColliderBuilder::ball(0.5);
-                    *handle = colliders.insert_with_parent(collider, parent, &mut bodies);
+                    *handle = match parent {
+                        Some(parent) => colliders.insert_with_parent(collider, parent, &mut bodies),
+                        None => colliders.insert(collider),
+                    };
                 }
                 _ => collider.set_translation(place),
             }
@@ -80,9 +93,9 @@ fn events(threads: usize) -> Vec<Vec<Change>> {
 
 #[test]
 fn events_are_the_same_in_the_same_order() {
-    let expected = events(1);
+    let expected = updates(1);
     for threads in [2, 3] {
-        for (update, (found, expected)) in events(threads).iter().zip(&expected).enumerate() {
+        for (update, (found, expected)) in updates(threads).iter().zip(&expected).enumerate() {
             assert!(found == expected, "update {update} with {threads} threads");
         }
     }
