@@ -207,10 +207,11 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
             layers.find_all(reaches, found);
-            if Horizon::are_too_many(found.len(), boxes.len(), held) {
-                // Perhaps there are as many pairs as that; else this frees what is not needed.
-                horizon.pause();
-                reaches.copy_from_slice(boxes);
+            while horizon.is_any() && Horizon::are_too_many(found.len(), boxes.len(), held) {
+                horizon.shorten();
+                for (reach, (now, before)) in reaches.iter_mut().zip(boxes.iter().zip(&*previous)) {
+                    *reach = horizon.reach(now, before);
+                }
                 *found = Vec::new();
                 layers.find_all(reaches, found);
             }
@@ -232,7 +233,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             candidates.extend(found, &both, report);
             let held = candidates.held_count();
             if Horizon::are_too_many(candidates.len(), boxes.len(), held) {
-                horizon.pause();
+                horizon.shorten();
                 layers.forget();
             }
         }

