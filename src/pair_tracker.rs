@@ -9,6 +9,7 @@
 
 mod candidates;
 mod layers;
+mod links;
 mod reach;
 mod slot_set;
 #[cfg(test)]

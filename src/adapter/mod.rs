@@ -13,6 +13,7 @@ mod reading_order;
 mod reading_part;
 mod settings;
 mod stats;
+mod world;
 
 pub use broad_phase::UnisizeBroadPhase;
 pub use settings::{Kernel, Settings};

@@ -4,10 +4,10 @@
 //! the work of an update in which much is listed, and each collider is read by itself. What is not a simple move, say a
 //! collider that is new, is left to be done afterwards, and everything is put together in the order of the slots.
 
-use super::broad_phase::World;
 use super::outline::Outline;
 use super::rapier::geometry::ColliderHandle;
 use super::rapier::math::{DIM, Real};
+use super::world::World;
 use crate::Aabb;
 
 /// Fewer listed colliders than this are not worth a second thread.

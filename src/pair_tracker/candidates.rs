@@ -4,6 +4,7 @@
 //! the candidates of each proxy are linked into a list, in the arrays of the candidates themselves. The lists
 //! are made once they would have been of use some times, and kept up until all candidates are replaced.
 
+use super::links::{END, Links, MOST_LINKED};
 use super::{PairChange, SlotSet};
 use crate::parallel::{ask_each, ones};
 use crate::{Aabb, Real};
@@ -14,14 +15,8 @@ const GONE: u32 = u32::MAX;
 /// Going through the list of one slot costs about as much as picking from this many candidates.
 const WALK_COST: usize = 32;
 
-/// The most candidates that links, of 32 bits, can tell apart.
-const MOST_LINKED: usize = 1 << 30;
-
 /// Making the lists costs about as much as picking so many times.
 const LINK_COST: u32 = 8;
-
-/// The end of a list.
-const END: u32 = u32::MAX;
 
 /// The boxes that decide which candidates are held: the present ones, and those at the end of the last update.
 pub(super) struct Boxes<'a, R, const D: usize> {
@@ -59,21 +54,6 @@ pub(super) struct Candidates {
     /// Scratch: a bit for each slot, and for each candidate.
     picked: Vec<u64>,
     bits: Vec<u64>,
-}
-
-/// For each slot a list of its candidates.
-///
-/// A link is twice the position of a candidate, plus one if the slot in question is its second one.
-#[derive(Clone, Debug, Default)]
-struct Links {
-    /// Whether they are up to date.
-    are_made: bool,
-    /// How often they would have been of use since they were not.
-    wanted: u32,
-    /// By slot, the first link.
-    heads: Vec<u32>,
-    /// By candidate, the link that follows for each of its two slots.
-    next: Vec<[u32; 2]>,
 }
 
 impl Candidates {
@@ -411,31 +391,6 @@ impl Candidates {
             }
         }
         assert_eq!(linked, 2 * self.len(), "a candidate is not linked");
-    }
-}
-
-impl Links {
-    fn forget(&mut self) {
-        self.are_made = false;
-        self.wanted = 0;
-    }
-
-    fn make(&mut self, pairs: &[[u32; 2]], slots: usize) {
-        self.heads.clear();
-        self.next.clear();
-        self.add(pairs, 0, slots);
-        self.are_made = true;
-    }
-
-    /// Links the candidates from `first` on.
-    fn add(&mut self, pairs: &[[u32; 2]], first: usize, slots: usize) {
-        self.heads.resize(slots, END);
-        for (i, pair) in (first as u32..).zip(&pairs[first..]) {
-            let [a, b] = pair.map(|slot| slot as usize);
-            self.next.push([self.heads[a], self.heads[b]]);
-            self.heads[a] = 2 * i;
-            self.heads[b] = 2 * i + 1;
-        }
     }
 }
 
