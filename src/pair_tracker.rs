@@ -208,8 +208,11 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
             layers.find_all(reaches, found);
-            while horizon.is_any() && Horizon::are_too_many(found.len(), boxes.len(), held) {
+            let mut is_over = false;
+            while !is_over && Horizon::are_too_many(found.len(), boxes.len(), held) {
                 horizon.shorten();
+                // Also if it was so before: what has not moved since may have its reach from an earlier time.
+                is_over = !horizon.is_any();
                 for (reach, (now, before)) in reaches.iter_mut().zip(boxes.iter().zip(&*previous)) {
                     *reach = horizon.reach(now, before);
                 }

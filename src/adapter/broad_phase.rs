@@ -157,7 +157,7 @@ impl UnisizeBroadPhase {
         if is_shared {
             self.read_in_parts(order.listed(), world);
         } else {
-            order.drain().for_each(|slot| self.read_slot(slot, world));
+            order.drain(|slot| self.read_slot(slot, world));
         }
         self.reading_order = order;
         self.strangers = strangers;

@@ -5,7 +5,7 @@
 //! halves the time of reading them. The order decides nothing else.
 
 use super::rapier::geometry::ColliderHandle;
-use crate::parallel;
+use crate::parallel::{self, ones};
 
 /// Up to this many colliders fit the caches in any order.
 const FEW: usize = 256;
@@ -60,16 +60,9 @@ impl ReadingOrder {
 
     /// Takes all slots out of the set, each once, and in order.
     #[inline(always)]
-    pub(super) fn drain(&mut self) -> impl Iterator<Item = u32> + '_ {
-        let words = self.listed.iter_mut().zip((0..).step_by(64));
-        words.flat_map(|(word, first)| {
-            let mut bits = std::mem::take(word);
-            core::iter::from_fn(move || {
-                let bit = bits.checked_sub(1).map(|_| bits.trailing_zeros())?;
-                bits &= bits - 1;
-                Some(first + bit)
-            })
-        })
+    pub(super) fn drain(&mut self, mut read: impl FnMut(u32)) {
+        ones(&self.listed).for_each(|slot| read(slot as u32));
+        self.listed.fill(0);
     }
 }
 
@@ -110,8 +103,10 @@ mod tests {
                     .collect();
                 let mut strangers = Vec::new();
                 order.insert_known(&handles, &known, &mut strangers, is_shared);
-                assert!(order.drain().eq((0..slots).filter(|i| i % 5 != 0)));
-                assert_eq!(order.drain().next(), None);
+                let mut read = Vec::new();
+                order.drain(|slot| read.push(slot));
+                assert!((0..slots).filter(|i| i % 5 != 0).eq(read));
+                order.drain(|slot| panic!("{slot} is read again"));
                 let is_stranger = |handle: &&ColliderHandle| {
                     known.get(handle.into_raw_parts().0 as usize) != Some(&Some(7))
                 };

@@ -203,6 +203,20 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
         let most = 9 * (600 + tracker.pair_count());
         assert!(tracker.candidate_count() <= most);
     }
+    // Not by those that rest either, whose reaches may be from a time when there was foresight.
+    while tracker.horizon.is_any() {
+        tracker.horizon.shorten();
+    }
+    for reach in &mut tracker.reaches[..100] {
+        *reach = Aabb::new([-1e3; 2], [1e3; 2]);
+    }
+    layers.forget();
+    tracker.place(100, Aabb::new([500.0, 0.0], [501.0, 1.0]));
+    model
+        .proxies
+        .insert(100, Aabb::new([500.0, 0.0], [501.0, 1.0]));
+    finish_both(&mut tracker, &mut layers, &mut model);
+    assert!(tracker.candidate_count() <= 9 * (600 + tracker.pair_count()));
 }
 
 #[test]
