@@ -8,6 +8,7 @@ mod sweep;
 mod tubes;
 
 use crate::pair_finder::check_boxes;
+use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
 use slab::Slab;
@@ -66,6 +67,7 @@ pub struct GridSweep<R, const D: usize> {
     everyone: Vec<u32>,
     /// Into how many slabs many boxes are cut, if not into as many as there are threads.
     slab_count: Option<usize>,
+    stopwatch: Stopwatch,
 }
 
 /// The boxes of one class of sizes, sorted into tubes.
@@ -97,6 +99,7 @@ impl<R, const D: usize> Default for GridSweep<R, D> {
             class_count: 0,
             everyone: Vec::new(),
             slab_count: None,
+            stopwatch: Stopwatch::default(),
         }
     }
 }
@@ -115,11 +118,16 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
                 reason,
             });
         }
+        self.stopwatch.times = PhaseTimes::default();
+        let lap = self.stopwatch.start();
         check_boxes(boxes)?;
         let mut everyone = std::mem::take(&mut self.everyone);
         everyone.clear();
         everyone.extend(0..boxes.len() as u32);
-        self.find_among(boxes, &everyone, pairs);
+        let mut stopwatch = std::mem::take(&mut self.stopwatch);
+        stopwatch.lap(lap, |times| &mut times.read);
+        self.find_among(boxes, &everyone, pairs, &mut stopwatch);
+        self.stopwatch = stopwatch;
         self.everyone = everyone;
         Ok(())
     }
@@ -136,6 +144,19 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
+    /// The same kernel, which from now on takes the [times of its phases](Self::phase_times).
+    pub fn timed(self) -> Self {
+        Self {
+            stopwatch: Stopwatch::new(true),
+            ..self
+        }
+    }
+
+    /// How long each phase of the last run has taken; zeros unless it was [`timed`](Self::timed).
+    pub fn phase_times(&self) -> PhaseTimes {
+        self.stopwatch.times
+    }
+
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
     /// order of the members for [`look_up`](Self::look_up).
     pub(crate) fn find_among(
@@ -143,6 +164,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         boxes: &[Aabb<R, D>],
         members: &[u32],
         pairs: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
     ) {
         const { assert!(D > 0, "boxes have at least one axis") };
         let slab_count = match self.slab_count {
@@ -151,6 +173,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             None => parallel::threads(),
         };
         self.class_count = 0;
+        let mut lap = stopwatch.start();
         loop {
             let index = self.class_count;
             if index == self.classes.len() {
@@ -161,7 +184,9 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             let members = smaller.last().map_or(members, |class| &class.outsize);
             class.build(boxes, members, slab_count);
             self.class_count += 1;
+            lap = stopwatch.lap(lap, |times| &mut times.sort);
             class.sweep(pairs);
+            lap = stopwatch.lap(lap, |times| &mut times.sweep);
             if class.outsize.is_empty() {
                 break;
             }
@@ -171,6 +196,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
                 class.look_up(&boxes[i as usize], i, &mut emitter);
             }
             emitter.finish();
+            lap = stopwatch.lap(lap, |times| &mut times.sweep);
         }
     }
 

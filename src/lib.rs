@@ -57,6 +57,7 @@ mod pair_finder;
 mod parallel;
 mod rank_sweep;
 mod real;
+mod stopwatch;
 
 #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
 mod pair_tracker;
@@ -72,6 +73,7 @@ pub use invalid_box::{InvalidBox, InvalidBoxReason};
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
+pub use stopwatch::PhaseTimes;
 
 /// The example of the README, compiled and run.
 #[cfg(all(doctest, feature = "rapier3d"))]

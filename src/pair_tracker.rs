@@ -15,6 +15,7 @@ mod slot_set;
 #[cfg(test)]
 mod tests;
 
+use crate::stopwatch::Stopwatch;
 use crate::{Aabb, Real, parallel};
 use candidates::{Boxes, Candidates};
 use reach::{Experience, Horizon};
@@ -52,6 +53,7 @@ pub(crate) struct PairTracker<R, const D: usize> {
     candidates: Candidates,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
+    pub(crate) stopwatch: Stopwatch,
 }
 
 impl<R, const D: usize> Default for PairTracker<R, D> {
@@ -65,6 +67,7 @@ impl<R, const D: usize> Default for PairTracker<R, D> {
             horizon: Horizon::default(),
             candidates: Candidates::default(),
             found: Vec::new(),
+            stopwatch: Stopwatch::default(),
         }
     }
 }
@@ -190,7 +193,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             horizon,
             candidates,
             found,
+            stopwatch,
         } = self;
+        let mut lap = stopwatch.start();
         let report = &mut report;
         let both = Boxes {
             now: &boxes[..],
@@ -207,7 +212,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             };
             horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
-            layers.find_all(reaches, found);
+            stopwatch.lap(lap, |times| &mut times.difference);
+            layers.find_all(reaches, found, stopwatch);
+            lap = stopwatch.start();
             let mut is_over = false;
             while !is_over && Horizon::are_too_many(found.len(), boxes.len(), held) {
                 horizon.shorten();
@@ -217,7 +224,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                     *reach = horizon.reach(now, before);
                 }
                 *found = Vec::new();
-                layers.find_all(reaches, found);
+                stopwatch.lap(lap, |times| &mut times.difference);
+                layers.find_all(reaches, found, stopwatch);
+                lap = stopwatch.start();
             }
             candidates.replace(found, &both, report);
             if found.capacity() / 2 > candidates.len() {
@@ -228,7 +237,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                 let i = slot as usize;
                 reaches[i] = horizon.reach(&boxes[i], &previous[i]);
             }
-            layers.find_changed(reaches, escaped, found);
+            stopwatch.lap(lap, |times| &mut times.difference);
+            layers.find_changed(reaches, escaped, found, stopwatch);
+            lap = stopwatch.start();
             if moved.len() < boxes.len() / MANY {
                 candidates.refresh_some(escaped, moved, &both, report);
             } else {
@@ -242,6 +253,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             }
         }
         self.settle();
+        self.stopwatch.lap(lap, |times| &mut times.difference);
     }
 
     /// Makes the present boxes the previous ones.
@@ -278,7 +290,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.candidates.validate(&self.boxes);
         let mut check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
             let mut expected = Vec::new();
-            layers.find_all(boxes, &mut expected);
+            layers.find_all(boxes, &mut expected, &mut Stopwatch::default());
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");

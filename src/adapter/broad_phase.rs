@@ -15,6 +15,7 @@ use super::reading_part::{self, Findings, ReadingPart};
 use super::world::World;
 use super::{Settings, Stats};
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
+use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, parallel};
 
 /// A broad phase for scenes of many colliders of about the same size: give it to `PhysicsPipeline::step` or
@@ -38,9 +39,10 @@ pub struct UnisizeBroadPhase {
     outlines: Vec<Outline>,
     layers: Layers<Real, DIM>,
     reading_order: ReadingOrder,
-    /// Scratch: listed colliders that are not known, and what has come of reading the parts.
+    /// Scratch: listed colliders that are not known, what has come of reading the parts, and how pairs have changed.
     strangers: Vec<ColliderHandle>,
     findings: Vec<Findings>,
+    changes: Vec<PairChange>,
     settings: Settings,
     stats: Stats,
     has_warned: bool,
@@ -71,14 +73,17 @@ impl UnisizeBroadPhase {
 
     /// A broad phase without any colliders.
     pub fn with_settings(settings: Settings) -> Self {
+        let mut tracker = PairTracker::default();
+        tracker.stopwatch = Stopwatch::new(settings.timed);
         Self {
-            tracker: PairTracker::default(),
+            tracker,
             generations: Vec::new(),
             outlines: Vec::new(),
             layers: settings.kernel.layers(),
             reading_order: ReadingOrder::default(),
             strangers: Vec::new(),
             findings: Vec::new(),
+            changes: Vec::new(),
             settings,
             stats: Stats::default(),
             has_warned: false,
@@ -97,6 +102,7 @@ impl UnisizeBroadPhase {
             pairs: self.tracker.pair_count(),
             candidates: self.tracker.candidate_count(),
             moving: self.layers.moving(),
+            times: self.tracker.stopwatch.times,
             ..self.stats
         }
     }
@@ -303,25 +309,23 @@ impl UnisizeBroadPhase {
             tracker,
             layers,
             generations,
+            changes,
             stats,
             ..
         } = self;
-        tracker.finish(layers, |change| match change {
+        tracker.finish(layers, |change| changes.push(change));
+        let lap = tracker.stopwatch.start();
+        events.extend(changes.drain(..).map(|change| match change {
             PairChange::Added(pair) => {
                 stats.added += 1;
-                events.push(BroadPhasePairEvent::AddPair(collider_pair(
-                    generations,
-                    pair,
-                )));
+                BroadPhasePairEvent::AddPair(collider_pair(generations, pair))
             }
             PairChange::Deleted(pair) => {
                 stats.deleted += 1;
-                events.push(BroadPhasePairEvent::DeletePair(collider_pair(
-                    generations,
-                    pair,
-                )));
+                BroadPhasePairEvent::DeletePair(collider_pair(generations, pair))
             }
-        });
+        }));
+        tracker.stopwatch.lap(lap, |times| &mut times.events);
     }
 }
 
@@ -346,6 +350,8 @@ impl BroadPhase for UnisizeBroadPhase {
             deleted: 0,
             ..self.stats
         };
+        self.tracker.stopwatch.times = PhaseTimes::default();
+        let lap = self.tracker.stopwatch.start();
         // Removals first: a modified collider may already have the index of a removed one.
         for &handle in removed_colliders {
             self.remove(handle);
@@ -367,6 +373,7 @@ impl BroadPhase for UnisizeBroadPhase {
             let is_shared = are_many && parallel::threads() > 1;
             self.read_in_order(modified_colliders, &world, is_shared);
         }
+        self.tracker.stopwatch.lap(lap, |times| &mut times.read);
         self.report(events);
     }
 }

@@ -15,6 +15,9 @@ pub struct Settings {
     /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default,
     /// 0.01, is the margin of Rapier's own broad phase, and makes the boxes the same as there.
     pub margin: Real,
+    /// Whether each update takes the time of its phases, for [`Stats::times`](super::Stats::times). Default: no, so that
+    /// no update looks at the clock.
+    pub timed: bool,
 }
 
 impl Default for Settings {
@@ -22,6 +25,7 @@ impl Default for Settings {
         Self {
             kernel: Kernel::default(),
             margin: 0.01,
+            timed: false,
         }
     }
 }

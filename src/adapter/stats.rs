@@ -1,5 +1,7 @@
 //! What a user may want to know.
 
+use crate::PhaseTimes;
+
 /// A look at an [`UnisizeBroadPhase`](super::UnisizeBroadPhase): what it holds, and what the last update
 /// with something to do was made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,4 +30,6 @@ pub struct Stats {
     pub added: usize,
     /// Pairs that it reported as ended.
     pub deleted: usize,
+    /// How long each phase of that update took; zeros unless [`Settings::timed`](super::Settings::timed) asks for it.
+    pub times: PhaseTimes,
 }

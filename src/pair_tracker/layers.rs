@@ -11,6 +11,7 @@
 //! look boxes up have no layers.
 
 use super::slot_set::SlotSet;
+use crate::stopwatch::Stopwatch;
 use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
 
 /// Looking a box up among all others costs about as much as so many boxes in a run over all of them.
@@ -40,11 +41,16 @@ impl<R: Real, const D: usize> Layers<R, D> {
     }
 
     /// Appends to `found` the overlapping pairs among the valid ones of `boxes`.
-    pub(super) fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
+    pub(super) fn find_all(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
         match self {
-            Self::Grid(layers) => layers.find_all(boxes, found),
-            Self::Rank(kernel) => kernel.find_all(boxes, found),
-            Self::Brute(kernel) => kernel.find_all(boxes, found),
+            Self::Grid(layers) => layers.find_all(boxes, found, stopwatch),
+            Self::Rank(kernel) => kernel.find_all(boxes, found, stopwatch),
+            Self::Brute(kernel) => kernel.find_all(boxes, found, stopwatch),
         }
     }
 
@@ -56,9 +62,10 @@ impl<R: Real, const D: usize> Layers<R, D> {
         boxes: &[Aabb<R, D>],
         changed: &SlotSet,
         found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
     ) {
         if let Self::Grid(layers) = self {
-            layers.find_changed(boxes, changed, found);
+            layers.find_changed(boxes, changed, found, stopwatch);
         }
     }
 
@@ -140,16 +147,29 @@ impl<R, const D: usize> Default for Layer<R, D> {
 
 impl<R: Real, const D: usize> Layer<R, D> {
     /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them.
-    fn sort(&mut self, boxes: &[Aabb<R, D>], members: &[u32], found: &mut Vec<[u32; 2]>) {
+    fn sort(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: &[u32],
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
         self.stale.clear();
         self.spent = 0;
         self.is_sorted = true;
-        self.order.find_among(boxes, members, found);
+        self.order.find_among(boxes, members, found, stopwatch);
     }
 
     /// Appends the pairs of the valid ones among the changed with those members that are not stale. All the changed
     /// must be.
-    fn look_up(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
+    fn look_up(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        changed: &SlotSet,
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
+        let lap = stopwatch.start();
         let queries = changed.slots().iter().copied();
         let queries = queries.filter(|&slot| boxes[slot as usize].is_valid());
         let first = found.len();
@@ -159,6 +179,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         retain_from(found, first, |[a, b]| {
             stale.contains(a) != stale.contains(b)
         });
+        stopwatch.lap(lap, |times| &mut times.sweep);
     }
 }
 
@@ -172,7 +193,13 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         changed > 0 && (!self.resting.is_sorted || is_costly || is_wave)
     }
 
-    fn find_changed(&mut self, boxes: &[Aabb<R, D>], changed: &SlotSet, found: &mut Vec<[u32; 2]>) {
+    fn find_changed(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        changed: &SlotSet,
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
         let count = changed.slots().len();
         self.updates += 1;
         self.changes += count as u64;
@@ -190,7 +217,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
             resting.stale.insert(slot);
             moving.stale.insert(slot);
         }
-        resting.look_up(boxes, changed, found);
+        resting.look_up(boxes, changed, found, stopwatch);
 
         let is_due = !moving.is_sorted || moving.spent > resting.stale.slots().len();
         let due = if is_due {
@@ -204,26 +231,31 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         resting.spent += due.slots().len();
         let mut first = found.len();
         if is_due {
-            moving.sort(boxes, members, found);
+            moving.sort(boxes, members, found, stopwatch);
         } else {
             resting.spent += SECOND_LOOKUP_COST * count;
             moving.spent += due.slots().len();
-            moving.look_up(boxes, changed, found);
+            moving.look_up(boxes, changed, found, stopwatch);
             first = found.len();
-            recent.find_among(boxes, members, found);
+            recent.find_among(boxes, members, found, stopwatch);
         }
         retain_from(found, first, |[a, b]| {
             changed.contains(a) | changed.contains(b)
         });
     }
 
-    fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
+    fn find_all(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
         self.moving.is_sorted = false;
         self.moving.stale.clear();
         self.updates = 0;
         self.changes = 0;
         collect_valid(boxes, &mut self.members);
-        self.resting.sort(boxes, &self.members, found);
+        self.resting.sort(boxes, &self.members, found, stopwatch);
     }
 }
 
@@ -249,7 +281,13 @@ impl<K: Default, R, const D: usize> Default for Unlayered<K, R, D> {
 }
 
 impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
-    fn find_all(&mut self, boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
+    fn find_all(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        found: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
+        let lap = stopwatch.start();
         collect_valid(boxes, &mut self.slots);
         self.boxes.clear();
         self.boxes
@@ -264,6 +302,7 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
             .iter()
             .map(|pair| pair.map(|i| self.slots[i as usize]));
         found.extend(pairs);
+        stopwatch.lap(lap, |times| &mut times.sweep);
     }
 }
 

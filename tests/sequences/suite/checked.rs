@@ -16,7 +16,11 @@ pub(super) struct CheckedBroadPhase {
 impl CheckedBroadPhase {
     pub(super) fn new(kernel: Kernel, margin: Real) -> Self {
         Self {
-            inner: UnisizeBroadPhase::with_settings(Settings { kernel, margin }),
+            inner: UnisizeBroadPhase::with_settings(Settings {
+                kernel,
+                margin,
+                ..Settings::default()
+            }),
             model: Model::default(),
             updates: 0,
         }
