@@ -8,6 +8,8 @@
 //! Throughput is in boxes a second.
 
 mod common;
+#[path = "common/settings.rs"]
+mod settings;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput};
@@ -29,7 +31,7 @@ const RANK_SWEEP_3D_MAX: usize = 1 << 17;
 const SMOKE_TEST_MAX: usize = 1 << 17;
 
 fn main() {
-    let mut criterion = common::criterion();
+    let mut criterion = settings::criterion();
     for density in [0.2, 0.8] {
         in_dimension::<2>(&mut criterion, density, usize::MAX);
     }

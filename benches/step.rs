@@ -8,6 +8,8 @@
 //! balls in the air, so single steps could not be compared. Throughput is in steps a second.
 
 mod common;
+#[path = "common/settings.rs"]
+mod settings;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput};
@@ -20,7 +22,7 @@ const BALLS: usize = 2_000;
 const STEPS: usize = 120;
 
 fn main() {
-    let mut criterion = common::criterion();
+    let mut criterion = settings::criterion();
     for_each_dimension(&mut criterion);
     criterion.final_summary();
 }

@@ -14,43 +14,15 @@ mod common;
 mod dim2;
 #[path = "update/dim3.rs"]
 mod dim3;
+#[path = "update/motion.rs"]
+mod motion;
+#[path = "common/settings.rs"]
+mod settings;
 
-/// What happens to the colliders between two updates.
-#[derive(Clone, Copy)]
-enum Motion {
-    /// One of so many drifts on, and only these are listed.
-    OneIn(usize),
-    /// All are listed, and none has left the margin around its box.
-    InMargin,
-}
-
-impl Motion {
-    const ALL: [Self; 4] = [
-        Self::OneIn(1),
-        Self::OneIn(10),
-        Self::OneIn(100),
-        Self::InMargin,
-    ];
-
-    fn name(self) -> String {
-        match self {
-            Self::OneIn(1) => "all-move".to_owned(),
-            Self::OneIn(stride) => format!("one-in-{stride}-moves"),
-            Self::InMargin => "all-in-margin".to_owned(),
-        }
-    }
-
-    /// The distance, in indices, from one listed collider to the next.
-    fn stride(self) -> usize {
-        match self {
-            Self::OneIn(stride) => stride,
-            Self::InMargin => 1,
-        }
-    }
-}
+use motion::Motion;
 
 fn main() {
-    let mut criterion = common::criterion();
+    let mut criterion = settings::criterion();
     dim2::bench(&mut criterion);
     dim3::bench(&mut criterion);
     criterion.final_summary();

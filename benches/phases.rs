@@ -1,0 +1,44 @@
+//! Where the time goes: the phases of the kernel and of an update, beside the least that any of it could take.
+//!
+//! ```text
+//! cargo bench --all-features --bench phases
+//! ```
+//!
+//! Tables in Markdown. Of the kernel each phase is the median over some frames, between which the boxes drift on. The
+//! *floor* is measured on the same frames: reading every box once, bringing every box to its strip by one counting sort
+//! with one pass over the boxes to count and one to place them, and writing every pair once. The *slope* is that of the
+//! logarithm of time over the logarithm of the number of boxes, between two lines of the table: 1 where time is
+//! proportional to the number.
+//!
+//! Of an update it is the mean over 60 frames, for one in some of them is a search and the others are not, and the worst
+//! frame.
+
+mod common;
+#[path = "phases/dim2.rs"]
+mod dim2;
+#[path = "phases/dim3.rs"]
+mod dim3;
+#[path = "phases/floor.rs"]
+mod floor;
+#[path = "phases/kernel.rs"]
+mod kernel;
+#[path = "update/motion.rs"]
+mod motion;
+
+use motion::Motion;
+use std::time::Duration;
+
+fn main() {
+    common::set_threads();
+    kernel::print::<2>([0.2, 0.8]);
+    kernel::print::<3>([0.1, 0.4]);
+    dim2::print();
+    dim3::print();
+}
+
+/// Microseconds, with the digits that mean something.
+fn microseconds(time: Duration) -> String {
+    let time = time.as_secs_f64() * 1e6;
+    let decimals = if time < 100.0 { 1 } else { 0 };
+    format!("{time:.decimals$}")
+}
