@@ -208,6 +208,17 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
+    /// Frees what only a run needs, and is otherwise kept for the next one.
+    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    pub(crate) fn free_scratch(&mut self) {
+        self.everyone = Vec::new();
+        self.classes.truncate(self.class_count);
+        for class in &mut self.classes {
+            class.slabs.truncate(class.slab_count);
+            class.slabs.iter_mut().for_each(Slab::free_scratch);
+        }
+    }
+
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its
     /// box overlaps. Members are taken as they were then; a member's pair with itself is left in.
     ///

@@ -29,6 +29,9 @@ const PART: usize = 1 << 14;
 /// If fewer than one proxy in so many has moved, their candidates are looked for among all candidates.
 const MANY: usize = 3;
 
+/// Room for more pairs than this is given back after a full run.
+const FEW: usize = 1 << 12;
+
 /// A change of the pair set, by slots, smaller first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PairChange {
@@ -212,6 +215,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             };
             horizon.adapt(moved, boxes, previous, experience);
             renew_reaches(reaches, &both, moved, *horizon);
+            found.reserve_exact(candidates.len() + candidates.len() / 8);
             stopwatch.lap(lap, |times| &mut times.difference);
             layers.find_all(reaches, found, stopwatch);
             lap = stopwatch.start();
@@ -229,7 +233,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                 lap = stopwatch.start();
             }
             candidates.replace(found, &both, report);
-            if found.capacity() / 2 > candidates.len() {
+            if found.capacity() > FEW {
                 *found = Vec::new();
             }
         } else {

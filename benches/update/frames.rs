@@ -17,6 +17,7 @@ const NUDGE: Real = 0.005;
 
 /// What the colliders are attached to.
 #[derive(Clone, Copy)]
+#[allow(dead_code, reason = "not every bench that shares this has both")]
 pub(super) enum Parents {
     /// Nothing: only the colliders count.
     None,

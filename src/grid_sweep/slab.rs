@@ -44,6 +44,14 @@ impl<R: Real, const D: usize> Slab<R, D> {
         emitter.finish();
     }
 
+    /// Frees what only a run needs.
+    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    pub(super) fn free_scratch(&mut self) {
+        self.outsize = Vec::new();
+        self.pairs = Vec::new();
+        self.tubes.free_scratch();
+    }
+
     /// Appends the pairs that were found.
     pub(super) fn take_pairs(&mut self, pairs: &mut Vec<[u32; 2]>) {
         pairs.append(&mut self.pairs);

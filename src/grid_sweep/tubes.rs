@@ -91,6 +91,19 @@ struct Scratch<R, const D: usize> {
     order: Order<R>,
 }
 
+impl<R: Real, const D: usize> Default for Scratch<R, D> {
+    fn default() -> Self {
+        Self {
+            entries: Vec::new(),
+            cursors: Vec::new(),
+            homes: Vec::new(),
+            ghosts: Vec::new(),
+            keyed: Vec::new(),
+            order: Order::default(),
+        }
+    }
+}
+
 impl<R: Real, const D: usize> Default for Tubes<R, D> {
     fn default() -> Self {
         Self {
@@ -102,14 +115,7 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
             owners: Vec::new(),
             ghosts: Vec::new(),
             running_maxs: Vec::new(),
-            scratch: Scratch {
-                entries: Vec::new(),
-                cursors: Vec::new(),
-                homes: Vec::new(),
-                ghosts: Vec::new(),
-                keyed: Vec::new(),
-                order: Order::default(),
-            },
+            scratch: Scratch::default(),
         }
     }
 }
@@ -224,6 +230,12 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.sort_tubes();
     }
 
+    /// Frees what only building needs, and is otherwise kept for the next time.
+    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    pub(super) fn free_scratch(&mut self) {
+        self.scratch = Scratch::default();
+    }
+
     fn clear(&mut self) {
         self.tubes.clear();
         self.table.clear();
@@ -288,9 +300,17 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             ..
         } = self;
         let Scratch { entries, order, .. } = scratch;
-        mins.iter_mut().chain(maxs.iter_mut()).for_each(Vec::clear);
+        // A sentinel behind each tube, and eight lanes may be read from the last entry on.
+        let count = tubes.last().map_or(0, |tube| tube.end as usize);
+        let padded = count + tubes.len() + LANES;
+        for numbers in mins.iter_mut().chain(maxs.iter_mut()) {
+            numbers.clear();
+            numbers.reserve_exact(padded);
+        }
         owners.clear();
+        owners.reserve_exact(padded);
         ghosts.clear();
+        ghosts.reserve_exact(padded);
         for tube in tubes.iter_mut() {
             let entries = &entries[tube.start as usize..tube.end as usize];
             let order = order.sort(entries.iter().map(|entry| entry.aabb.mins[0]));
@@ -308,8 +328,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             ghosts.extend(sorted.map(|entry| entry.ghost));
             ghosts.push(0);
         }
-        // Eight lanes may be read from the last entry on.
-        let padded = owners.len() + LANES;
         mins.iter_mut()
             .chain(maxs.iter_mut())
             .for_each(|v| v.resize(padded, R::NAN));

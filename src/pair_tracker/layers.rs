@@ -23,6 +23,10 @@ const SECOND_LOOKUP_COST: usize = 2;
 /// It is a wave if so many times as many boxes change in one update as usual, and one in so many of all.
 const WAVE: [u64; 2] = [8, 24];
 
+/// With more boxes than this, what only a run over all of them needs is given back after it: it would be the larger part
+/// of all memory, unused in nine updates of ten.
+const MANY: usize = 1 << 12;
+
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
 pub(crate) enum Layers<R, const D: usize> {
@@ -256,6 +260,10 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         self.changes = 0;
         collect_valid(boxes, &mut self.members);
         self.resting.sort(boxes, &self.members, found, stopwatch);
+        if boxes.len() > MANY {
+            self.members = Vec::new();
+            self.resting.order.free_scratch();
+        }
     }
 }
 

@@ -1,0 +1,41 @@
+//! The memory that a broad phase holds, ours and Rapier's own, by a counting allocator.
+//!
+//! ```text
+//! cargo bench --all-features --bench memory
+//! ```
+//!
+//! Bytes for each collider once the broad phase has followed some frames: what is freed when it is dropped. That of its
+//! events is not part of it, for they go into a list of the caller's.
+
+mod common;
+#[path = "memory/dim2.rs"]
+mod dim2;
+#[path = "memory/dim3.rs"]
+mod dim3;
+#[path = "update/motion.rs"]
+mod motion;
+
+use motion::Motion;
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
+use std::alloc::System;
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+fn main() {
+    common::set_threads();
+    println!("| dimension | motion | n | pairs | default, bytes a collider | unisize | aim |");
+    println!("|---|---|---|---|---|---|---|");
+    for motion in Motion::ALL {
+        dim2::print(motion);
+        dim3::print(motion);
+    }
+}
+
+/// The bytes that are freed by dropping a thing.
+fn bytes_held<T>(thing: T) -> usize {
+    let before = ALLOCATOR.stats();
+    drop(thing);
+    let freed = ALLOCATOR.stats() - before;
+    freed.bytes_deallocated - freed.bytes_allocated
+}
