@@ -8,6 +8,7 @@ mod dim2;
 mod dim3;
 mod motion;
 mod peer;
+mod sizes;
 
 use crate::pair_set::PairSet;
 use crate::progress::Progress;
@@ -17,6 +18,7 @@ use anyhow::{Context, Result, bail};
 use choreography::Choreography;
 use motion::Motion;
 use peer::{Entry, Peer};
+use sizes::Sizes;
 
 /// Turns of each broad phase in a case.
 const ROUNDS: usize = 5;
@@ -34,6 +36,9 @@ const QUICK_EFFORTS: [(usize, usize); 2] = [(100, 50), (10_000, 5)];
 
 /// The number for the motion that goes on for long: with more, it would take minutes.
 const LONG_COUNT: usize = 10_000;
+
+/// The least number for colliders of mixed sizes.
+const MIXED_COUNT: usize = 10_000;
 
 /// The number for an update that learns of nothing: it hardly depends on it.
 const NOTHING_COUNT: usize = 1 << 17;
@@ -54,32 +59,38 @@ fn measure_in<const D: usize>(
     let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
     let mut cases = Vec::new();
     for &density in &densities[..if quick { 1 } else { 2 }] {
-        for motion in Motion::ALL {
-            for &(count, frames) in efforts {
-                let is_wanted = match motion {
-                    // Fewer than one in so many would be no other case than one in as many as there are.
-                    Motion::OneIn(stride) => count >= stride,
-                    Motion::InMargin => true,
-                    Motion::AllForLong => count == LONG_COUNT && !quick,
-                    Motion::Nothing => count == NOTHING_COUNT,
-                };
-                if is_wanted {
-                    cases.push((density, motion, count, frames));
-                }
+        for sizes in Sizes::ALL {
+            for motion in Motion::ALL {
+                let efforts = efforts.iter();
+                let wanted = efforts.filter(|(count, _)| is_wanted(motion, sizes, *count, quick));
+                cases.extend(wanted.map(|effort| (density, motion, sizes, effort)));
             }
         }
     }
     progress.expect(cases.len());
     let mut rows = Vec::new();
-    for (density, motion, count, frames) in cases {
-        let case = format!("updates, {D}D, density {density}, {motion}, n = {count}");
+    for (density, motion, sizes, &(count, frames)) in cases {
+        let start = Choreography::new(count, density, motion, sizes);
+        let title = start.title();
+        let case = format!("updates, {D}D, density {density}, {title}, n = {count}");
         progress.begin(case.clone());
-        let start = Choreography::new(count, density, motion);
         let of_case = contend(entries, &start, density, frames).context(case)?;
         rows.extend(of_case);
         progress.end();
     }
     Ok(rows)
+}
+
+fn is_wanted(motion: Motion, sizes: Sizes, count: usize, quick: bool) -> bool {
+    match motion {
+        Motion::OneIn(1) if sizes != Sizes::One => count >= MIXED_COUNT,
+        _ if sizes != Sizes::One => false,
+        // Fewer than one in so many would be no other case than one in as many as there are.
+        Motion::OneIn(stride) => count >= stride,
+        Motion::InMargin => true,
+        Motion::AllForLong => count == LONG_COUNT && !quick,
+        Motion::Nothing => count == NOTHING_COUNT,
+    }
 }
 
 /// One broad phase in one case.
@@ -111,7 +122,7 @@ fn contend<const D: usize>(
         let mut contender = Contender {
             name: entry.name,
             choreography: start.clone(),
-            peer: (entry.create)(start.centers(), start.motion().stride()),
+            peer: (entry.create)(start),
             times: Times::default(),
         };
         contender.run(start.motion().frames_to_settle());
@@ -134,7 +145,7 @@ fn contend<const D: usize>(
         subject: "updates",
         dimension: D,
         density,
-        motion: start.motion().to_string(),
+        motion: start.title(),
         count: start.centers().len(),
         contender: contender.name,
         setting: String::new(),

@@ -18,8 +18,9 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
-//! [`DriftingBoxes`] are bare boxes, for what needs no engine.
+//! [`DriftingBoxes`] and [`HardBoxes`] are bare boxes, for what needs no engine.
 
+mod hard_boxes;
 mod kind;
 mod random;
 
@@ -28,4 +29,5 @@ pub mod dim2;
 pub mod dim3;
 
 pub use boxes::DriftingBoxes;
+pub use hard_boxes::HardBoxes;
 pub use kind::SceneKind;

@@ -1,6 +1,7 @@
 //! Where the colliders are in each frame.
 
 use super::motion::Motion;
+use super::sizes::Sizes;
 use unisize::Aabb;
 use unisize_scenes::DriftingBoxes;
 
@@ -10,23 +11,33 @@ const LEAP: f32 = 0.1;
 /// Half of the smallest margin, which is 0.01 in Rapier 0.27.
 const NUDGE: f32 = 0.005;
 
-/// Cubes of side 1 that drift about, or those of them that do. Equal arguments make equal frames.
+/// Cubes that drift about, or those of them that do. Equal arguments make equal frames.
 #[derive(Clone)]
 pub(crate) struct Choreography<const D: usize> {
     boxes: DriftingBoxes<D>,
     motion: Motion,
+    sizes: Sizes,
+    sides: Vec<f32>,
     frame: usize,
     centers: Vec<[f32; D]>,
 }
 
 impl<const D: usize> Choreography<D> {
     /// Before the first frame.
-    pub(crate) fn new(count: usize, density: f64, motion: Motion) -> Self {
-        let boxes = DriftingBoxes::new(count, density, 7);
+    pub(crate) fn new(count: usize, density: f64, motion: Motion, sizes: Sizes) -> Self {
+        let sides = sizes.sides(count);
+        // As if all were cubes of side 1, but in as much more space as they fill.
+        let volume: f64 = sides
+            .iter()
+            .map(|&side| f64::from(side).powi(D as i32))
+            .sum();
+        let boxes = DriftingBoxes::new(count, density * count as f64 / volume, 7);
         let centers = boxes.mins().iter().map(center).collect();
         Self {
             boxes,
             motion,
+            sizes,
+            sides,
             frame: 0,
             centers,
         }
@@ -34,6 +45,16 @@ impl<const D: usize> Choreography<D> {
 
     pub(crate) fn motion(&self) -> Motion {
         self.motion
+    }
+
+    /// What moves, and how large it is, in words.
+    pub(crate) fn title(&self) -> String {
+        format!("{}{}", self.motion, self.sizes)
+    }
+
+    /// The side of each cube.
+    pub(crate) fn sides(&self) -> &[f32] {
+        &self.sides
     }
 
     pub(crate) fn centers(&self) -> &[[f32; D]] {
@@ -65,10 +86,11 @@ impl<const D: usize> Choreography<D> {
 
     /// The boxes themselves, without any margin.
     pub(crate) fn boxes(&self) -> Vec<Aabb<f32, D>> {
-        let half = DriftingBoxes::<D>::SIZE / 2.0;
-        let around =
-            |&center: &[f32; D]| Aabb::new(center.map(|x| x - half), center.map(|x| x + half));
-        self.centers.iter().map(around).collect()
+        let around = |(center, side): (&[f32; D], &f32)| {
+            let half = side / 2.0;
+            Aabb::new(center.map(|x| x - half), center.map(|x| x + half))
+        };
+        self.centers.iter().zip(&self.sides).map(around).collect()
     }
 }
 

@@ -1,5 +1,6 @@
 //! A broad phase with a world of its own, of whichever version of Rapier.
 
+use super::choreography::Choreography;
 use crate::pair_set::PairSet;
 use std::time::Duration;
 
@@ -14,11 +15,10 @@ pub(crate) trait Peer<const D: usize> {
     fn held_pairs(&self) -> PairSet;
 }
 
-/// A broad phase that can be created for colliders with given centres, of which one in `stride` is listed
-/// from then on.
+/// A broad phase that can be created for the colliders of a choreography, before its first frame.
 pub(crate) struct Entry<const D: usize> {
     pub(crate) name: &'static str,
     pub(crate) create: Create<D>,
 }
 
-type Create<const D: usize> = fn(centers: &[[f32; D]], stride: Option<usize>) -> Box<dyn Peer<D>>;
+type Create<const D: usize> = fn(start: &Choreography<D>) -> Box<dyn Peer<D>>;

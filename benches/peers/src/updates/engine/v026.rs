@@ -6,7 +6,7 @@ use crate::updates::peer::Entry;
 
 pub(crate) const MULTI_SAP: Entry<DIM> = Entry {
     name: "Rapier 0.26, multi-SAP",
-    create: |centers, stride| Box::new(Driven::new(Recorder::default(), centers, stride)),
+    create: |start| Box::new(Driven::new(Recorder::default(), start)),
 };
 
 /// The broad phase, which remembers its events in a pipeline that keeps them to itself.

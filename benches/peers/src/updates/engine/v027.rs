@@ -7,12 +7,12 @@ use crate::updates::peer::Entry;
 
 pub(crate) const OURS: Entry<DIM> = Entry {
     name: "unisize",
-    create: |centers, stride| Box::new(Driven::new(UnisizeBroadPhase::new(), centers, stride)),
+    create: |start| Box::new(Driven::new(UnisizeBroadPhase::new(), start)),
 };
 
 pub(crate) const DEFAULT: Entry<DIM> = Entry {
     name: "Rapier 0.27, BVH",
-    create: |centers, stride| Box::new(Driven::new(DefaultBroadPhase::new(), centers, stride)),
+    create: |start| Box::new(Driven::new(DefaultBroadPhase::new(), start)),
 };
 
 impl<B: BroadPhase> BroadPhaseOfEngine for B {

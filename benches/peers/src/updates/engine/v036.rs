@@ -7,7 +7,7 @@ use crate::updates::peer::Entry;
 
 pub(crate) const BVH: Entry<DIM> = Entry {
     name: "Rapier 0.36, BVH",
-    create: |centers, stride| Box::new(Driven::new(BroadPhaseBvh::new(), centers, stride)),
+    create: |start| Box::new(Driven::new(BroadPhaseBvh::new(), start)),
 };
 
 impl BroadPhaseOfEngine for BroadPhaseBvh {

@@ -3,11 +3,11 @@
 
 use super::rapier::prelude::*;
 use crate::pair_set::PairSet;
+use crate::updates::choreography::Choreography;
 use crate::updates::peer::Peer;
 use std::collections::HashSet;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use unisize_scenes::DriftingBoxes;
 
 /// How a version of Rapier tells its broad phase of colliders.
 pub(super) trait BroadPhaseOfEngine {
@@ -33,10 +33,10 @@ pub(super) struct World {
 }
 
 impl World {
-    fn new(centers: &[[f32; DIM]], stride: Option<usize>) -> Self {
+    fn new(start: &Choreography<DIM>) -> Self {
         let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
-        let half = [DriftingBoxes::<DIM>::SIZE / 2.0; DIM];
-        let insert = |&center: &[f32; DIM]| {
+        let insert = |(&center, side): (&[f32; DIM], &f32)| {
+            let half = [side / 2.0; DIM];
             let body = RigidBodyBuilder::dynamic().translation(Vector::from(center));
             let body = bodies.insert(body);
             // A shape each, as different things have.
@@ -45,14 +45,15 @@ impl World {
             let collider = colliders.insert_with_parent(collider, body, &mut bodies);
             (body, collider)
         };
-        let all: Vec<_> = centers.iter().map(insert).collect();
+        let places = start.centers().iter().zip(start.sides());
+        let all: Vec<_> = places.map(insert).collect();
         let listed = all.iter().map(|&(_, collider)| collider).collect();
         Self {
             params: IntegrationParameters::default(),
             bodies,
             colliders,
             all,
-            stride,
+            stride: start.motion().stride(),
             listed,
             events: Vec::new(),
         }
@@ -69,15 +70,15 @@ pub(super) struct Driven<B> {
 
 impl<B: BroadPhaseOfEngine> Driven<B> {
     /// With all colliders known to the broad phase.
-    pub(super) fn new(broad_phase: B, centers: &[[f32; DIM]], stride: Option<usize>) -> Self {
+    pub(super) fn new(broad_phase: B, start: &Choreography<DIM>) -> Self {
         let mut driven = Self {
-            world: World::new(centers, stride),
+            world: World::new(start),
             broad_phase,
             log: Vec::new(),
         };
         driven.broad_phase.introduce(&mut driven.world);
         driven.log.append(&mut driven.world.events);
-        driven.world.listed = match stride {
+        driven.world.listed = match driven.world.stride {
             Some(stride) => {
                 let moving = driven.world.all.iter().step_by(stride);
                 moving.map(|&(_, collider)| collider).collect()
