@@ -18,9 +18,10 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
-//! [`DriftingBoxes`] and [`HardBoxes`] are bare boxes, for what needs no engine.
+//! [`DriftingBoxes`], [`HardBoxes`] and [`HardFrames`] are bare boxes, for what needs no engine.
 
 mod hard_boxes;
+mod hard_motions;
 mod kind;
 mod random;
 
@@ -30,4 +31,5 @@ pub mod dim3;
 
 pub use boxes::DriftingBoxes;
 pub use hard_boxes::HardBoxes;
+pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;

@@ -1,6 +1,7 @@
 //! The generator that the scenes draw from: a thin cover of `oorandom` with the few draws they need.
 
 /// A generator whose draws depend on its seed alone.
+#[derive(Clone, Debug)]
 pub(crate) struct Random(oorandom::Rand32);
 
 impl Random {

@@ -1,0 +1,102 @@
+//! Motions on which broad phases fail: how the time of an update and the memory grow, for Rapier's own broad phase, this
+//! one, and this one with the kernel of the paper.
+//!
+//! ```text
+//! cargo bench --all-features --bench hard_motions
+//! ```
+//!
+//! A table in Markdown for each dimension. Times are for one update, the mean and the worst of 60, or of as many as four
+//! seconds are enough for. *Work* is the number of cubes, of pairs held
+//! and of events, on average: what a broad phase cannot do without. *Times drifting* is the time for each piece of it, in
+//! that of cubes that drift. The *slopes* are those of the logarithm of the mean time, and of memory, over the logarithm
+//! of the work, between the two largest numbers of cubes: 1 where they grow in proportion.
+
+mod common;
+#[path = "hard_motions/dim2.rs"]
+mod dim2;
+#[path = "hard_motions/dim3.rs"]
+mod dim3;
+
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
+use std::alloc::System;
+use std::time::Duration;
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// The numbers of cubes.
+const COUNTS: [usize; 3] = [1 << 12, 1 << 14, 1 << 16];
+
+/// That of a smoke test.
+const SMALL_COUNT: usize = 1 << 8;
+
+const FRAMES: u32 = 60;
+
+/// No case goes on for longer, with however few frames, and none that did is followed by one with more cubes.
+const LONG: Duration = Duration::from_secs(4);
+
+fn main() {
+    common::set_threads();
+    dim2::print();
+    dim3::print();
+}
+
+/// One broad phase in one case.
+struct Figures {
+    count: usize,
+    frames: u32,
+    pairs: usize,
+    events: usize,
+    all: Duration,
+    worst: Duration,
+    bytes: usize,
+}
+
+impl Figures {
+    /// Cubes, pairs and events.
+    fn work(&self) -> f64 {
+        (self.count + self.pairs) as f64 + self.events as f64 / f64::from(self.frames)
+    }
+
+    fn is_long(&self) -> bool {
+        self.all >= LONG
+    }
+
+    fn seconds(&self) -> f64 {
+        self.all.as_secs_f64() / f64::from(self.frames)
+    }
+}
+
+/// Prints the line of one broad phase and motion. `drifting` is its time for a piece of work, once it is known.
+fn print_row(motion: &str, name: &str, figures: &[Figures], drifting: &mut Option<f64>) {
+    let Some(last) = figures.last() else { return };
+    let each = last.seconds() / last.work() * 1e9;
+    let drifting = *drifting.get_or_insert(each);
+    let slope = |of: fn(&Figures) -> f64| match figures {
+        [.., before, last] => {
+            let slope = (of(last) / of(before)).ln() / (last.work() / before.work()).ln();
+            format!("{slope:.2}")
+        }
+        _ => "–".to_owned(),
+    };
+    println!(
+        "| {motion} | {name} | {} | {} | {} | {:.3} | {:.3} | {each:.1} | {:.1} | {} | {:.0} | {} |",
+        last.count,
+        last.pairs,
+        last.events / last.frames as usize,
+        last.seconds() * 1e3,
+        last.worst.as_secs_f64() * 1e3,
+        each / drifting,
+        slope(Figures::seconds),
+        last.bytes as f64 / last.count as f64,
+        slope(|figures| figures.bytes as f64),
+    );
+}
+
+fn print_head(dimension: usize) {
+    println!("### rapier{dimension}d\n");
+    println!(
+        "| motion | broad phase | n | pairs | events | mean ms | worst ms | ns a piece of work | times drifting | slope of time | bytes a cube | slope of memory |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+}

@@ -1,0 +1,241 @@
+//! Cubes whose motion makes broad phases fail: bare, frame by frame.
+
+use crate::random::Random;
+
+/// How cubes move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum HardMotion {
+    /// Not hard: all drift and bounce from the borders. What the others are held against.
+    Drifting,
+    /// All fly apart from a ball in which they are packed.
+    Explosion,
+    /// All fly towards the centre.
+    Implosion,
+    /// All are somewhere else in each frame.
+    Teleporting,
+    /// Every other one drifts.
+    HalfAsleep,
+    /// One in ten is taken away and comes back somewhere else as another; the rest drift.
+    Churn,
+    /// All drift, then one in a hundred, then all stay about where they are, then one in ten is teleported.
+    Alternating,
+}
+
+/// How far a cube moves at most between two frames, along each axis.
+const SPEED: f32 = 0.1;
+
+/// The part of the way to or from the centre that cubes go in a frame.
+const PULL: f32 = 0.02;
+
+/// Overlapping pairs a cube, where they are uniform.
+const PAIRS: f64 = 0.8;
+
+impl HardMotion {
+    /// All of them, the one that is not hard first.
+    pub const ALL: [Self; 7] = [
+        Self::Drifting,
+        Self::Explosion,
+        Self::Implosion,
+        Self::Teleporting,
+        Self::HalfAsleep,
+        Self::Churn,
+        Self::Alternating,
+    ];
+
+    /// A name in plain words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Drifting => "drifting",
+            Self::Explosion => "explosion",
+            Self::Implosion => "implosion",
+            Self::Teleporting => "teleporting",
+            Self::HalfAsleep => "half asleep",
+            Self::Churn => "churn of a tenth",
+            Self::Alternating => "alternating modes",
+        }
+    }
+}
+
+/// Cubes of side 1 in motion. Equal arguments make equal frames.
+///
+/// ```
+/// use unisize_scenes::{HardFrames, HardMotion};
+///
+/// let mut frames = HardFrames::<3>::new(HardMotion::Churn, 100, 7);
+/// frames.advance();
+/// assert_eq!(frames.mins().len(), 100);
+/// assert!(frames.replaced().len() > 0);
+/// ```
+#[derive(Clone, Debug)]
+pub struct HardFrames<const D: usize> {
+    motion: HardMotion,
+    random: Random,
+    frame: usize,
+    reach: f32,
+    mins: Vec<[f32; D]>,
+    velocities: Vec<[f32; D]>,
+    moved: Vec<usize>,
+    replaced: Vec<usize>,
+}
+
+impl<const D: usize> HardFrames<D> {
+    /// So many cubes before the first frame. **O(n)**.
+    pub fn new(motion: HardMotion, count: usize, seed: u64) -> Self {
+        let density = PAIRS * 2.0 / f64::from(1 << D);
+        let reach = (count as f64 / density).powf(1.0 / D as f64) as f32;
+        let mut frames = Self {
+            motion,
+            random: Random::new(seed),
+            frame: 0,
+            reach,
+            mins: vec![[0.0; D]; count],
+            velocities: vec![[0.0; D]; count],
+            moved: Vec::new(),
+            replaced: Vec::new(),
+        };
+        for i in 0..count {
+            frames.mins[i] = frames.anywhere();
+            frames.velocities[i] = std::array::from_fn(|_| frames.random.range(-SPEED, SPEED));
+        }
+        if motion == HardMotion::Explosion {
+            // Half as large: 2ᴰ times as dense.
+            frames.scale(0.5);
+        }
+        frames
+    }
+
+    /// The lower corner of each cube in this frame.
+    pub fn mins(&self) -> &[[f32; D]] {
+        &self.mins
+    }
+
+    /// The cubes that are not where they were in the last frame, ascending.
+    pub fn moved(&self) -> &[usize] {
+        &self.moved
+    }
+
+    /// The cubes that were taken away after the last frame and are others now, ascending; none of them is among the
+    /// [moved](Self::moved).
+    pub fn replaced(&self) -> &[usize] {
+        &self.replaced
+    }
+
+    /// On to the next frame. **O(n)**.
+    pub fn advance(&mut self) {
+        self.moved.clear();
+        self.replaced.clear();
+        match self.motion {
+            HardMotion::Drifting => self.drift(1),
+            HardMotion::HalfAsleep => self.drift(2),
+            HardMotion::Explosion => self.scale(1.0 + PULL),
+            HardMotion::Implosion => self.scale(1.0 - PULL),
+            HardMotion::Teleporting => self.teleport(1),
+            HardMotion::Churn => {
+                let turn = self.frame % 10;
+                self.drift(1);
+                self.moved.retain(|i| i % 10 != turn);
+                self.replaced.extend((turn..self.mins.len()).step_by(10));
+                for k in 0..self.replaced.len() {
+                    self.mins[self.replaced[k]] = self.anywhere();
+                }
+            }
+            HardMotion::Alternating => match self.frame % 4 {
+                0 => self.drift(1),
+                1 => self.drift(100),
+                2 => self.tremble(),
+                _ => self.teleport(10),
+            },
+        }
+        self.frame += 1;
+    }
+
+    fn anywhere(&mut self) -> [f32; D] {
+        std::array::from_fn(|_| self.random.range(0.0, self.reach))
+    }
+
+    /// Moves one in so many on.
+    fn drift(&mut self, stride: usize) {
+        for i in (0..self.mins.len()).step_by(stride) {
+            for (x, v) in self.mins[i].iter_mut().zip(&mut self.velocities[i]) {
+                if !(0.0..=self.reach).contains(&(*x + *v)) {
+                    *v = -*v;
+                }
+                *x += *v;
+            }
+            self.moved.push(i);
+        }
+    }
+
+    /// Moves all by less than any margin, there or back.
+    fn tremble(&mut self) {
+        let way = if self.frame % 8 < 4 { 1e-3 } else { -1e-3 };
+        for (i, mins) in self.mins.iter_mut().enumerate() {
+            mins[0] += way;
+            self.moved.push(i);
+        }
+    }
+
+    /// Puts one in so many anywhere.
+    fn teleport(&mut self, stride: usize) {
+        for i in (0..self.mins.len()).step_by(stride) {
+            self.mins[i] = self.anywhere();
+            self.moved.push(i);
+        }
+    }
+
+    /// Moves all towards the centre or away from it.
+    fn scale(&mut self, factor: f32) {
+        let centre = self.reach / 2.0;
+        for (i, mins) in self.mins.iter_mut().enumerate() {
+            *mins = mins.map(|x| centre + (x - centre) * factor);
+            self.moved.push(i);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_listed_has_not_moved() {
+        for motion in HardMotion::ALL {
+            let mut frames = HardFrames::<2>::new(motion, 300, 7);
+            for _ in 0..20 {
+                let before = frames.mins().to_vec();
+                frames.advance();
+                let [moved, replaced] = [frames.moved(), frames.replaced()];
+                assert!(moved.is_sorted() && replaced.is_sorted());
+                assert!(!moved.is_empty(), "{motion:?}");
+                for (i, mins) in before.iter().enumerate() {
+                    let is_listed = [moved, replaced].map(|list| list.binary_search(&i).is_ok());
+                    assert_ne!(is_listed, [true, true]);
+                    assert_eq!(
+                        frames.mins()[i] != *mins,
+                        is_listed.contains(&true),
+                        "{motion:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_implosion_gathers_pairs_and_an_explosion_loses_them() {
+        let pairs = |mins: &[[f32; 2]]| {
+            let overlap = |a: &[f32; 2], b: &[f32; 2]| (0..2).all(|k| (a[k] - b[k]).abs() <= 1.0);
+            let before = |i: usize| mins[..i].iter().filter(move |b| overlap(&mins[i], b));
+            (0..mins.len()).map(|i| before(i).count()).sum::<usize>()
+        };
+        for (motion, sign) in [(HardMotion::Explosion, -1.0), (HardMotion::Implosion, 1.0)] {
+            let mut frames = HardFrames::<2>::new(motion, 1000, 7);
+            let before = pairs(frames.mins()) as f64;
+            (0..20).for_each(|_| frames.advance());
+            let after = pairs(frames.mins()) as f64;
+            assert!(
+                ((after - before) / before.min(after)) * sign > 0.5,
+                "{before} {after}"
+            );
+        }
+    }
+}
