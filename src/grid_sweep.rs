@@ -201,7 +201,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Lets [`look_up`](Self::look_up) be called, until the next run.
-    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    #[cfg(feature = "_adapter")]
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
             class.prepare_lookup();
@@ -224,7 +224,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
     /// each tube that it reaches.
-    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    #[cfg(feature = "_adapter")]
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],

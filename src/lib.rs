@@ -10,7 +10,8 @@
 //! # In Rapier
 //!
 //! Enable the feature `rapier2d` or `rapier3d` (for Rapier **0.27**, the last version whose broad phase can be
-//! replaced) and give Rapier another broad phase; everything else stays as it is, and so do the contacts:
+//! replaced), or `rapier2d-f64` or `rapier3d-f64` for numbers of 64 bits, and give Rapier another broad phase; everything
+//! else stays as it is, and so do the contacts:
 //!
 //! ```diff
 //! -let mut broad_phase = DefaultBroadPhase::new();
@@ -59,12 +60,16 @@ mod rank_sweep;
 mod real;
 mod stopwatch;
 
-#[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+#[cfg(feature = "_adapter")]
 mod pair_tracker;
 #[cfg(feature = "rapier2d")]
 pub mod rapier2d;
+#[cfg(feature = "rapier2d-f64")]
+pub mod rapier2d_f64;
 #[cfg(feature = "rapier3d")]
 pub mod rapier3d;
+#[cfg(feature = "rapier3d-f64")]
+pub mod rapier3d_f64;
 
 pub use aabb::Aabb;
 pub use brute_force::BruteForce;

@@ -12,13 +12,13 @@ pub(crate) fn threads() -> usize {
 }
 
 /// Fewer items than this are not worth a second thread.
-#[cfg(all(feature = "parallel", any(feature = "rapier2d", feature = "rapier3d")))]
+#[cfg(all(feature = "parallel", feature = "_adapter"))]
 const WORTH_A_THREAD: usize = 1 << 14;
 
 /// Asks a question of each item, and writes the answers into `bits`, 64 in a word, the first one lowest.
 ///
 /// `ask` answers for up to 64 items, from the first of its range on, in the lowest bits.
-#[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+#[cfg(feature = "_adapter")]
 pub(crate) fn ask_each(
     items: usize,
     bits: &mut Vec<u64>,
@@ -39,7 +39,7 @@ pub(crate) fn ask_each(
 }
 
 /// The positions of the bits that are set.
-#[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+#[cfg(feature = "_adapter")]
 pub(crate) fn ones(bits: &[u64]) -> impl Iterator<Item = usize> + '_ {
     bits.iter().enumerate().flat_map(|(i, &word)| {
         let mut rest = word;
@@ -62,7 +62,7 @@ pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + 
     parts.iter_mut().for_each(work);
 }
 
-#[cfg(all(test, any(feature = "rapier2d", feature = "rapier3d")))]
+#[cfg(all(test, feature = "_adapter"))]
 mod tests {
     use super::*;
 

@@ -3,20 +3,11 @@
 //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
 
 use ::rapier3d as rapier;
-use rapier::math::{AngVector, Real, Rotation};
 
 #[path = "adapter/mod.rs"]
 mod adapter;
 
+#[path = "adapter/dim3.rs"]
+mod dimension;
+
 pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};
-
-/// The rotation as an axis times an angle, or as an angle alone in two dimensions.
-fn scaled_axis(rotation: &Rotation<Real>) -> AngVector<Real> {
-    rotation.scaled_axis()
-}
-
-/// A rotation vector, of which two dimensions need only the last component.
-#[cfg(test)]
-fn angular(x: Real, y: Real, z: Real) -> AngVector<Real> {
-    rapier::math::Vector::new(x, y, z)
-}

@@ -49,3 +49,5 @@ macro_rules! compare {
 
 compare!(dim2, rapier2d);
 compare!(dim3, rapier3d);
+compare!(dim2_f64, rapier2d_f64);
+compare!(dim3_f64, rapier3d_f64);

@@ -1,5 +1,6 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it.
 
+use super::dimension;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet, RigidBodyVelocity};
 use super::rapier::geometry::Collider;
@@ -69,6 +70,6 @@ fn predicted_pose(body: &RigidBody, dt: Real, reach: Real) -> Isometry<Real> {
     if distance <= reach {
         return end;
     }
-    let turn = super::super::scaled_axis(&(end.rotation * start.rotation.inverse()));
+    let turn = dimension::scaled_axis(&(end.rotation * start.rotation.inverse()));
     RigidBodyVelocity::new(travel, turn).integrate(reach / distance, start, center)
 }

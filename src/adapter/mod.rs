@@ -1,9 +1,10 @@
 //! The adapter to Rapier: one source for every flavour, compiled once in each.
 //!
 //! It turns colliders into boxes, and changes of the pair set into Rapier's events; how pairs are
-//! found is none of its business. The module that includes it names the engine as `rapier`.
+//! found is none of its business. The module that includes it names the engine as `rapier`,
+//! and what depends on the dimension as `dimension`.
 
-use super::rapier;
+use super::{dimension, rapier};
 
 mod broad_phase;
 mod collider_box;

@@ -104,6 +104,7 @@ impl Outline {
 
 #[cfg(test)]
 mod tests {
+    use super::super::dimension;
     use super::super::rapier::geometry::ColliderBuilder;
     use super::super::rapier::math::Isometry;
     use super::super::rapier::parry::shape::{Ball, Capsule, Cuboid};
@@ -119,7 +120,7 @@ mod tests {
     fn poses() -> impl Iterator<Item = Isometry<Real>> {
         (0..50).map(|i| {
             let i = i as Real;
-            let axis = super::super::super::angular(i * 0.37, i * 1.3 - 5.0, i * 0.11);
+            let axis = dimension::angular(i * 0.37, i * 1.3 - 5.0, i * 0.11);
             Isometry::new(Vector::repeat(0.7 * i - 9.3), axis)
         })
     }

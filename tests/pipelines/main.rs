@@ -6,4 +6,6 @@
 //! last bit. Where it does matter (`piles`) only the outcome is compared.
 
 mod dim2;
+mod dim2_f64;
 mod dim3;
+mod dim3_f64;

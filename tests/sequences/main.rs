@@ -9,5 +9,7 @@
 //! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer.
 
 mod dim2;
+mod dim2_f64;
 mod dim3;
+mod dim3_f64;
 mod ops;

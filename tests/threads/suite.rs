@@ -1,4 +1,4 @@
-//! Many colliders that move, come, go and are spoilt, with one thread and with three: one source for both dimensions.
+//! Many colliders that move, come, go and are spoilt, with one thread and with three: one source for every flavour.
 
 use super::rapier::prelude::*;
 use super::{Stats, UnisizeBroadPhase};
@@ -31,7 +31,8 @@ fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
     let mut colliders = ColliderSet::new();
     let mut broad_phase = UnisizeBroadPhase::new();
     let (mut listed, mut removed) = (Vec::new(), Vec::new());
-    let somewhere = |random: &mut Rand32| Vector::from_fn(|_, _| random.rand_float() * side);
+    let somewhere =
+        |random: &mut Rand32| Vector::from_fn(|_, _| random.rand_float() as Real * side);
     let mut velocities = Vec::new();
     for _ in 0..COUNT {
         let place = somewhere(&mut random);
@@ -39,7 +40,9 @@ fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
         let body = bodies.insert(RigidBodyBuilder::dynamic());
         listed.push(colliders.insert_with_parent(collider, body, &mut bodies));
         colliders[listed[listed.len() - 1]].set_translation(place);
-        velocities.push(Vector::from_fn(|_, _| 0.1 * (random.rand_float() - 0.5)));
+        velocities.push(Vector::from_fn(|_, _| {
+            0.1 * (random.rand_float() as Real - 0.5)
+        }));
     }
     // In no order, as the islands of Rapier list them.
     for i in (1..listed.len()).rev() {

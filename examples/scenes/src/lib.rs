@@ -1,7 +1,7 @@
 //! The worlds that unisize is tested, measured and shown on.
 //!
-//! [`dim2`] and [`dim3`] are one source, compiled once against rapier2d and once against rapier3d. A
-//! [`dim3::Scene`] is built from a [`SceneKind`], a number of bodies and a seed, and is stepped with any
+//! [`dim2`] and [`dim3`] are one source, compiled once against rapier2d and once against rapier3d, and so are
+//! [`dim2_f64`] and [`dim3_f64`] against the engines with numbers of 64 bits. A [`dim3::Scene`] is built from a [`SceneKind`], a number of bodies and a seed, and is stepped with any
 //! broad phase:
 //!
 //! ```
@@ -27,7 +27,9 @@ mod random;
 
 pub mod boxes;
 pub mod dim2;
+pub mod dim2_f64;
 pub mod dim3;
+pub mod dim3_f64;
 
 pub use boxes::DriftingBoxes;
 pub use hard_boxes::HardBoxes;

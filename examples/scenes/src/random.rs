@@ -1,5 +1,7 @@
 //! The generator that the scenes draw from: a thin cover of `oorandom` with the few draws they need.
 
+use rapier2d::na::{self, RealField};
+
 /// A generator whose draws depend on its seed alone.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(oorandom::Rand32);
@@ -10,13 +12,18 @@ impl Random {
     }
 
     /// A number in `lo..hi`.
-    pub(crate) fn range(&mut self, lo: f32, hi: f32) -> f32 {
-        lo + (hi - lo) * self.0.rand_float()
+    pub(crate) fn range<R: RealField + Copy>(&mut self, lo: R, hi: R) -> R {
+        lo + (hi - lo) * self.share()
     }
 
     /// A number in `lo..hi` whose logarithm is uniform.
-    pub(crate) fn log_range(&mut self, lo: f32, hi: f32) -> f32 {
-        lo * (hi / lo).powf(self.0.rand_float())
+    pub(crate) fn log_range<R: RealField + Copy>(&mut self, lo: R, hi: R) -> R {
+        lo * (hi / lo).powf(self.share())
+    }
+
+    /// A number in `0..1`, with the bits of an `f32`.
+    fn share<R: RealField>(&mut self) -> R {
+        na::convert(f64::from(self.0.rand_float()))
     }
 
     /// An index in `0..count`, which must not be empty.

@@ -1,4 +1,4 @@
-//! Every scene, in both dimensions: it stays sane under Rapier's default broad phase, whatever the number
+//! Every scene, in every flavour: it stays sane under Rapier's default broad phase, whatever the number
 //! of bodies, and it is determined by its seed.
 
 use unisize_scenes::SceneKind;
@@ -6,7 +6,7 @@ use unisize_scenes::SceneKind;
 /// Steps of the tests that look at a scene while it is in full motion.
 const STEPS: usize = 60;
 
-/// The tests of one dimension.
+/// The tests of one flavour.
 macro_rules! scene_tests {
     ($dim:ident) => {
         mod $dim {
@@ -149,3 +149,5 @@ macro_rules! scene_tests {
 
 scene_tests!(dim2);
 scene_tests!(dim3);
+scene_tests!(dim2_f64);
+scene_tests!(dim3_f64);

@@ -1,4 +1,4 @@
-//! The tests: one source for both dimensions, which the module that includes it names as `rapier`.
+//! The tests: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
 use super::{UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};

@@ -21,7 +21,7 @@ pub(super) enum Event {
     Started(Pair, u32),
     Stopped(Pair, u32),
     /// With the bits of the total force.
-    Force(Pair, u32),
+    Force(Pair, u64),
 }
 
 /// An event handler that keeps the events.
@@ -57,7 +57,7 @@ impl EventHandler for EventLog {
         total_force: Real,
     ) {
         let pair = pair(contact_pair.collider1, contact_pair.collider2);
-        self.push(Event::Force(pair, total_force.to_bits()));
+        self.push(Event::Force(pair, f64::from(total_force).to_bits()));
     }
 }
 

@@ -8,10 +8,10 @@ use crate::ops::Sequence;
 
 pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
     let params = IntegrationParameters {
-        length_unit: sequence.length_unit,
+        length_unit: sequence.length_unit.into(),
         ..IntegrationParameters::default()
     };
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
     let mut world = World::default();
     for ops in &sequence.updates {
         for &op in ops {

@@ -1,4 +1,4 @@
-//! The suite: one source for both dimensions, which the module that includes it names as `rapier`.
+//! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
 use super::{Kernel, Settings, UnisizeBroadPhase};

@@ -18,13 +18,13 @@ fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)
 }
 
 pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = CollisionPipeline::new();
     let mut world = World::default();
     play(sequence, &mut world, |world| {
         pipeline.step(
-            0.002 * sequence.length_unit,
+            0.002 * Real::from(sequence.length_unit),
             &mut broad_phase,
             &mut narrow_phase,
             &mut world.bodies,
@@ -37,10 +37,10 @@ pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
 
 pub(super) fn play_physics(sequence: &Sequence, kernel: Kernel) {
     let params = IntegrationParameters {
-        length_unit: sequence.length_unit,
+        length_unit: sequence.length_unit.into(),
         ..IntegrationParameters::default()
     };
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin);
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = PhysicsPipeline::new();
     let mut ccd_solver = CCDSolver::new();

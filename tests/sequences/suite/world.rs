@@ -105,7 +105,7 @@ impl World {
                 self.place(handle, pose);
             }
             Op::Teleport(_, to) => self.place(handle, translation(to)),
-            Op::Spoil(_) => self.place(handle, translation([Real::NAN; 3])),
+            Op::Spoil(_) => self.place(handle, translation([f32::NAN; 3])),
             Op::Reparent(_, to) => {
                 let parent = to.and_then(|pick| self.sound_body(pick));
                 self.colliders.set_parent(handle, parent, &mut self.bodies);
@@ -122,7 +122,7 @@ impl World {
                 collider.set_position(pose);
             }
             Op::Resize(_, shape) => collider.set_shape(shared_shape(shape)),
-            Op::Skin(_, skin) => collider.set_contact_skin(skin),
+            Op::Skin(_, skin) => collider.set_contact_skin(skin.into()),
             Op::Sensor(_, on) => collider.set_sensor(on),
             Op::Enable(_, on) => collider.set_enabled(on),
             Op::Regroup(_, groups) => collider.set_collision_groups(interaction_groups(groups)),
@@ -249,7 +249,7 @@ fn nth<T: Copy>(items: &[T], pick: usize) -> Option<T> {
 }
 
 fn vector(triple: Triple) -> Vector<Real> {
-    Vector::from_fn(|i, _| triple[i])
+    Vector::from_fn(|i, _| Real::from(triple[i]))
 }
 
 fn translation(triple: Triple) -> Isometry<Real> {
@@ -267,12 +267,12 @@ fn body_type(kind: BodyKind) -> RigidBodyType {
 
 fn shared_shape(shape: Shape) -> SharedShape {
     match shape {
-        Shape::Ball(radius) => SharedShape::ball(radius),
+        Shape::Ball(radius) => SharedShape::ball(radius.into()),
         Shape::Cuboid(half) => SharedShape::new(Cuboid::new(vector(half))),
-        Shape::Capsule(half, radius) => SharedShape::capsule_y(half, radius),
+        Shape::Capsule(half, radius) => SharedShape::capsule_y(half.into(), radius.into()),
         Shape::Compound(radius, gap) => SharedShape::compound(vec![
-            (Isometry::identity(), SharedShape::ball(radius)),
-            (translation([gap; 3]), SharedShape::ball(radius)),
+            (Isometry::identity(), SharedShape::ball(radius.into())),
+            (translation([gap; 3]), SharedShape::ball(radius.into())),
         ]),
         Shape::HalfSpace(normal) => {
             let normal = UnitVector::try_new(vector(normal), 0.0);

@@ -3,7 +3,7 @@
 use super::rapier::{na::DVector, prelude::*};
 
 /// The area of the unit ball.
-pub(super) const UNIT_BALL: Real = core::f32::consts::PI;
+pub(super) const UNIT_BALL: Real = core::f64::consts::PI as Real;
 
 /// The axes in which a crowd walks: it is seen from above.
 pub(super) const PLANE: [usize; 2] = [0, 1];
@@ -24,7 +24,7 @@ pub(super) fn tilt(_axis: usize, angle: Real) -> AngVector<Real> {
 
 /// The rotation that lays a capsule along the first axis.
 pub(super) fn lying() -> AngVector<Real> {
-    core::f32::consts::FRAC_PI_2
+    core::f64::consts::FRAC_PI_2 as Real
 }
 
 /// A height field around the origin, `cells` wide and of this extent, with the height of each column.

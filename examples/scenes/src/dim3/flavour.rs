@@ -3,7 +3,7 @@
 use super::rapier::{na::DMatrix, prelude::*};
 
 /// The volume of the unit ball.
-pub(super) const UNIT_BALL: Real = 4.0 / 3.0 * core::f32::consts::PI;
+pub(super) const UNIT_BALL: Real = 4.0 / 3.0 * (core::f64::consts::PI as Real);
 
 /// The axes in which a crowd walks: the ground.
 pub(super) const PLANE: [usize; 2] = [0, 2];
@@ -28,7 +28,7 @@ pub(super) fn tilt(axis: usize, angle: Real) -> AngVector<Real> {
 
 /// The rotation that lays a capsule along the first axis.
 pub(super) fn lying() -> AngVector<Real> {
-    Vector::z() * core::f32::consts::FRAC_PI_2
+    Vector::z() * core::f64::consts::FRAC_PI_2 as Real
 }
 
 /// A height field around the origin, `cells` wide and of this extent, with the height of each corner.

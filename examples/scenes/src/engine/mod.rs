@@ -1,4 +1,4 @@
-//! The part of the scenes that touches Rapier: one source for both dimensions.
+//! The part of the scenes that touches Rapier: one source for every flavour.
 
 use super::{flavour, rapier};
 

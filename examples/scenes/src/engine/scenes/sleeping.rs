@@ -103,7 +103,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             Mover {
                 body: world.insert(ball, ColliderBuilder::ball(MOVER)),
                 place,
-                phase: random.range(0.0, 2.0 * core::f32::consts::PI),
+                phase: random.range(0.0, core::f64::consts::TAU as Real),
                 forward: random.index(2) == 0,
             }
         })

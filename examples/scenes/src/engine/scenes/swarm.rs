@@ -41,7 +41,7 @@ impl Script for Flight {
             let place = vector(|axis| {
                 let drifted = flyer.home[axis] + flyer.drift[axis] * time;
                 let (lo, hi) = (self.container.lo[axis], self.container.hi[axis]);
-                let quarter = axis as Real * core::f32::consts::FRAC_PI_2;
+                let quarter = axis as Real * (core::f64::consts::FRAC_PI_2 as Real);
                 reflect(drifted, lo, hi) + CIRCLE * (2.0 * time + flyer.phase + quarter).sin()
             });
             world.bodies[flyer.body].set_next_kinematic_translation(place);
@@ -85,7 +85,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
                 ),
                 home,
                 drift: jitter(random, DRIFT),
-                phase: random.range(0.0, 2.0 * core::f32::consts::PI),
+                phase: random.range(0.0, core::f64::consts::TAU as Real),
             }
         })
         .collect();

@@ -1,0 +1,13 @@
+//! The broad phase for rapier2d-f64 0.27.
+//!
+//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+
+use ::rapier2d_f64 as rapier;
+
+#[path = "adapter/mod.rs"]
+mod adapter;
+
+#[path = "adapter/dim2.rs"]
+mod dimension;
+
+pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};

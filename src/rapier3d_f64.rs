@@ -1,0 +1,13 @@
+//! The broad phase for rapier3d-f64 0.27.
+//!
+//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+
+use ::rapier3d_f64 as rapier;
+
+#[path = "adapter/mod.rs"]
+mod adapter;
+
+#[path = "adapter/dim3.rs"]
+mod dimension;
+
+pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};

@@ -1,0 +1,7 @@
+//! The suite for rapier3d-f64.
+
+use rapier3d_f64 as rapier;
+use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
+
+#[path = "suite/mod.rs"]
+mod suite;
