@@ -209,7 +209,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Frees what only a run needs, and is otherwise kept for the next one.
-    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    #[cfg(feature = "_adapter")]
     pub(crate) fn free_scratch(&mut self) {
         self.everyone = Vec::new();
         self.classes.truncate(self.class_count);

@@ -45,7 +45,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     }
 
     /// Frees what only a run needs.
-    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
         self.outsize = Vec::new();
         self.pairs = Vec::new();

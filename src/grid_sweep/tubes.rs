@@ -231,7 +231,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Frees what only building needs, and is otherwise kept for the next time.
-    #[cfg(any(feature = "rapier2d", feature = "rapier3d"))]
+    #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
         self.scratch = Scratch::default();
     }
