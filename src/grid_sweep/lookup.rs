@@ -119,6 +119,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let ghost = ghost_axes(tube.strips, reach.first);
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
-        self.window::<true>(start, aabb, owner, ghost, emitter);
+        self.columns()
+            .window::<true>(start, aabb, owner, ghost, emitter);
     }
 }

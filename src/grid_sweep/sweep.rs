@@ -5,15 +5,24 @@ use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
-/// The number of bits set in each byte; not every processor can be relied on to count them.
-const COUNTS: [u8; 1 << LANES] = {
-    let mut counts = [0; 1 << LANES];
+/// For each byte, the positions of the bits that are set, three bits each, the lowest first, and from bit 24 on their
+/// number. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
+const ONES: [u32; 1 << LANES] = {
+    let mut ones = [0; 1 << LANES];
     let mut bits = 0;
-    while bits < counts.len() {
-        counts[bits] = bits.count_ones() as u8;
+    while bits < ones.len() {
+        let (mut position, mut count) = (0, 0);
+        while position < LANES {
+            if bits >> position & 1 == 1 {
+                ones[bits] |= (position as u32) << (3 * count);
+                count += 1;
+            }
+            position += 1;
+        }
+        ones[bits] |= count << 24;
         bits += 1;
     }
-    counts
+    ones
 };
 
 /// How many pairs are collected before they are appended to the output.
@@ -41,21 +50,21 @@ impl<'a> Emitter<'a> {
 
     /// Appends the pairs of `owner` with those of eight others whose bit in `hits` is set.
     #[inline(always)]
-    fn emit(&mut self, owner: u32, others: &[u32], mut hits: u32) {
-        let others: &[u32; LANES] = others[..LANES].try_into().expect("eight lanes");
+    fn emit(&mut self, owner: u32, others: &[u32; LANES], hits: u32) {
         if self.len > BUFFER - LANES {
             self.flush();
         }
-        let count = usize::from(COUNTS[hits as usize % COUNTS.len()]);
+        let mut ones = ONES[hits as usize % ONES.len()];
+        let count = (ones >> 24) as usize;
         let written = &mut self.buffer[self.len..self.len + LANES];
         for pair in &mut written[..2] {
-            *pair = ordered(owner, others[hits.trailing_zeros() as usize % LANES]);
-            hits &= hits.wrapping_sub(1);
+            *pair = ordered(owner, others[ones as usize % LANES]);
+            ones >>= 3;
         }
-        if hits != 0 {
+        if count > 2 {
             for pair in &mut written[2..count] {
-                *pair = ordered(owner, others[hits.trailing_zeros() as usize % LANES]);
-                hits &= hits - 1;
+                *pair = ordered(owner, others[ones as usize % LANES]);
+                ones >>= 3;
             }
         }
         self.len += count;
@@ -72,27 +81,56 @@ impl<'a> Emitter<'a> {
     }
 }
 
+/// The columns of the entries, all of one length, so that one look at the bounds is enough for all of them.
+#[derive(Clone, Copy)]
+pub(super) struct Columns<'a, R, const D: usize> {
+    mins: [&'a [R]; D],
+    maxs: [&'a [R]; D],
+    owners: &'a [u32],
+    ghosts: &'a [u8],
+}
+
 impl<R: Real, const D: usize> Tubes<R, D> {
-    /// Reports every overlapping pair among the entries: in each tube those that belong to it, not those of
-    /// two ghosts on the same axis, which another tube reports.
-    pub(super) fn sweep(&self, emitter: &mut Emitter) {
-        for tube in &self.tubes {
-            for i in tube.start as usize..tube.end as usize {
-                let aabb = Aabb {
-                    mins: core::array::from_fn(|k| self.mins[k][i]),
-                    maxs: core::array::from_fn(|k| self.maxs[k][i]),
-                };
-                // Entries from i on have mins[0] no less than this one's, so only their mins[0] is compared.
-                self.window::<false>(i + 1, &aabb, self.owners[i], self.ghosts[i], emitter);
-            }
+    #[inline(always)]
+    pub(super) fn columns(&self) -> Columns<'_, R, D> {
+        let n = self.owners.len();
+        Columns {
+            mins: core::array::from_fn(|k| &self.mins[k][..n]),
+            maxs: core::array::from_fn(|k| &self.maxs[k][..n]),
+            owners: &self.owners[..n],
+            ghosts: &self.ghosts[..n],
         }
     }
 
+    /// Reports every overlapping pair among the entries: in each tube those that belong to it, not those of
+    /// two ghosts on the same axis, which another tube reports.
+    pub(super) fn sweep(&self, emitter: &mut Emitter) {
+        let columns = self.columns();
+        for tube in &self.tubes {
+            for i in tube.start as usize..tube.end as usize {
+                let aabb = Aabb {
+                    mins: core::array::from_fn(|k| columns.mins[k][i]),
+                    maxs: core::array::from_fn(|k| columns.maxs[k][i]),
+                };
+                // Entries from i on have mins[0] no less than this one's, so only their mins[0] is compared.
+                columns.window::<false>(
+                    i + 1,
+                    &aabb,
+                    columns.owners[i],
+                    columns.ghosts[i],
+                    emitter,
+                );
+            }
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies
     /// beyond it.
     #[inline(always)]
     pub(super) fn window<const BOTH_SIDES: bool>(
-        &self,
+        self,
         start: usize,
         aabb: &Aabb<R, D>,
         owner: u32,
@@ -102,23 +140,24 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
-        loop {
-            let reached = load::<R>(&self.mins[0], j).le(maxs[0]);
+        // Behind the last tube there is a sentinel, and eight lanes.
+        while j <= self.owners.len().saturating_sub(LANES) {
+            let reached = load::<R>(self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;
             if BOTH_SIDES {
-                overlap = overlap & load::<R>(&self.maxs[0], j).ge(mins[0]);
+                overlap = overlap & load::<R>(self.maxs[0], j).ge(mins[0]);
             }
             for k in 1..D {
                 overlap = overlap
-                    & load::<R>(&self.mins[k], j).le(maxs[k])
-                    & load::<R>(&self.maxs[k], j).ge(mins[k]);
+                    & load::<R>(self.mins[k], j).le(maxs[k])
+                    & load::<R>(self.maxs[k], j).ge(mins[k]);
             }
             let reached = reached.bits();
             // The lanes before the first that is not reached.
             let in_window = (reached ^ (reached + 1)) >> 1;
             let mut hits = overlap.bits() & in_window;
-            hits &= !shared_axes(ghost, &self.ghosts, j);
-            emitter.emit(owner, &self.owners[j..], hits);
+            hits &= !shared_axes(ghost, eight(self.ghosts, j));
+            emitter.emit(owner, eight(self.owners, j), hits);
             if reached != (1 << LANES) - 1 {
                 return;
             }
@@ -130,19 +169,20 @@ impl<R: Real, const D: usize> Tubes<R, D> {
 /// The eight numbers from `start` on.
 #[inline(always)]
 fn load<R: Real>(numbers: &[R], start: usize) -> R::Lanes {
-    let numbers = numbers[start..]
-        .first_chunk()
-        .expect("the arrays are padded");
-    R::Lanes::load(numbers)
+    R::Lanes::load(eight(numbers, start))
 }
 
-/// In which of the eight lanes from `start` on the entry is a ghost on an axis on which `ghost` is too.
 #[inline(always)]
-fn shared_axes(ghost: u8, ghosts: &[u8], start: usize) -> u32 {
-    const EACH: u64 = 0x0101_0101_0101_0101;
-    let lanes = ghosts[start..]
+fn eight<T>(items: &[T], start: usize) -> &[T; LANES] {
+    items[start..]
         .first_chunk()
-        .expect("the arrays are padded");
+        .expect("the columns are padded")
+}
+
+/// In which of eight lanes the entry is a ghost on an axis on which `ghost` is too.
+#[inline(always)]
+fn shared_axes(ghost: u8, lanes: &[u8; LANES]) -> u32 {
+    const EACH: u64 = 0x0101_0101_0101_0101;
     let shared = u64::from_le_bytes(*lanes) & (u64::from(ghost) * EACH);
     // One bit a byte, and then, by a multiplication that shifts each to its place, one bit a lane.
     let any = (shared | shared >> 1) & EACH;

@@ -304,36 +304,49 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let count = tubes.last().map_or(0, |tube| tube.end as usize);
         let padded = count + tubes.len() + LANES;
         for numbers in mins.iter_mut().chain(maxs.iter_mut()) {
-            numbers.clear();
-            numbers.reserve_exact(padded);
+            resize_exact(numbers, padded, R::NAN);
         }
-        owners.clear();
-        owners.reserve_exact(padded);
-        ghosts.clear();
-        ghosts.reserve_exact(padded);
+        resize_exact(owners, padded, u32::MAX);
+        resize_exact(ghosts, padded, 0);
+        let mut start = 0;
         for tube in tubes.iter_mut() {
             let entries = &entries[tube.start as usize..tube.end as usize];
             let order = order.sort(entries.iter().map(|entry| entry.aabb.mins[0]));
-            let sorted = order.iter().map(|&(_, i)| &entries[i as usize]);
-            for k in 0..D {
-                mins[k].extend(sorted.clone().map(|entry| entry.aabb.mins[k]));
-                mins[k].push(R::NAN);
-                maxs[k].extend(sorted.clone().map(|entry| entry.aabb.maxs[k]));
-                maxs[k].push(R::NAN);
+            let end = start + entries.len();
+            // All of one length, so that the bounds are looked at once.
+            let lows = mins.each_mut().map(|column| &mut column[start..end]);
+            let highs = maxs.each_mut().map(|column| &mut column[start..end]);
+            let places = owners[start..end].iter_mut().zip(&mut ghosts[start..end]);
+            for (position, (&(_, i), (owner, ghost))) in order.iter().zip(places).enumerate() {
+                let entry = &entries[i as usize];
+                for k in 0..D {
+                    lows[k][position] = entry.aabb.mins[k];
+                    highs[k][position] = entry.aabb.maxs[k];
+                }
+                *owner = entry.owner;
+                *ghost = entry.ghost;
             }
-            tube.start = owners.len() as u32;
-            owners.extend(sorted.clone().map(|entry| entry.owner));
-            tube.end = owners.len() as u32;
-            owners.push(u32::MAX);
-            ghosts.extend(sorted.map(|entry| entry.ghost));
-            ghosts.push(0);
+            for column in mins.iter_mut().chain(maxs.iter_mut()) {
+                column[end] = R::NAN;
+            }
+            owners[end] = u32::MAX;
+            ghosts[end] = 0;
+            (tube.start, tube.end) = (start as u32, end as u32);
+            start = end + 1;
         }
-        mins.iter_mut()
-            .chain(maxs.iter_mut())
-            .for_each(|v| v.resize(padded, R::NAN));
-        owners.resize(padded, u32::MAX);
-        ghosts.resize(padded, 0);
+        for column in mins.iter_mut().chain(maxs.iter_mut()) {
+            column[start..].fill(R::NAN);
+        }
+        owners[start..].fill(u32::MAX);
+        ghosts[start..].fill(0);
     }
+}
+
+/// Makes a list so long, with whatever there was in it and `filler` behind that, and its room no larger.
+fn resize_exact<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
+    list.truncate(len);
+    list.reserve_exact(len - list.len());
+    list.resize(len, filler);
 }
 
 /// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
