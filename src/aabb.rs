@@ -2,15 +2,28 @@
 
 use crate::Real;
 
+#[cfg(feature = "serde-serialize")]
+mod corner;
+
 /// An axis-aligned bounding box in `D` dimensions, closed on every side.
 ///
 /// `mins[k]` and `maxs[k]` are its least and greatest coordinates on axis `k`, in the length unit of the
 /// scene. Infinite sides are allowed (a ground plane); see [`Aabb::is_valid`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "R: serde::Serialize",
+        deserialize = "R: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Aabb<R, const D: usize> {
     /// The least coordinate on each axis.
+    #[cfg_attr(feature = "serde-serialize", serde(with = "corner"))]
     pub mins: [R; D],
     /// The greatest coordinate on each axis.
+    #[cfg_attr(feature = "serde-serialize", serde(with = "corner"))]
     pub maxs: [R; D],
 }
 

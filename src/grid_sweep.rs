@@ -200,6 +200,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
+    /// The members of the last run, each once, under the boxes that they had then.
+    #[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
+    pub(crate) fn members(&self) -> impl Iterator<Item = (u32, Aabb<R, D>)> + '_ {
+        let classes = self.classes[..self.class_count].iter();
+        let slabs = classes.flat_map(Class::slabs);
+        slabs.flat_map(|slab| slab.tubes.homes())
+    }
+
     /// Lets [`look_up`](Self::look_up) be called, until the next run.
     #[cfg(feature = "_adapter")]
     pub(crate) fn prepare_lookup(&mut self) {

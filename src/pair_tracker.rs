@@ -12,6 +12,8 @@ mod layers;
 mod links;
 mod reach;
 mod slot_set;
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
 #[cfg(test)]
 mod tests;
 
@@ -22,6 +24,8 @@ use reach::{Experience, Horizon};
 use slot_set::SlotSet;
 
 pub(crate) use layers::{Layers, Unlayered};
+#[cfg(feature = "serde-serialize")]
+pub(crate) use snapshot::TrackerSnapshot;
 
 /// How many proxies a thread is given at a time.
 const PART: usize = 1 << 14;
@@ -101,7 +105,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         debug_assert!(aabb.is_valid());
         let index = slot as usize;
         if index >= self.boxes.len() {
-            self.grow(index + 1);
+            self.make_room(index + 1);
         }
         self.boxes[index] = aabb;
         self.moved.push(slot);
@@ -110,12 +114,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
     }
 
-    /// The boxes and the reaches of so many slots at least, to move proxies where they are. Each move is to be
+    /// The boxes and the reaches of all slots, to move proxies where they are. Each move is to be
     /// [noted](Self::note).
-    pub(crate) fn boxes_and_reaches(&mut self, slots: usize) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
-        if slots > self.boxes.len() {
-            self.grow(slots);
-        }
+    pub(crate) fn boxes_and_reaches(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
         (&mut self.boxes, &self.reaches)
     }
 
@@ -127,8 +128,14 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
     }
 
+    /// The number of slots that there is room for.
+    pub(crate) fn slots(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// Makes room for so many slots, which must be more than there were.
     #[cold]
-    fn grow(&mut self, slots: usize) {
+    pub(crate) fn make_room(&mut self, slots: usize) {
         for boxes in [&mut self.boxes, &mut self.previous, &mut self.reaches] {
             boxes.resize(slots, Self::absent());
         }

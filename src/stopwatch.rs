@@ -5,6 +5,10 @@ use std::time::{Duration, Instant};
 
 /// How long each phase of finding pairs has taken, by the clock on the wall. Zero unless it was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 #[non_exhaustive]
 pub struct PhaseTimes {
     /// Reading and checking boxes; in an update, computing them from colliders.

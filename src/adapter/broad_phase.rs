@@ -34,18 +34,18 @@ pub struct UnisizeBroadPhase {
     pub(super) tracker: PairTracker<Real, DIM>,
     /// The generation of the collider in each slot, the slot being the index of its handle; `None` where
     /// there is none.
-    generations: Vec<Option<u32>>,
+    pub(super) generations: Vec<Option<u32>>,
     /// The outline of the collider in each slot, as many as generations.
-    outlines: Vec<Outline>,
-    layers: Layers<Real, DIM>,
+    pub(super) outlines: Vec<Outline>,
+    pub(super) layers: Layers<Real, DIM>,
     reading_order: ReadingOrder,
     /// Scratch: listed colliders that are not known, what has come of reading the parts, and how pairs have changed.
     strangers: Vec<ColliderHandle>,
     findings: Vec<Findings>,
     changes: Vec<PairChange>,
-    settings: Settings,
-    stats: Stats,
-    has_warned: bool,
+    pub(super) settings: Settings,
+    pub(super) stats: Stats,
+    pub(super) has_warned: bool,
     /// The tree for queries, if any were made since the boxes last changed.
     pub(super) tree: OnceLock<Bvh>,
 }
@@ -119,6 +119,8 @@ impl UnisizeBroadPhase {
     /// # Panics
     /// If an invariant is broken, which would be a bug.
     pub fn validate(&self) {
+        assert_eq!(self.generations.len(), self.tracker.slots());
+        assert_eq!(self.generations.len(), self.outlines.len());
         let known = self.generations.iter().flatten().count();
         assert_eq!(self.stats.proxies + self.stats.refused, known);
         assert_eq!(self.stats.proxies, self.tracker.proxies().count());
@@ -181,7 +183,7 @@ impl UnisizeBroadPhase {
         // Some more than threads, for some will be faster than others.
         let words = listed.len().div_ceil(4 * parallel::threads()).max(1);
         let slots = 64 * words;
-        let (boxes, reaches) = self.tracker.boxes_and_reaches(self.generations.len());
+        let (boxes, reaches) = self.tracker.boxes_and_reaches();
         let mut findings = std::mem::take(&mut self.findings);
         findings.resize(listed.len().div_ceil(words), Findings::default());
         let kept = self.generations.chunks(slots);
@@ -263,6 +265,8 @@ impl UnisizeBroadPhase {
         if index >= self.generations.len() {
             self.generations.resize(index + 1, None);
             self.outlines.resize(index + 1, Outline::default());
+            // Also if its box is not sound: how much work an update is goes by the number of slots.
+            self.tracker.make_room(index + 1);
         }
         if let Some(stale) = self.generations[index] {
             // Its removal was not reported.
@@ -343,7 +347,7 @@ impl BroadPhase for UnisizeBroadPhase {
             return;
         }
         self.stats = Stats {
-            updates: self.stats.updates + 1,
+            updates: self.stats.updates.wrapping_add(1),
             listed: modified_colliders.len() + removed_colliders.len(),
             moved: 0,
             added: 0,

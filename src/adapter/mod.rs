@@ -13,6 +13,8 @@ mod queries;
 mod reading_order;
 mod reading_part;
 mod settings;
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
 mod stats;
 mod world;
 

@@ -4,7 +4,14 @@ use super::rapier::math::{DIM, Real};
 use crate::pair_tracker::{Layers, Unlayered};
 
 /// How an [`UnisizeBroadPhase`](super::UnisizeBroadPhase) works. The default suits every scene.
+///
+/// What is left out where settings are read by serde is as by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default)
+)]
 pub struct Settings {
     /// What finds the pairs. It decides the speed, never the answer. Default: [`Kernel::GridSweep`].
     pub kernel: Kernel,
@@ -32,6 +39,10 @@ impl Default for Settings {
 
 /// What finds the pairs among the boxes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 #[non_exhaustive]
 pub enum Kernel {
     /// [`GridSweep`](crate::GridSweep), the fast one.

@@ -5,6 +5,10 @@ use crate::PhaseTimes;
 /// A look at an [`UnisizeBroadPhase`](super::UnisizeBroadPhase): what it holds, and what the last update
 /// with something to do was made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 #[non_exhaustive]
 pub struct Stats {
     /// Colliders that have a proxy.

@@ -236,6 +236,18 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.scratch = Scratch::default();
     }
 
+    /// The boxes in their own tubes, with their indices.
+    #[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
+    pub(super) fn homes(&self) -> impl Iterator<Item = (u32, Aabb<R, D>)> + '_ {
+        let entries = self.tubes.iter().flat_map(|tube| tube.start..tube.end);
+        let entries = entries.map(|entry| entry as usize);
+        entries.filter(|&i| self.ghosts[i] == 0).map(|i| {
+            let mins = core::array::from_fn(|k| self.mins[k][i]);
+            let maxs = core::array::from_fn(|k| self.maxs[k][i]);
+            (self.owners[i], Aabb::new(mins, maxs))
+        })
+    }
+
     fn clear(&mut self) {
         self.tubes.clear();
         self.table.clear();

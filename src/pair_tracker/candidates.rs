@@ -4,13 +4,15 @@
 //! the candidates of each proxy are linked into a list, in the arrays of the candidates themselves. The lists
 //! are made once they would have been of use some times, and kept up until all candidates are replaced.
 
-use super::links::{END, Links, MOST_LINKED};
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
+
+use super::links::{END, GONE, Links, MOST_LINKED};
 use super::{PairChange, SlotSet};
 use crate::parallel::{ask_each, ones};
 use crate::{Aabb, Real};
-
-/// In the place of a slot: of a candidate that is no more.
-const GONE: u32 = u32::MAX;
+#[cfg(feature = "serde-serialize")]
+pub(super) use snapshot::CandidatesSnapshot;
 
 /// Going through the list of one slot costs about as much as picking from this many candidates.
 const WALK_COST: usize = 32;

@@ -10,9 +10,14 @@
 //! more than about twice as much time is spent as if it had been known beforehand when it pays. Kernels that cannot
 //! look boxes up have no layers.
 
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
+
 use super::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
+#[cfg(feature = "serde-serialize")]
+pub(super) use snapshot::LayersSnapshot;
 
 /// Looking a box up among all others costs about as much as so many boxes in a run over all of them.
 const LOOKUP_COST: usize = 6;

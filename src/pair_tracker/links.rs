@@ -3,6 +3,9 @@
 /// The end of a list.
 pub(super) const END: u32 = u32::MAX;
 
+/// In the place of a slot: of a candidate that is no more.
+pub(super) const GONE: u32 = u32::MAX;
+
 /// The most candidates that links, of 32 bits, can tell apart.
 pub(super) const MOST_LINKED: usize = 1 << 30;
 
@@ -40,6 +43,10 @@ impl Links {
     pub(super) fn add(&mut self, pairs: &[[u32; 2]], first: usize, slots: usize) {
         self.heads.resize(slots, END);
         for (i, pair) in (first as u32..).zip(&pairs[first..]) {
+            if pair[0] == GONE {
+                self.next.push([END; 2]);
+                continue;
+            }
             let [a, b] = pair.map(|slot| slot as usize);
             self.next.push([self.heads[a], self.heads[b]]);
             self.heads[a] = 2 * i;

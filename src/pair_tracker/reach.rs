@@ -44,6 +44,10 @@ const UNKNOWN: f64 = 8.0;
 
 /// For how many moves ahead a proxy is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 pub(crate) struct Horizon {
     moves: f64,
     /// Whether the reaches of the last full run were made with it.
@@ -124,6 +128,15 @@ impl Horizon {
         if self.moves < 2.0 {
             self.pause();
         }
+    }
+
+    /// Whether there can be such a one.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn is_sound(&self) -> bool {
+        let [shortest, longest] = PAUSES;
+        // False for NaN as well.
+        let are_moves = (0.0..=LONGEST).contains(&self.moves);
+        are_moves && self.paused <= longest && (shortest..=longest).contains(&self.next_pause)
     }
 
     /// Whether it looks ahead at all.

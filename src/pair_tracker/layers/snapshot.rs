@@ -1,0 +1,147 @@
+//! Layers as they are written and read by serde.
+//!
+//! The order of a layer is that of a run of the kernel over its members, so it is enough to know these: the slots
+//! that have not changed since, under their present boxes, and of the stale ones those that were members, under the boxes
+//! that they had.
+
+use serde::{Deserialize, Serialize};
+
+use super::{GridLayers, Layer, Layers, collect_valid};
+use crate::pair_tracker::{PairTracker, SlotSet};
+use crate::stopwatch::Stopwatch;
+use crate::{Aabb, Real};
+
+/// The layers; empty for kernels that have none.
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
+pub(in crate::pair_tracker) struct LayersSnapshot<R, const D: usize> {
+    resting: LayerSnapshot<R, D>,
+    moving: LayerSnapshot<R, D>,
+    /// These, and what was spent, count since the last full run, so 32 bits are enough.
+    updates: u32,
+    changes: u32,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
+struct LayerSnapshot<R, const D: usize> {
+    is_sorted: bool,
+    /// In the order in which they came, with the boxes that they had if they were members.
+    stale: Vec<(u32, Option<Aabb<R, D>>)>,
+    spent: u32,
+}
+
+impl<R: Real, const D: usize> Layers<R, D> {
+    /// The layers of so many slots.
+    pub(in crate::pair_tracker) fn snapshot(&self, slots: usize) -> LayersSnapshot<R, D> {
+        let default = GridLayers::default();
+        let layers = match self {
+            Self::Grid(layers) => layers,
+            Self::Rank(_) | Self::Brute(_) => &default,
+        };
+        LayersSnapshot {
+            resting: layers.resting.snapshot(slots),
+            moving: layers.moving.snapshot(slots),
+            updates: saturated(layers.updates),
+            changes: saturated(layers.changes),
+        }
+    }
+
+    /// Makes these the layers of boxes.
+    pub(in crate::pair_tracker) fn restore(
+        &mut self,
+        snapshot: LayersSnapshot<R, D>,
+        boxes: &[Aabb<R, D>],
+    ) -> Result<(), &'static str> {
+        let Self::Grid(layers) = self else {
+            return Ok(());
+        };
+        let LayersSnapshot {
+            resting,
+            moving,
+            updates,
+            changes,
+        } = snapshot;
+        layers.updates = u64::from(updates);
+        layers.changes = u64::from(changes);
+
+        let members = resting.restore(&mut layers.resting, boxes)?;
+        let mut slots = Vec::new();
+        collect_valid(&members, &mut slots);
+        layers.resting.order_again(&members, &slots);
+
+        let members = moving.restore(&mut layers.moving, boxes)?;
+        let stale = &layers.resting.stale;
+        let mut later = layers.moving.stale.slots().iter();
+        if !later.all(|&slot| stale.contains(slot)) {
+            return Err("a slot rests in one layer and moves in the next");
+        }
+        slots.clear();
+        slots.extend_from_slice(stale.slots());
+        slots.retain(|&slot| members[slot as usize].is_valid());
+        layers.moving.order_again(&members, &slots);
+        Ok(())
+    }
+}
+
+impl<R: Real, const D: usize> Layer<R, D> {
+    fn snapshot(&self, slots: usize) -> LayerSnapshot<R, D> {
+        let stale = self.stale.slots();
+        let mut members = Vec::new();
+        if self.is_sorted && !stale.is_empty() {
+            members.resize(slots, PairTracker::absent());
+            for (slot, aabb) in self.order.members() {
+                members[slot as usize] = aabb;
+            }
+        }
+        let member = |slot: u32| members.get(slot as usize).copied();
+        let member = |slot| member(slot).filter(Aabb::is_valid);
+        LayerSnapshot {
+            is_sorted: self.is_sorted,
+            stale: stale.iter().map(|&slot| (slot, member(slot))).collect(),
+            spent: saturated(self.spent as u64),
+        }
+    }
+
+    /// Sorts the members as they were sorted before.
+    fn order_again(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
+        if self.is_sorted {
+            let mut stopwatch = Stopwatch::default();
+            self.order
+                .find_among(boxes, members, &mut Vec::new(), &mut stopwatch);
+        }
+    }
+}
+
+impl<R: Real, const D: usize> LayerSnapshot<R, D> {
+    /// Makes this the layer, but for its order, and returns the boxes to sort it by.
+    fn restore(
+        self,
+        layer: &mut Layer<R, D>,
+        boxes: &[Aabb<R, D>],
+    ) -> Result<Vec<Aabb<R, D>>, &'static str> {
+        let mut members = boxes.to_vec();
+        let mut stale = SlotSet::default();
+        let count = self.stale.len();
+        for (slot, aabb) in self.stale {
+            let member = members.get_mut(slot as usize);
+            let member = member.ok_or("a slot is out of range")?;
+            stale.insert(slot);
+            *member = aabb.unwrap_or(PairTracker::absent());
+            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
+                return Err("a box in a layer is not valid");
+            }
+        }
+        if stale.slots().len() < count {
+            return Err("a slot is stale twice");
+        }
+        layer.is_sorted = self.is_sorted;
+        layer.stale = stale;
+        layer.spent = self.spent as usize;
+        Ok(members)
+    }
+}
+
+fn saturated(count: u64) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}

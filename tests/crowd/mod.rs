@@ -1,0 +1,168 @@
+//! Colliders that move about, come, go and are spoilt, without an engine, and a broad phase with a record of its events.
+//! One source for every flavour: the module that includes it names the engine as `rapier`.
+//!
+//! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
+
+use oorandom::Rand32;
+
+use super::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+
+/// Whether a pair was added, and the two colliders.
+pub(super) type Event = (bool, [ColliderHandle; 2]);
+
+/// Our broad phase, with a record of its events.
+#[derive(Default)]
+pub(super) struct Recorded {
+    pub(super) inner: UnisizeBroadPhase,
+    /// In their order.
+    pub(super) events: Vec<Event>,
+}
+
+impl BroadPhase for Recorded {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let first = events.len();
+        self.inner
+            .update(params, colliders, bodies, modified, removed, events);
+        self.events.extend(events[first..].iter().map(|event| {
+            let (is_added, pair) = match event {
+                BroadPhasePairEvent::AddPair(pair) => (true, pair),
+                BroadPhasePairEvent::DeletePair(pair) => (false, pair),
+            };
+            (is_added, [pair.collider1, pair.collider2])
+        }));
+    }
+}
+
+/// The colliders, and which of them are to be listed.
+#[derive(Clone)]
+pub(super) struct Crowd {
+    colliders: ColliderSet,
+    bodies: RigidBodySet,
+    handles: Vec<ColliderHandle>,
+    velocities: Vec<Vector<Real>>,
+    modified: Vec<ColliderHandle>,
+    removed: Vec<ColliderHandle>,
+    side: Real,
+    random: Rand32,
+}
+
+impl Crowd {
+    pub(super) fn new(count: usize, side: Real, speed: Real) -> Self {
+        let mut crowd = Self {
+            colliders: ColliderSet::new(),
+            bodies: RigidBodySet::new(),
+            handles: Vec::new(),
+            velocities: Vec::new(),
+            modified: Vec::new(),
+            removed: Vec::new(),
+            side,
+            random: Rand32::new(3),
+        };
+        for i in 0..count {
+            // One in a hundred is much larger than the rest.
+            let radius = if i % 100 == 50 { 4.0 } else { 0.5 };
+            let place = crowd.somewhere();
+            let ball = ColliderBuilder::ball(radius).translation(place);
+            crowd.handles.push(crowd.colliders.insert(ball));
+            let velocity = Vector::from_fn(|_, _| (crowd.share() - 0.5) * 2.0 * speed);
+            crowd.velocities.push(velocity);
+        }
+        crowd.modified = crowd.handles.clone();
+        crowd
+    }
+
+    /// A number in `0..1`.
+    fn share(&mut self) -> Real {
+        self.random.rand_float() as Real
+    }
+
+    fn somewhere(&mut self) -> Vector<Real> {
+        Vector::from_fn(|_, _| self.share() * self.side)
+    }
+
+    /// Moves every so manieth collider on, and changes a few in other ways.
+    pub(super) fn advance(&mut self, stride: usize) {
+        self.modified.clear();
+        self.removed.clear();
+        for i in (0..self.handles.len()).step_by(stride) {
+            match self.random.rand_range(0..400) {
+                0 => self.velocities[i] = -self.velocities[i],
+                1 => self.place(i, Vector::repeat(Real::NAN)),
+                2 => self.replace(i),
+                3 => {
+                    let place = self.somewhere();
+                    self.place(i, place);
+                }
+                4 => {
+                    let collider = &mut self.colliders[self.handles[i]];
+                    collider.set_enabled(!collider.is_enabled());
+                }
+                _ => {
+                    let mut place =
+                        self.colliders[self.handles[i]].translation() + self.velocities[i];
+                    if place.iter().any(|x| x.is_nan()) {
+                        place = self.somewhere();
+                    }
+                    for k in 0..place.len() {
+                        if place[k] < 0.0 || place[k] > self.side {
+                            self.velocities[i][k] = -self.velocities[i][k];
+                        }
+                    }
+                    self.place(i, place);
+                }
+            }
+            self.modified.push(self.handles[i]);
+        }
+    }
+
+    /// Makes the place of the last collider not a number.
+    pub(super) fn spoil_last(&mut self) {
+        self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
+    }
+
+    fn place(&mut self, i: usize, place: Vector<Real>) {
+        self.colliders[self.handles[i]].set_translation(place);
+    }
+
+    /// Exchanges a collider for another.
+    fn replace(&mut self, i: usize) {
+        let (mut islands, handle) = (IslandManager::new(), self.handles[i]);
+        self.colliders
+            .remove(handle, &mut islands, &mut self.bodies, false);
+        self.removed.push(handle);
+        let ball = ColliderBuilder::ball(0.5).translation(self.somewhere());
+        self.handles[i] = self.colliders.insert(ball);
+    }
+
+    /// Lists every collider for the next update.
+    pub(super) fn list_all(&mut self) {
+        self.modified = self.handles.clone();
+    }
+
+    /// The events of the update that is due.
+    pub(super) fn update(&self, broad_phase: &mut UnisizeBroadPhase) -> Vec<Event> {
+        let mut recorded = Recorded {
+            inner: std::mem::take(broad_phase),
+            ..Recorded::default()
+        };
+        recorded.update(
+            &IntegrationParameters::default(),
+            &self.colliders,
+            &self.bodies,
+            &self.modified,
+            &self.removed,
+            &mut Vec::new(),
+        );
+        *broad_phase = recorded.inner;
+        recorded.events
+    }
+}

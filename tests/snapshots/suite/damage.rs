@@ -1,0 +1,207 @@
+//! What was not written by a broad phase is not read, or does no harm.
+
+use oorandom::Rand32;
+use serde_json::{Value, json};
+
+use super::UnisizeBroadPhase;
+use super::crowd::Crowd;
+use super::rapier::math::Real;
+
+const COUNT: usize = 120;
+
+/// So many times bytes are changed.
+const TRIALS: usize = 4000;
+
+/// A crowd of which few move, at a moment at which no part of what is written is empty.
+fn crowd() -> (Crowd, UnisizeBroadPhase) {
+    let mut crowd = Crowd::new(COUNT, 8.0, 0.2);
+    let mut broad_phase = UnisizeBroadPhase::new();
+    for update in 0..500 {
+        crowd.update(&mut broad_phase);
+        if update > 10 {
+            let value = serde_json::to_value(&broad_phase).unwrap();
+            let Value::Array(stale) = &value["tracker"]["layers"]["moving"]["stale"] else {
+                panic!("there is no moving layer");
+            };
+            let has_gone =
+                list(&mut value["tracker"]["candidates"]["pairs"].clone()).contains(&Value::Null);
+            if has_gone && stale.iter().any(|slot| !slot[1].is_null()) {
+                return (crowd, broad_phase);
+            }
+        }
+        crowd.advance(if update < 10 { 1 } else { 17 });
+    }
+    panic!("there is no such moment");
+}
+
+/// Goes on for a while, with everything in order after each update.
+fn go_on(mut crowd: Crowd, mut broad_phase: UnisizeBroadPhase) {
+    broad_phase.validate();
+    for stride in [13, 7, 1, 50, 1] {
+        crowd.advance(stride);
+        if stride == 50 {
+            crowd.list_all();
+        }
+        crowd.update(&mut broad_phase);
+        broad_phase.validate();
+    }
+}
+
+#[test]
+fn changed_bytes_do_no_harm() {
+    let (crowd, broad_phase) = crowd();
+    let bytes = postcard::to_stdvec(&broad_phase).unwrap();
+    let mut random = Rand32::new(5);
+    let mut read = 0;
+    for _ in 0..TRIALS {
+        let mut bytes = bytes.clone();
+        for _ in 0..=random.rand_range(0..3) {
+            let i = random.rand_range(0..bytes.len() as u32) as usize;
+            bytes[i] = match random.rand_range(0..4) {
+                0 => 0,
+                1 => 255,
+                2 => bytes[i] ^ 1 << random.rand_range(0..8),
+                _ => random.rand_u32() as u8,
+            };
+        }
+        if random.rand_range(0..50) == 0 {
+            bytes.truncate(random.rand_range(0..bytes.len() as u32) as usize);
+        }
+        if let Ok(changed) = postcard::from_bytes::<UnisizeBroadPhase>(&bytes) {
+            read += 1;
+            if read % 8 == 0 {
+                go_on(crowd.clone(), changed);
+            } else {
+                changed.validate();
+            }
+        }
+    }
+    // Some bytes are the last ones of coordinates, and the others are found out.
+    assert!(
+        (TRIALS / 100..TRIALS / 2).contains(&read),
+        "{read} were read"
+    );
+}
+
+/// Changes one thing in what is written, by names, and returns what is said of it.
+fn complaint(change: impl Fn(&mut Value)) -> String {
+    let (crowd, broad_phase) = crowd();
+    let mut value = serde_json::to_value(&broad_phase).unwrap();
+    let same: UnisizeBroadPhase = serde_json::from_value(value.clone()).unwrap();
+    go_on(crowd, same);
+    let before = value.clone();
+    change(&mut value);
+    assert_ne!(value, before, "nothing was changed");
+    let outcome = serde_json::from_value::<UnisizeBroadPhase>(value);
+    outcome.expect_err("it is accepted").to_string()
+}
+
+fn list(value: &mut Value) -> &mut Vec<Value> {
+    value.as_array_mut().expect("it is a list")
+}
+
+/// The first proxy.
+fn proxy(value: &mut Value) -> &mut Value {
+    let mut proxies = list(&mut value["tracker"]["proxies"]).iter_mut();
+    proxies
+        .find(|proxy| !proxy.is_null())
+        .expect("there are proxies")
+}
+
+#[test]
+fn lengths_must_agree() {
+    let fewer = complaint(|value| drop(list(&mut value["generations"]).pop()));
+    assert!(fewer.contains("generations"), "{fewer}");
+    let more = complaint(|value| list(&mut value["tracker"]["proxies"]).push(Value::Null));
+    assert!(more.contains("generations"), "{more}");
+}
+
+#[test]
+fn every_box_has_a_collider() {
+    let unknown = complaint(|value| {
+        let proxies = list(&mut value["tracker"]["proxies"]).iter();
+        let slot = proxies.enumerate().find(|(_, proxy)| !proxy.is_null());
+        let slot = slot.expect("there are proxies").0;
+        value["generations"][slot] = Value::Null;
+    });
+    assert!(unknown.contains("no collider"), "{unknown}");
+}
+
+#[test]
+fn boxes_must_be_valid_and_in_their_reach() {
+    let inverted = complaint(|value| {
+        let aabb = &mut proxy(value)["aabb"];
+        aabb["mins"][0] = json!(aabb["maxs"][0].as_f64().unwrap() + 1.0);
+    });
+    assert!(inverted.contains("not valid"), "{inverted}");
+    let outside = complaint(|value| {
+        let proxy = proxy(value);
+        proxy["reach"]["maxs"][1] = proxy["aabb"]["mins"][1].clone();
+    });
+    assert!(outside.contains("reach"), "{outside}");
+}
+
+#[test]
+fn candidates_must_be_the_overlapping_reaches() {
+    fn pairs(value: &mut Value) -> &mut Vec<Value> {
+        list(&mut value["tracker"]["candidates"]["pairs"])
+    }
+    for said in [
+        complaint(|value| drop(pairs(value).pop())),
+        complaint(|value| pairs(value).push(json!([0, 1_000_000]))),
+        complaint(|value| pairs(value).push(json!([u32::MAX, u32::MAX]))),
+        complaint(|value| {
+            let pair = pairs(value).iter().find(|pair| !pair.is_null()).cloned();
+            pairs(value).extend(pair);
+        }),
+        complaint(|value| {
+            let mut live = pairs(value).iter_mut().filter(|pair| !pair.is_null());
+            list(live.next().expect("there are candidates")).reverse();
+        }),
+    ] {
+        assert!(said.contains("candidates"), "{said}");
+    }
+    for (name, wrong) in [("links_wanted", json!(u32::MAX)), ("pairs", json!([[1]]))] {
+        complaint(|value| value["tracker"]["candidates"][name] = wrong.clone());
+    }
+}
+
+#[test]
+fn horizons_are_limited() {
+    for (name, wrong) in [
+        ("moves", json!(1e9)),
+        ("moves", json!(-1.0)),
+        ("paused", json!(u32::MAX)),
+        ("next_pause", json!(u32::MAX)),
+        ("next_pause", json!(0)),
+    ] {
+        let said = complaint(|value| value["tracker"]["horizon"][name] = wrong.clone());
+        assert!(said.contains("horizon"), "{said}");
+    }
+}
+
+#[test]
+fn layers_must_fit() {
+    fn stale<'a>(value: &'a mut Value, layer: &str) -> &'a mut Vec<Value> {
+        list(&mut value["tracker"]["layers"][layer]["stale"])
+    }
+    for layer in ["resting", "moving"] {
+        let beyond = complaint(|value| stale(value, layer).push(json!([1_000_000, null])));
+        assert!(beyond.contains("out of range"), "{beyond}");
+        let twice = complaint(|value| {
+            let first = stale(value, layer)[0].clone();
+            stale(value, layer).push(first);
+        });
+        assert!(twice.contains("twice"), "{twice}");
+        let inverted = complaint(|value| {
+            let [one, other] = [0.0, 1.0].map(|x: Real| vec![x; super::rapier::math::DIM]);
+            stale(value, layer)[0][1] = json!({ "mins": other, "maxs": one });
+        });
+        assert!(inverted.contains("not valid"), "{inverted}");
+    }
+    let unrelated = complaint(|value| {
+        let moving = stale(value, "moving")[0][0].clone();
+        stale(value, "resting").retain(|slot| slot[0] != moving);
+    });
+    assert!(unrelated.contains("moves in the next"), "{unrelated}");
+}

@@ -1,0 +1,79 @@
+//! The broad phase by itself, among many colliders, with all kinds of updates before and after it is written.
+
+use super::crowd::Crowd;
+use super::rapier::math::{DIM, Real};
+use super::{Kernel, Settings, UnisizeBroadPhase};
+
+/// Of which colliders one in so many moves, for twenty updates each: everything, nearly nothing, and what lies between.
+const STRIDES: [usize; 12] = [1, 200, 1, 2, 3, 250, 20, 100, 5, 30, 1, 300];
+
+/// So many updates lie between two times at which one is written and read. It divides neither twenty nor the time between
+/// two full runs.
+const APART: usize = 7;
+
+fn drift(kernel: Kernel, count: usize, speed: Real) {
+    let settings = Settings {
+        kernel,
+        ..Settings::default()
+    };
+    let side = (count as f64 * if DIM == 2 { 1.5 } else { 2.5 }).powf(1.0 / DIM as f64);
+    let mut crowd = Crowd::new(count, side as Real, speed);
+    let mut ours = UnisizeBroadPhase::with_settings(settings);
+    let mut twin = UnisizeBroadPhase::with_settings(settings);
+    let (mut pairs, mut moving) = (0, 0);
+    for update in 0..20 * STRIDES.len() {
+        if update % APART == 1 {
+            let bytes = postcard::to_stdvec(&ours).expect("it can be written");
+            // The twin has been restored before, more often each time.
+            assert!(postcard::to_stdvec(&twin).expect("so can it") == bytes);
+            twin = postcard::from_bytes(&bytes).expect("it can be read");
+            twin.validate();
+        }
+        let expected = crowd.update(&mut ours);
+        assert!(crowd.update(&mut twin) == expected, "update {update}");
+        assert_eq!(ours.stats(), twin.stats());
+        pairs += ours.stats().pairs;
+        moving = moving.max(ours.stats().moving);
+        crowd.advance(STRIDES[update / 20]);
+    }
+    assert!(pairs > 100 * count, "{pairs} pairs");
+    assert!(ours.stats().refused > 0);
+    assert!(moving > count / 20 || kernel != Kernel::GridSweep);
+}
+
+#[test]
+fn grid_sweep() {
+    for speed in [0.01, 0.1, 0.4] {
+        drift(Kernel::GridSweep, 2000, speed);
+    }
+}
+
+/// Its slot is the last one, and has never had a box.
+#[test]
+fn one_that_was_refused_from_the_start_is_kept() {
+    let mut crowd = Crowd::new(40, 5.0, 0.1);
+    crowd.spoil_last();
+    let mut ours = UnisizeBroadPhase::new();
+    crowd.update(&mut ours);
+    assert_eq!(ours.stats().refused, 1);
+    let bytes = postcard::to_stdvec(&ours).expect("it can be written");
+    let mut twin: UnisizeBroadPhase = postcard::from_bytes(&bytes).expect("it can be read");
+    twin.validate();
+    for _ in 0..10 {
+        crowd.advance(1);
+        let expected = crowd.update(&mut ours);
+        assert_eq!(crowd.update(&mut twin), expected);
+        assert_eq!(ours.stats(), twin.stats());
+    }
+    assert_eq!(ours.stats().refused, 0);
+}
+
+#[test]
+fn rank_sweep() {
+    drift(Kernel::RankSweep, 300, 0.1);
+}
+
+#[test]
+fn brute_force() {
+    drift(Kernel::BruteForce, 300, 0.1);
+}

@@ -1,0 +1,12 @@
+//! The suite: one source for every flavour, which the module that includes it names as `rapier`.
+
+use super::rapier;
+use super::{Kernel, Scene, Settings, Stats, UnisizeBroadPhase};
+
+mod damage;
+mod drift;
+mod settings;
+mod simulations;
+
+#[path = "../../crowd/mod.rs"]
+mod crowd;

@@ -1,0 +1,32 @@
+//! Settings and statistics by themselves.
+
+use super::crowd::Crowd;
+use super::{Kernel, Settings, Stats, UnisizeBroadPhase};
+
+#[test]
+fn settings_come_back_and_may_be_left_out() {
+    for kernel in [Kernel::GridSweep, Kernel::RankSweep, Kernel::BruteForce] {
+        let settings = Settings {
+            kernel,
+            margin: 0.1,
+            timed: true,
+        };
+        let bytes = postcard::to_stdvec(&settings).unwrap();
+        assert_eq!(postcard::from_bytes(&bytes), Ok(settings));
+        let json = serde_json::to_string(&settings).unwrap();
+        assert_eq!(serde_json::from_str::<Settings>(&json).unwrap(), settings);
+    }
+    let partial: Settings = serde_json::from_str(r#"{"kernel":"RankSweep"}"#).unwrap();
+    assert_eq!(partial.kernel, Kernel::RankSweep);
+    assert_eq!(partial.margin, Settings::default().margin);
+}
+
+#[test]
+fn statistics_come_back() {
+    let mut broad_phase = UnisizeBroadPhase::new();
+    Crowd::new(100, 5.0, 0.0).update(&mut broad_phase);
+    let stats = broad_phase.stats();
+    assert!(stats.pairs > 0 && stats.updates > 0);
+    let bytes = postcard::to_stdvec(&stats).unwrap();
+    assert_eq!(postcard::from_bytes::<Stats>(&bytes), Ok(stats));
+}

@@ -1,0 +1,67 @@
+//! Whole simulations: Rapier's sets are written and read together with the broad phase.
+
+use unisize_scenes::SceneKind;
+
+use super::Scene;
+use super::crowd::Recorded;
+use super::rapier::prelude::*;
+
+const BODIES: usize = 100;
+
+/// The steps before which everything is written and read.
+const SNAPSHOTS: [usize; 5] = [0, 1, 10, 45, 120];
+
+/// How long the last one goes on.
+const STEPS_AFTER: usize = 300;
+
+/// Writes everything that a step depends on and reads it again.
+fn renew(scene: &mut Scene, broad_phase: &mut Recorded) {
+    let world = &mut scene.world;
+    let bytes = postcard::to_stdvec(&(
+        (&world.islands, &world.narrow_phase, &world.ccd_solver),
+        (&world.bodies, &world.colliders),
+        (&world.impulse_joints, &world.multibody_joints),
+        &broad_phase.inner,
+    ));
+    let bytes = bytes.expect("all of it can be written");
+    (
+        (world.islands, world.narrow_phase, world.ccd_solver),
+        (world.bodies, world.colliders),
+        (world.impulse_joints, world.multibody_joints),
+        broad_phase.inner,
+    ) = postcard::from_bytes(&bytes).expect("all of it can be read");
+    world.pipeline = PhysicsPipeline::new();
+    broad_phase.inner.validate();
+}
+
+/// The bits of where every body is and how it moves.
+fn motion(scene: &Scene) -> Vec<u8> {
+    let bodies = scene.world.bodies.iter();
+    let motion = bodies.map(|(_, body)| (body.position(), body.linvel(), body.angvel()));
+    postcard::to_stdvec(&motion.collect::<Vec<_>>()).expect("numbers can be written")
+}
+
+#[test]
+fn a_restored_simulation_goes_on_as_the_saved_one() {
+    for kind in SceneKind::ALL {
+        let [mut saved, mut restored] = [(); 2].map(|()| Scene::build(kind, BODIES, 11));
+        let [mut ours, mut twin] = [(); 2].map(|()| Recorded::default());
+        let last = SNAPSHOTS[SNAPSHOTS.len() - 1];
+        let mut events = 0;
+        for step in 0..last + STEPS_AFTER {
+            if SNAPSHOTS.contains(&step) {
+                renew(&mut restored, &mut twin);
+            }
+            saved.step(&mut ours, &(), &());
+            restored.step(&mut twin, &(), &());
+            let name = kind.name();
+            assert!(ours.events == twin.events, "events of {name}, step {step}");
+            assert!(motion(&saved) == motion(&restored), "{name}, step {step}");
+            assert_eq!(ours.inner.stats(), twin.inner.stats());
+            events += usize::from(!ours.events.is_empty());
+            ours.events.clear();
+            twin.events.clear();
+        }
+        assert!(events > 0, "nothing happens in {}", kind.name());
+    }
+}
