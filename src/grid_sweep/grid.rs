@@ -116,14 +116,14 @@ impl<R: Real> Grid<R> {
             |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
         let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
-        let affordable = (CANDIDATES / density).powf(1.0 / cuts.max(1) as f64);
+        let affordable = root(CANDIDATES / density, cuts);
         let width_in_boxes = affordable.clamp(widest / 4.0, widest) * widening;
 
         let mut grid = Self::default();
         for cut in 0..cuts {
             let Extent { size, low, spread } = axes[cut + 1];
             // Points have no size to go by: aim at some points a tube.
-            let least = spread / (n / 16.0).powf(1.0 / cuts as f64).max(1.0);
+            let least = spread / root(n / 16.0, cuts).max(1.0);
             let width = if size > 0.0 {
                 size * width_in_boxes
             } else {
@@ -136,6 +136,12 @@ impl<R: Real> Grid<R> {
         }
         grid
     }
+}
+
+/// What gives `x` if it is multiplied by itself once for each cut axis. Unlike powers, square roots are the same on every
+/// platform, and so the order of the pairs is.
+fn root(x: f64, cuts: usize) -> f64 {
+    if cuts > 1 { x.sqrt() } else { x }
 }
 
 /// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular

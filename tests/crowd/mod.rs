@@ -48,7 +48,7 @@ pub(super) struct Crowd {
     colliders: ColliderSet,
     bodies: RigidBodySet,
     handles: Vec<ColliderHandle>,
-    velocities: Vec<Vector<Real>>,
+    pub(super) velocities: Vec<Vector<Real>>,
     modified: Vec<ColliderHandle>,
     removed: Vec<ColliderHandle>,
     side: Real,
@@ -141,11 +141,6 @@ impl Crowd {
         self.removed.push(handle);
         let ball = ColliderBuilder::ball(0.5).translation(self.somewhere());
         self.handles[i] = self.colliders.insert(ball);
-    }
-
-    /// Lists every collider for the next update.
-    pub(super) fn list_all(&mut self) {
-        self.modified = self.handles.clone();
     }
 
     /// The events of the update that is due.

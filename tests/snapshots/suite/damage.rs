@@ -39,9 +39,6 @@ fn go_on(mut crowd: Crowd, mut broad_phase: UnisizeBroadPhase) {
     broad_phase.validate();
     for stride in [13, 7, 1, 50, 1] {
         crowd.advance(stride);
-        if stride == 50 {
-            crowd.list_all();
-        }
         crowd.update(&mut broad_phase);
         broad_phase.validate();
     }

@@ -1,7 +1,7 @@
 //! Places for bodies that must not overlap at the start: the cells of a regular grid.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::space::{UP, vector};
+use super::space::{UP, power, vector};
 
 /// A grid of cells, as wide along each horizontal axis, filled layer by layer from the bottom.
 pub(super) struct Lattice {
@@ -15,7 +15,7 @@ pub(super) struct Lattice {
 impl Lattice {
     /// The cells for `count` bodies in a heap whose height is about `aspect` times its width.
     pub(super) fn heap(count: usize, spacing: Real, aspect: Real) -> Self {
-        let exact = (count.max(1) as Real / aspect).powf(1.0 / DIM as Real);
+        let exact = power(count.max(1) as Real / aspect, 1.0 / DIM as Real);
         Self::with_columns(count, spacing, exact.ceil() as usize)
     }
 

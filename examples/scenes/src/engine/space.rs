@@ -1,6 +1,6 @@
 //! Vectors and shapes, spelled alike in both dimensions.
 
-use super::rapier::{math::DIM, parry::shape::Cuboid, prelude::*};
+use super::rapier::{math::DIM, na::ComplexField, parry::shape::Cuboid, prelude::*};
 use crate::random::Random;
 
 /// The axis along which gravity acts, downward.
@@ -42,4 +42,19 @@ pub(super) fn cuboid(half: Vector<Real>) -> ColliderBuilder {
 /// A cuboid with equal half extents.
 pub(super) fn cube(half: Real) -> ColliderBuilder {
     cuboid(vector(|_| half))
+}
+
+/// A power, as the engine computes it: the same on every platform with its feature `enhanced-determinism`.
+pub(super) fn power(base: Real, exponent: Real) -> Real {
+    ComplexField::powf(base, exponent)
+}
+
+/// A sine, as the engine computes it.
+pub(super) fn sine(angle: Real) -> Real {
+    ComplexField::sin(angle)
+}
+
+/// A cosine, as the engine computes it.
+pub(super) fn cosine(angle: Real) -> Real {
+    ComplexField::cos(angle)
 }

@@ -6,9 +6,8 @@
 use super::World;
 use super::both::{Both, Side};
 use super::pair::Pair;
-use super::rapier::parry::utils::hashmap::HashMap;
 use super::rapier::prelude::*;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Who holds a pair.
 #[derive(Clone, Copy, Default)]

@@ -2,7 +2,9 @@
 //! used again at once; a few are disabled for a while or change their collision group.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Cue, Lattice, Random, Script, Stage, UP, World, along, falling, jitter};
+use super::{
+    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, falling, jitter, power,
+};
 
 /// Radii differ by a tenth either way.
 const RADIUS: [Real; 2] = [0.45, 0.55];
@@ -141,7 +143,7 @@ fn ball(center: Vector<Real>, vertical: Real) -> RigidBodyBuilder {
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     // The top has cells enough for the balls that are dropped in during a cycle.
     let dropped = bodies.div_ceil(REPLACED).div_ceil(2) * CYCLE;
-    let columns = (dropped as Real).powf(1.0 / (DIM - 1) as Real).ceil() as usize;
+    let columns = power(dropped as Real, 1.0 / (DIM - 1) as Real).ceil() as usize;
     let columns = columns.max(Lattice::heap(bodies, SPACING, 1.0).columns);
     let lattice = Lattice::with_columns(bodies, SPACING, columns);
     let drop_height = lattice.height() + 3.0;

@@ -1,7 +1,10 @@
 //! A crowd: walkers of one size on a plane, each steering to a goal and bumping into others.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Cue, Random, Script, Stage, UP, World, cuboid, flavour, floating, vector};
+use super::{
+    Container, Cue, Random, Script, Stage, UP, World, cosine, cuboid, flavour, floating, sine,
+    vector,
+};
 
 /// Half the width of a walker.
 const HALF_WIDTH: Real = 0.3;
@@ -60,7 +63,7 @@ fn somewhere(half_width: Real, random: &mut Random) -> Vector<Real> {
 /// Without it, walkers that meet head-on push each other forever, and the crowd becomes one jam.
 fn aside(way: &Vector<Real>) -> Vector<Real> {
     let [first, second] = flavour::PLANE;
-    let (sine, cosine) = Real::sin_cos(1.2);
+    let (sine, cosine) = (sine(1.2), cosine(1.2));
     let mut turned = Vector::zeros();
     turned[first] = cosine * way[first] + sine * way[second];
     turned[second] = cosine * way[second] - sine * way[first];

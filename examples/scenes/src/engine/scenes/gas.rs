@@ -1,7 +1,7 @@
 //! A uniform gas: elastic balls in a closed box, the case that the analysis of a sweep assumes.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Lattice, Random, Stage, flavour, floating, jitter};
+use super::{Container, Lattice, Random, Stage, flavour, floating, jitter, power};
 
 /// The radius of every ball.
 const RADIUS: Real = 0.5;
@@ -14,7 +14,7 @@ const SPEED: Real = 5.0;
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let ball = flavour::UNIT_BALL * RADIUS.powi(DIM as i32);
-    let spacing = (ball / DENSITY).powf(1.0 / DIM as Real);
+    let spacing = power(ball / DENSITY, 1.0 / DIM as Real);
     let lattice = Lattice::heap(bodies, spacing, 1.0);
     let container = Container::standing(lattice.half_width(), lattice.height());
     let elastic = |side: ColliderBuilder| side.restitution(1.0).friction(0.0).build();

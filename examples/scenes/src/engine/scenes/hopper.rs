@@ -2,8 +2,8 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cuboid, falling, flavour,
-    horizontal, jitter, vector,
+    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cosine, cuboid, falling,
+    flavour, horizontal, jitter, sine, vector,
 };
 
 /// Grains differ in radius by a tenth either way.
@@ -80,14 +80,14 @@ pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
 fn insert_panel(world: &mut World, axis: usize, side: Real, outlet: Real, half_width: Real) {
     const HALF_THICKNESS: Real = 0.5;
     // Longer than needed, so that it ends inside of the wall.
-    let half_length = (half_width - HALF_OUTLET + 2.0).max(1.0) / 2.0 / SLOPE.cos();
+    let half_length = (half_width - HALF_OUTLET + 2.0).max(1.0) / 2.0 / cosine(SLOPE);
     let half = vector(|other| match other {
         UP => HALF_THICKNESS,
         other if other == axis => half_length,
         _ => half_width + 1.0,
     });
     let lower = along(axis, side * HALF_OUTLET) + along(UP, outlet);
-    let uphill = along(axis, side * SLOPE.cos()) + along(UP, SLOPE.sin());
+    let uphill = along(axis, side * cosine(SLOPE)) + along(UP, sine(SLOPE));
     world.colliders.insert(
         cuboid(half)
             .translation(lower + uphill * half_length)

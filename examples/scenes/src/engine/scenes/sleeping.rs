@@ -3,7 +3,7 @@
 use super::rapier::{math::DIM, prelude::*};
 use super::{
     Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cube, cuboid, falling,
-    flavour, vector, wide_high,
+    flavour, power, sine, vector, wide_high,
 };
 
 /// Half the size of a box.
@@ -46,7 +46,7 @@ impl Script for Errands {
             if translation[0].abs() > self.half_width {
                 mover.forward = translation[0] < 0.0;
             }
-            let sway = SWAY * (3.0 * time + mover.phase).sin();
+            let sway = SWAY * sine(3.0 * time + mover.phase);
             let back = (mover.place[flavour::ACROSS] + sway - translation[flavour::ACROSS]) * 10.0;
             let ahead = if mover.forward { SPEED } else { -SPEED };
             let lift = (mover.place[UP] - translation[UP]) * 10.0;
@@ -68,7 +68,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         _ => 1,
     };
     let per_storey = boxes.div_ceil(storeys).max(1);
-    let columns = (per_storey as Real).powf(1.0 / (DIM - 1) as Real).ceil();
+    let columns = power(per_storey as Real, 1.0 / (DIM - 1) as Real).ceil();
     let lattice = Lattice::with_columns(per_storey, SPACING, columns as usize);
     let half_width = lattice.half_width() + 1.0;
 

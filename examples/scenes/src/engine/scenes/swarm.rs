@@ -5,7 +5,7 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, World, cube, floating, jitter, vector,
+    Container, Cue, Lattice, Random, Script, Stage, World, cube, floating, jitter, sine, vector,
 };
 
 /// Half the size of a body.
@@ -42,7 +42,7 @@ impl Script for Flight {
                 let drifted = flyer.home[axis] + flyer.drift[axis] * time;
                 let (lo, hi) = (self.container.lo[axis], self.container.hi[axis]);
                 let quarter = axis as Real * (core::f64::consts::FRAC_PI_2 as Real);
-                reflect(drifted, lo, hi) + CIRCLE * (2.0 * time + flyer.phase + quarter).sin()
+                reflect(drifted, lo, hi) + CIRCLE * sine(2.0 * time + flyer.phase + quarter)
             });
             world.bodies[flyer.body].set_next_kinematic_translation(place);
         }

@@ -1,0 +1,38 @@
+//! The suite for rapier2d.
+
+use rapier2d as rapier;
+use unisize::rapier2d::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize_scenes::dim2::Scene;
+
+/// By replay.
+const REPLAYS: [u64; 6] = [
+    0x2421c98cde08773c,
+    0x0c23b308357b26fb,
+    0x70fa33d94d16b069,
+    0xa3f1414af096e71d,
+    0x0fbf1a7ad05f5c05,
+    0xf36426f3e1660b34,
+];
+
+/// By scene.
+#[cfg(feature = "enhanced-determinism")]
+const SCENES: [u64; 14] = [
+    0xbcecf202e65bda65,
+    0x6342bc289035b930,
+    0x9fbb324a2187e108,
+    0x37ea7f8f7698ae13,
+    0x0dc191629abe4923,
+    0x853ca51ac6563bdf,
+    0xc80cfb6e47d0fdd8,
+    0x9d2573815a8ec274,
+    0x447936cfe52fd7d0,
+    0x44dcf98d7a6d1f7a,
+    0x108130fab755c3a8,
+    0x0dcee881880f0316,
+    0x31e9dad2c7d18b06,
+    0xb154d9a6bff99d0c,
+];
+
+#[path = "suite.rs"]
+mod suite;

@@ -1,0 +1,38 @@
+//! The suite for rapier2d-f64.
+
+use rapier2d_f64 as rapier;
+use unisize::rapier2d_f64::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize_scenes::dim2_f64::Scene;
+
+/// By replay.
+const REPLAYS: [u64; 6] = [
+    0xf05b43cee303800e,
+    0x8d093e932161383d,
+    0x70fa33d94d16b069,
+    0xa2c3c75be548ef49,
+    0x0fbf1a7ad05f5c05,
+    0x84d15bf54834548b,
+];
+
+/// By scene.
+#[cfg(feature = "enhanced-determinism")]
+const SCENES: [u64; 14] = [
+    0xd75d4fc539032bf7,
+    0x6342bc289035b930,
+    0x22b177a85a3be5b9,
+    0x861dbe9c7638ec65,
+    0x80f0fcf37f5bde1a,
+    0x853ca51ac6563bdf,
+    0xc80cfb6e47d0fdd8,
+    0x9d2573815a8ec274,
+    0xb96c9896c819c152,
+    0x5b2db36e4afbe688,
+    0x65382c7bd31626a1,
+    0x1c1ca308a61f3752,
+    0x895327dace4cfe60,
+    0x94c443793465a576,
+];
+
+#[path = "suite.rs"]
+mod suite;

@@ -1,0 +1,38 @@
+//! The suite for rapier3d.
+
+use rapier3d as rapier;
+use unisize::rapier3d::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize_scenes::dim3::Scene;
+
+/// By replay.
+const REPLAYS: [u64; 6] = [
+    0x429ff125b9338df1,
+    0x654660bb6de8753c,
+    0x2aad8597e2bfa1fc,
+    0x7b0d320cab271d02,
+    0x1e895eb82ccd1eba,
+    0x758cbe6b3b743d56,
+];
+
+/// By scene.
+#[cfg(feature = "enhanced-determinism")]
+const SCENES: [u64; 14] = [
+    0x84c3c22759bcd322,
+    0x9975a8338cbe766d,
+    0x38dfb4250ff72231,
+    0x4853dd71c8bfbecb,
+    0x5f5ccdb6190d1d95,
+    0x771726bc323f1704,
+    0x6658c2176fcbe39a,
+    0xc0e1fbecb453faa1,
+    0x8661b0784f559c22,
+    0x4f5278d2ec7ede52,
+    0x597b12bac1441de1,
+    0x38c9c8fbea0f52c3,
+    0xfb74257d15c56af9,
+    0xbc74e5d4e03e2fc0,
+];
+
+#[path = "suite.rs"]
+mod suite;

@@ -1,0 +1,38 @@
+//! The suite for rapier3d-f64.
+
+use rapier3d_f64 as rapier;
+use unisize::rapier3d_f64::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize_scenes::dim3_f64::Scene;
+
+/// By replay.
+const REPLAYS: [u64; 6] = [
+    0x9232ff441a093e8e,
+    0x654660bb6de8753c,
+    0x2aad8597e2bfa1fc,
+    0x7b0d320cab271d02,
+    0x1e895eb82ccd1eba,
+    0x91a62b839bc3ba99,
+];
+
+/// By scene.
+#[cfg(feature = "enhanced-determinism")]
+const SCENES: [u64; 14] = [
+    0x84c3c22759bcd322,
+    0x9975a8338cbe766d,
+    0x76161b6c0d3432a9,
+    0xa4d91fadcddb7f00,
+    0xa3ac7e563fb0c119,
+    0x1497e939fcccbb8a,
+    0x6658c2176fcbe39a,
+    0xc0e1fbecb453faa1,
+    0x8661b0784f559c22,
+    0x4f5278d2ec7ede52,
+    0xb33871136aa24733,
+    0x84a14a3b770fe7db,
+    0xfb74257d15c56af9,
+    0x0ddbcb59022501b4,
+];
+
+#[path = "suite.rs"]
+mod suite;

@@ -1,0 +1,147 @@
+//! The suite: one source for every flavour, which the module that includes it names as `rapier`.
+
+use super::rapier;
+use super::{REPLAYS, UnisizeBroadPhase};
+use crate::hash::Hash;
+use crowd::{Crowd, Event};
+use rapier::math::{DIM, Real};
+
+#[path = "../crowd/mod.rs"]
+mod crowd;
+
+/// A way in which colliders move about.
+struct Replay {
+    name: &'static str,
+    count: usize,
+    /// How far a collider goes in an update at most, along each axis.
+    speed: Real,
+    /// For each ten updates, of how many colliders one moves.
+    strides: &'static [usize],
+    /// Whether all turn back after each update.
+    is_to_and_fro: bool,
+}
+
+/// One replay is of as many colliders as are worth several threads.
+const ALL: [Replay; REPLAYS.len()] = [
+    replay("drifting", 1000, 0.05, &[1, 1, 1, 1, 1, 1]),
+    replay("fast", 1000, 0.6, &[1, 1, 1, 1]),
+    replay("few", 1000, 0.1, &[1, 100, 60, 150, 100, 30]),
+    replay("by turns", 1000, 0.1, &[1, 200, 2, 3, 1, 20, 1, 5]),
+    Replay {
+        is_to_and_fro: true,
+        ..replay("to and fro", 1000, 0.02, &[1, 3, 1])
+    },
+    replay("many", 20_000, 0.1, &[1]),
+];
+
+const fn replay(
+    name: &'static str,
+    count: usize,
+    speed: Real,
+    strides: &'static [usize],
+) -> Replay {
+    Replay {
+        name,
+        count,
+        speed,
+        strides,
+        is_to_and_fro: false,
+    }
+}
+
+fn write(hash: &mut Hash, events: &[Event]) {
+    hash.write(events.len() as u32);
+    for &(is_added, pair) in events {
+        hash.write(u32::from(is_added));
+        for (index, generation) in pair.map(|handle| handle.into_raw_parts()) {
+            hash.write(index);
+            hash.write(generation);
+        }
+    }
+}
+
+impl Replay {
+    /// The hash of all events; with `is_cloned`, of clones that take each other's place.
+    fn hash(&self, is_cloned: bool) -> u64 {
+        // About two to five overlapping pairs for three colliders, without a root of the count.
+        let side = match (DIM, self.count) {
+            (2, 1000) => 36.0,
+            (2, _) => 160.0,
+            (_, 1000) => 13.0,
+            _ => 36.0,
+        };
+        let mut crowd = Crowd::new(self.count, side, self.speed);
+        // It is refused until it is placed anew.
+        crowd.spoil_last();
+        let mut broad_phase = UnisizeBroadPhase::new();
+        let mut hash = Hash::default();
+        let mut events = 0;
+        for &stride in self.strides {
+            for _ in 0..10 {
+                if is_cloned {
+                    broad_phase = broad_phase.clone();
+                }
+                let found = crowd.update(&mut broad_phase);
+                write(&mut hash, &found);
+                events += found.len();
+                crowd.advance(stride);
+                if self.is_to_and_fro {
+                    for velocity in &mut crowd.velocities {
+                        *velocity = -*velocity;
+                    }
+                }
+            }
+        }
+        broad_phase.validate();
+        assert!(events > self.count, "{}: {events} events", self.name);
+        hash.0
+    }
+}
+
+fn hashes(is_cloned: bool) -> [u64; REPLAYS.len()] {
+    std::array::from_fn(|i| ALL[i].hash(is_cloned))
+}
+
+fn check<const N: usize>(found: [u64; N], golden: [u64; N]) {
+    let table = found.map(|hash| format!("    {hash:#018x},\n")).concat();
+    assert!(found == golden, "of {DIM}D:\n{table}");
+}
+
+#[test]
+fn replays_are_golden() {
+    check(hashes(false), REPLAYS);
+}
+
+#[test]
+fn clones_go_on_alike() {
+    check(hashes(true), REPLAYS);
+}
+
+#[test]
+fn threads_do_not_matter() {
+    for threads in 1..=3 {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.expect("there are threads to be had");
+        check(pool.install(|| hashes(false)), REPLAYS);
+    }
+}
+
+/// Whole simulations, whose numbers are the same everywhere only with this feature.
+#[cfg(feature = "enhanced-determinism")]
+#[test]
+fn scenes_are_golden() {
+    use super::{SCENES, Scene};
+    use unisize_scenes::SceneKind;
+
+    let hash = |kind| {
+        let mut scene = Scene::build(kind, 60, 1);
+        let mut broad_phase = crowd::Recorded::default();
+        let mut hash = Hash::default();
+        for _ in 0..100 {
+            scene.step(&mut broad_phase, &(), &());
+            write(&mut hash, &std::mem::take(&mut broad_phase.events));
+        }
+        hash.0
+    };
+    check(SceneKind::ALL.map(hash), SCENES);
+}
