@@ -12,7 +12,7 @@ use proptest::test_runner::{TestCaseError, TestError, TestRunner};
 use unisize::{Aabb, PairFinder, Real};
 
 use crate::check::holds;
-use crate::limits::{denormals, extremes, neighbours, signed_zeros};
+use crate::numbers::alphabet;
 use crate::report;
 
 /// How many boxes a list has.
@@ -65,18 +65,6 @@ fn boxes<R: Real, const D: usize>(
     let sized = (coordinate, sides).prop_map(|(low, side)| (low, low + R::from_f64(side)));
     uniform(prop_oneof![1 => between, 4 => sized])
         .prop_map(|ends: [(R, R); D]| Aabb::new(ends.map(|e| e.0), ends.map(|e| e.1)))
-}
-
-/// The few numbers at which something ends: ties, both zeros, infinities, extremes, close neighbours.
-fn alphabet<R: Real>() -> Vec<R> {
-    let mut numbers = signed_zeros();
-    numbers.extend([2.0, 3.0, 0.1, -0.1, 1e7, 1e30, -1e30, 1e-38].map(R::from_f64));
-    numbers.extend(neighbours::<R>(1.0));
-    numbers.extend(neighbours::<R>(16_777_216.0));
-    numbers.extend(&denormals::<R>()[19..22]);
-    numbers.extend(extremes::<R>());
-    numbers.extend([R::INFINITY, R::NEG_INFINITY]);
-    numbers
 }
 
 /// Numbers such as scenes have: whole and not.

@@ -4,7 +4,8 @@ use unisize::InvalidBoxReason::{Inverted, NotANumber};
 use unisize::{Aabb, InvalidBoxReason, PairFinder, Real};
 
 use crate::check::{JUNK, find};
-use crate::placement::{stepped, uniform};
+use crate::numbers::stepped;
+use crate::placement::uniform;
 
 /// Checks that one invalid box anywhere is named, that no pair is given, and that the finder then goes on.
 pub(crate) fn check<F, R, const D: usize>()

@@ -5,6 +5,7 @@
 use unisize::{Aabb, Real};
 
 use crate::limits::{self, Side};
+use crate::numbers;
 use crate::order;
 use crate::placement::{self, Meet};
 use crate::shapes;
@@ -282,7 +283,7 @@ pub(crate) fn plates<R: Real, const D: usize>() -> Family<R, D> {
 pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
     [2, 10, 200]
         .map(|n| {
-            let boxes = limits::from_alphabet(21, n, &limits::signed_zeros());
+            let boxes = limits::from_alphabet(21, n, &numbers::signed_zeros());
             input(format!("{n} boxes from -1, -0, 0 and 1"), boxes)
         })
         .into()
@@ -290,13 +291,13 @@ pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
 
 /// Numbers too small to have all their digits.
 pub(crate) fn denormals<R: Real, const D: usize>() -> Family<R, D> {
-    let boxes = limits::from_alphabet(22, 200, &limits::denormals());
+    let boxes = limits::from_alphabet(22, 200, &numbers::denormals());
     vec![input("boxes of a few least positive numbers", boxes)]
 }
 
 /// Boxes whose sides are too long to be a number.
 pub(crate) fn extremes<R: Real, const D: usize>() -> Family<R, D> {
-    let boxes = limits::from_alphabet(23, 200, &limits::extremes());
+    let boxes = limits::from_alphabet(23, 200, &numbers::extremes());
     let mut among_others = placement::uniform(24, 200, 0.8);
     among_others.extend_from_slice(&boxes[..20]);
     vec![
@@ -316,7 +317,7 @@ pub(crate) fn extremes<R: Real, const D: usize>() -> Family<R, D> {
 pub(crate) fn neighbours<R: Real, const D: usize>() -> Family<R, D> {
     [1.0, -1.0, 0.1, 3e-39, 65536.0, 1e7, 16_777_216.0, -1e30]
         .map(|x| {
-            let boxes = limits::from_alphabet(25, 150, &limits::neighbours(x));
+            let boxes = limits::from_alphabet(25, 150, &numbers::neighbours(x));
             input(
                 format!("boxes a few units in the last place around {x:e}"),
                 boxes,

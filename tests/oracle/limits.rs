@@ -5,7 +5,7 @@ use core::array::from_fn;
 
 use unisize::{Aabb, Real};
 
-use crate::placement::{stepped, uniform};
+use crate::placement::uniform;
 use crate::random::Random;
 
 /// [`uniform`] boxes of density 0.8, side `scale`, moved by `offset` on every axis, loosened by `margin`.
@@ -138,29 +138,4 @@ pub(crate) fn of_all_magnitudes<R: Real, const D: usize>(seed: u64, n: usize) ->
         })
         .collect();
     from_alphabet(seed, n, &numbers)
-}
-
-/// Both zeros, and a number on either side of them.
-pub(crate) fn signed_zeros<R: Real>() -> Vec<R> {
-    [-1.0, -0.0, 0.0, 1.0].map(R::from_f64).to_vec()
-}
-
-/// The least numbers that there are, of both signs.
-pub(crate) fn denormals<R: Real>() -> Vec<R> {
-    (-20..=20).map(|ulps| stepped(R::ZERO, ulps)).collect()
-}
-
-/// Numbers so large that the difference of two overflows, and ordinary ones.
-pub(crate) fn extremes<R: Real>() -> Vec<R> {
-    let half = R::MAX * R::from_f64(0.5);
-    let mut numbers = vec![R::ZERO];
-    for x in [R::ONE, half.next_up(), half, stepped(R::MAX, -1), R::MAX] {
-        numbers.extend([x, R::ZERO - x]);
-    }
-    numbers
-}
-
-/// The seven representable numbers around `x`.
-pub(crate) fn neighbours<R: Real>(x: f64) -> Vec<R> {
-    (-3..=3).map(|ulps| stepped(R::from_f64(x), ulps)).collect()
 }

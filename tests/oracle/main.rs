@@ -3,17 +3,21 @@
 //! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of
 //! scene went wrong, and shows the fewest boxes found that still go wrong. `check` lists what must hold for
 //! every input; `errors` does so for inputs that must be refused; `arbitrary` looks for inputs that nobody
-//! thought of. Raise `PROPTEST_CASES` to let it look for longer.
+//! thought of. Raise `PROPTEST_CASES` to let it look for longer. `fuzzed` is what the fuzzer runs, and `replay`
+//! runs it on the inputs that the fuzzer has kept.
 
 mod arbitrary;
 mod check;
 mod errors;
+mod fuzzed;
 mod guard;
 mod inputs;
 mod limits;
+mod numbers;
 mod order;
 mod placement;
 mod random;
+mod replay;
 mod report;
 mod shapes;
 mod slabs;

@@ -5,6 +5,7 @@ use core::array::from_fn;
 
 use unisize::{Aabb, Real};
 
+use crate::numbers::stepped;
 use crate::random::Random;
 
 /// The box at `mins` with these sides. The far corner is rounded as an engine would round it.
@@ -106,17 +107,6 @@ pub(crate) fn lattice<R: Real, const D: usize>(
         .collect();
     random.shuffle(&mut boxes);
     boxes
-}
-
-/// The number `ulps` representable numbers above `x`, or below.
-pub(crate) fn stepped<R: Real>(mut x: R, ulps: i32) -> R {
-    for _ in 0..ulps {
-        x = x.next_up();
-    }
-    for _ in ulps..0 {
-        x = R::ZERO - (R::ZERO - x).next_up();
-    }
-    x
 }
 
 /// `n` unit boxes uniform on a line along `axis`: on the other axes all begin at the same number.

@@ -6,10 +6,14 @@
 //! checked by `CheckedBroadPhase`, which hands it on and compares the answer with that of `Model`: a brute-force
 //! reading of the contract, written without regard to the implementation.
 //!
-//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer.
+//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer. `fuzzed` is
+//! what the fuzzer plays, and `replay` plays it with the inputs that the fuzzer has kept.
 
 mod dim2;
 mod dim2_f64;
 mod dim3;
 mod dim3_f64;
+mod fuzzed;
 mod ops;
+mod replay;
+mod strategies;

@@ -7,19 +7,15 @@ use super::world::World;
 use crate::ops::Sequence;
 
 pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
-    let params = IntegrationParameters {
-        length_unit: sequence.length_unit.into(),
-        ..IntegrationParameters::default()
-    };
     let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
-    let mut world = World::default();
+    let mut world = World::new(sequence.length_unit.into());
     for ops in &sequence.updates {
         for &op in ops {
             world.apply(op);
         }
         list_silent_removals(&mut world, &broad_phase);
         broad_phase.update(
-            &params,
+            &world.params,
             &world.colliders,
             &world.bodies,
             &world.modified,

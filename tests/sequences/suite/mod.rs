@@ -6,11 +6,20 @@ use super::{Kernel, Settings, UnisizeBroadPhase};
 mod checked;
 mod direct;
 mod model;
+#[cfg(test)]
 mod pipelines;
+#[cfg(test)]
 mod runner;
 mod world;
 
+/// Plays a sequence with lists made by hand, with one of the kernels.
+pub(crate) fn play(sequence: &crate::ops::Sequence, kernel: usize) {
+    let kernels = [Kernel::GridSweep, Kernel::RankSweep, Kernel::BruteForce];
+    direct::play(sequence, kernels[kernel % kernels.len()]);
+}
+
 /// Instantiates the tests for one kernel.
+#[cfg(test)]
 macro_rules! sequences_with {
     ($name:ident, $kernel:expr) => {
         mod $name {
@@ -34,5 +43,7 @@ macro_rules! sequences_with {
     };
 }
 
+#[cfg(test)]
 sequences_with!(grid_sweep, Kernel::GridSweep);
+#[cfg(test)]
 sequences_with!(rank_sweep, Kernel::RankSweep);

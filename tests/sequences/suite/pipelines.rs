@@ -21,10 +21,10 @@ pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
     let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = CollisionPipeline::new();
-    let mut world = World::default();
+    let mut world = World::new(sequence.length_unit.into());
     play(sequence, &mut world, |world| {
         pipeline.step(
-            0.002 * Real::from(sequence.length_unit),
+            0.002 * world.params.length_unit,
             &mut broad_phase,
             &mut narrow_phase,
             &mut world.bodies,
@@ -36,20 +36,16 @@ pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
 }
 
 pub(super) fn play_physics(sequence: &Sequence, kernel: Kernel) {
-    let params = IntegrationParameters {
-        length_unit: sequence.length_unit.into(),
-        ..IntegrationParameters::default()
-    };
     let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = PhysicsPipeline::new();
     let mut ccd_solver = CCDSolver::new();
-    let mut world = World::default();
+    let mut world = World::new(sequence.length_unit.into());
     world.engine_follows_bodies = true;
     play(sequence, &mut world, |world| {
         pipeline.step(
             &Vector::zeros(),
-            &params,
+            &world.params,
             &mut world.islands,
             &mut broad_phase,
             &mut narrow_phase,

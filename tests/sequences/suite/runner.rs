@@ -2,7 +2,8 @@
 
 use proptest::test_runner::{Config, TestRunner};
 
-use crate::ops::{Sequence, sequences};
+use crate::ops::Sequence;
+use crate::strategies::sequences;
 
 /// Sequences per test, unless `PROPTEST_CASES` says otherwise.
 const CASES: u32 = 64;

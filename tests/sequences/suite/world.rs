@@ -3,7 +3,7 @@
 use super::rapier::prelude::*;
 use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Triple, Types};
 
-/// Rapier's sets, with the lists of what changed since the last update.
+/// Rapier's sets and parameters, with the lists of what changed since the last update.
 #[derive(Default)]
 pub(super) struct World {
     pub(super) islands: IslandManager,
@@ -11,6 +11,7 @@ pub(super) struct World {
     pub(super) colliders: ColliderSet,
     pub(super) joints: ImpulseJointSet,
     pub(super) multibody_joints: MultibodyJointSet,
+    pub(super) params: IntegrationParameters,
     pub(super) modified: Vec<ColliderHandle>,
     pub(super) removed: Vec<ColliderHandle>,
     /// Whether an engine's pipeline carries out what a change of a body means to its colliders.
@@ -21,6 +22,12 @@ pub(super) struct World {
 }
 
 impl World {
+    pub(super) fn new(length_unit: Real) -> Self {
+        let mut world = Self::default();
+        world.params.length_unit = length_unit;
+        world
+    }
+
     pub(super) fn apply(&mut self, op: Op) {
         match op {
             Op::Insert(new, parent) => self.insert(new, parent),
@@ -40,6 +47,7 @@ impl World {
                 body,
                 with_colliders,
             } => self.remove_body(body, with_colliders),
+            Op::LengthUnit(unit) => self.params.length_unit = unit.into(),
             Op::ListStale(list, pick) => {
                 if let Some(handle) = nth(&self.gone, pick) {
                     self.list(list, handle);

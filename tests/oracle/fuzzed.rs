@@ -1,0 +1,221 @@
+//! What the fuzzer runs: bytes say which boxes there are, and every kernel must find the pairs of the oracle.
+//!
+//! Two lists are read, and each kernel is given the first, the second and the first again, for what it keeps of one
+//! must not show in the next. Few bytes are enough for many boxes, most of them on a lattice, where they touch as
+//! often as not. Bytes that run out are zeros, so everything has a meaning.
+
+use std::array::from_fn;
+use std::num::NonZero;
+
+use arbitrary::{Result, Unstructured};
+use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
+
+use crate::numbers::{alphabet, stepped};
+
+/// How many boxes a list may have.
+const MOST: usize = 300;
+
+/// The side of the lattice's boxes, in quarters of its pitch.
+const SIDES: [i32; 8] = [4, 4, 4, 4, 0, 1, 8, 40];
+
+/// The pitch of the lattice.
+const PITCHES: [f64; 8] = [1.0, 1.0, 0.1, 1e-45, 1e-38, 1e7, 1e30, 1e37];
+
+/// Where the lattice begins.
+const ORIGINS: [f64; 4] = [0.0, -2.0, 1e7, -1e30];
+
+/// Checks all kernels on what the bytes say.
+pub(crate) fn check(bytes: &[u8]) {
+    let mut bytes = Unstructured::new(bytes);
+    // Nothing here can fail, but that the type of `Unstructured` says so.
+    let _ = match bytes.int_in_range(0..=7).unwrap_or(0) {
+        0 => check_in::<f32, 1>(&mut bytes),
+        1 => check_in::<f32, 2>(&mut bytes),
+        2 => check_in::<f32, 3>(&mut bytes),
+        3 => check_in::<f32, 4>(&mut bytes),
+        4 => check_in::<f64, 1>(&mut bytes),
+        5 => check_in::<f64, 2>(&mut bytes),
+        6 => check_in::<f64, 3>(&mut bytes),
+        _ => check_in::<f64, 4>(&mut bytes),
+    };
+}
+
+fn check_in<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
+    let slabs = NonZero::new(bytes.int_in_range(2..=9)?).unwrap_or(NonZero::<usize>::MIN);
+    let lists = [read_list::<R, D>(bytes)?, read_list(bytes)?];
+    let mut grid_sweep = GridSweep::<R, D>::default();
+    let mut in_slabs = GridSweep::<R, D>::with_slabs(slabs);
+    let mut rank_sweep = RankSweep::<R, D>::default();
+    let mut pairs = [const { Vec::new() }; 4];
+    for boxes in [&lists[0], &lists[1], &lists[0]] {
+        let [expected, swept, in_order, ranked] = &mut pairs;
+        let outcome = BruteForce.find_pairs(boxes, expected);
+        assert_eq!(grid_sweep.find_pairs(boxes, swept), outcome, "{boxes:?}");
+        assert_eq!(in_slabs.find_pairs(boxes, in_order), outcome, "{boxes:?}");
+        assert_eq!(rank_sweep.find_pairs(boxes, ranked), outcome, "{boxes:?}");
+        assert!(in_order == swept, "the order in {slabs} slabs: {boxes:?}");
+        let mut expected = Expected::new(boxes.len(), expected);
+        expected.compare("GridSweep", boxes, swept);
+        expected.compare("RankSweep", boxes, ranked);
+    }
+    Ok(())
+}
+
+/// The pairs of the oracle, to compare others with, in whatever order, without sorting.
+struct Expected<'a> {
+    boxes: usize,
+    pairs: &'a [[u32; 2]],
+    /// For each two boxes, 0 if they are no pair, else 1 and how many kernels have found it.
+    found: Vec<u8>,
+    kernels: u8,
+}
+
+impl<'a> Expected<'a> {
+    fn new(boxes: usize, pairs: &'a [[u32; 2]]) -> Self {
+        let mut found = vec![0; boxes * boxes];
+        for &[a, b] in pairs {
+            found[a as usize * boxes + b as usize] = 1;
+        }
+        Self {
+            boxes,
+            pairs,
+            found,
+            kernels: 0,
+        }
+    }
+
+    /// Panics unless these are the same pairs, each once, the smaller index first.
+    fn compare<R: Real, const D: usize>(
+        &mut self,
+        kernel: &str,
+        boxes: &[Aabb<R, D>],
+        pairs: &[[u32; 2]],
+    ) {
+        self.kernels += 1;
+        for &[a, b] in pairs {
+            let found = &mut self.found[a as usize * self.boxes + b as usize];
+            assert!(*found == self.kernels, "{kernel}: [{a}, {b}] of {boxes:?}");
+            *found += 1;
+        }
+        let lacking = self.pairs.len() - pairs.len();
+        assert!(lacking == 0, "{kernel} lacks {lacking} pairs of {boxes:?}");
+    }
+}
+
+/// The boxes of one list, and what they are made from.
+struct List<R, const D: usize> {
+    boxes: Vec<Aabb<R, D>>,
+    alphabet: Vec<R>,
+    pitch: f64,
+    origin: f64,
+    /// Whether invalid boxes are left as they are.
+    is_raw: bool,
+}
+
+fn read_list<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<Aabb<R, D>>> {
+    let mut list = List {
+        boxes: Vec::new(),
+        alphabet: alphabet(),
+        pitch: *bytes.choose(&PITCHES)?,
+        origin: *bytes.choose(&ORIGINS)?,
+        is_raw: bytes.ratio(1_u8, 16_u8)?,
+    };
+    list.alphabet.push(R::NAN);
+    let entries = bytes.int_in_range(0..=u8::MAX)?;
+    for _ in 0..entries {
+        if bytes.is_empty() || list.boxes.len() >= MOST {
+            break;
+        }
+        list.read_entry(bytes)?;
+    }
+    Ok(list.boxes)
+}
+
+impl<R: Real, const D: usize> List<R, D> {
+    /// Reads one box, or a row of them.
+    fn read_entry(&mut self, bytes: &mut Unstructured) -> Result<()> {
+        match bytes.int_in_range(0..=7)? {
+            0..=2 => {
+                let corner = read_corner(bytes)?;
+                self.push_on_lattice(corner);
+            }
+            3 => {
+                let mut corner = read_corner::<D>(bytes)?;
+                let mut steps = [0; D];
+                for step in &mut steps {
+                    *step = bytes.int_in_range(-5..=5)?;
+                }
+                for _ in 0..bytes.int_in_range(1..=100)? {
+                    self.push_on_lattice(corner);
+                    for k in 0..D {
+                        corner[k].0 += steps[k];
+                    }
+                }
+            }
+            4 | 5 => {
+                let mut ends = [(R::ZERO, R::ZERO); D];
+                for end in &mut ends {
+                    *end = (
+                        *bytes.choose(&self.alphabet)?,
+                        *bytes.choose(&self.alphabet)?,
+                    );
+                }
+                self.push(ends);
+            }
+            6 => {
+                let mut ends = [(R::ZERO, R::ZERO); D];
+                for end in &mut ends {
+                    *end = (read_bits(bytes)?, read_bits(bytes)?);
+                }
+                self.push(ends);
+            }
+            _ => {
+                let index = bytes.choose_index(self.boxes.len().max(1))?;
+                let axis = bytes.choose_index(D)?;
+                let (low, high) = (bytes.int_in_range(-2..=2)?, bytes.int_in_range(-2..=2)?);
+                if let Some(Aabb { mins, maxs }) = self.boxes.get(index).copied() {
+                    let mut ends = from_fn(|k| (mins[k], maxs[k]));
+                    ends[axis] = (stepped(mins[axis], low), stepped(maxs[axis], high));
+                    self.push(ends);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the box that begins at these quarters of the pitch and has these sides.
+    fn push_on_lattice(&mut self, corner: [(i32, i32); D]) {
+        let at = |quarters: i32| R::from_f64(self.origin + f64::from(quarters) * 0.25 * self.pitch);
+        self.push(corner.map(|(low, side)| (at(low), at(low + side))));
+    }
+
+    fn push(&mut self, ends: [(R, R); D]) {
+        let ends = ends.map(|(low, high)| match low <= high {
+            is_valid if is_valid || self.is_raw => (low, high),
+            _ if high <= low => (high, low),
+            _ => (R::ZERO, R::ONE),
+        });
+        let aabb = Aabb::new(ends.map(|end| end.0), ends.map(|end| end.1));
+        self.boxes.push(aabb);
+    }
+}
+
+/// Reads where a box of the lattice begins, and its sides, all in quarters of the pitch.
+fn read_corner<const D: usize>(bytes: &mut Unstructured) -> Result<[(i32, i32); D]> {
+    let mut corner = [(0, 0); D];
+    for (low, side) in &mut corner {
+        let byte = bytes.arbitrary::<u8>()?;
+        *low = 2 * i32::from(byte / 8);
+        *side = SIDES[usize::from(byte % 8)];
+    }
+    Ok(corner)
+}
+
+/// Reads a number of any kind.
+fn read_bits<R: Real>(bytes: &mut Unstructured) -> Result<R> {
+    Ok(R::from_f64(if size_of::<R>() == 4 {
+        f64::from(f32::from_bits(bytes.arbitrary()?))
+    } else {
+        f64::from_bits(bytes.arbitrary()?)
+    }))
+}

@@ -1,0 +1,11 @@
+//! The inputs that the fuzzer has kept, once more.
+
+use crate::fuzzed;
+
+#[path = "../../fuzz/corpus.rs"]
+mod corpus;
+
+#[test]
+fn inputs_of_the_fuzzer() {
+    corpus::replay("kernels", fuzzed::check);
+}
