@@ -1,0 +1,87 @@
+//! Does unisize go on and on, and in the same memory?
+//!
+//! ```text
+//! cargo run --release --all-features --example soak
+//! ```
+//!
+//! makes a million updates in two and in three dimensions: colliders rest, drift, tremble, jump, come, go, and are
+//! disabled, resized and spoilt, by turns. Ends with 1 if memory grows, and with 2 if it was called wrongly.
+
+mod dim2;
+mod dim3;
+mod memory;
+mod options;
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use memory::{Peaks, live_bytes};
+use options::Options;
+use std::io::{IsTerminal, stderr};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Makes the updates in one dimension, and returns the peaks and the number of pairs held at the end.
+macro_rules! soaked {
+    ($soak:ty, $options:expr, $bar:expr) => {{
+        let (options, bar): (&Options, &ProgressBar) = ($options, $bar);
+        let mut soak = <$soak>::new(options.colliders as usize, options.seed);
+        let mut peaks = Peaks::default();
+        for done in 1..=options.updates {
+            soak.update();
+            peaks.note(done, options.updates);
+            if done % options.check_every == 0 || done == options.updates {
+                soak.check();
+                bar.set_position(done);
+            }
+        }
+        (peaks, soak.pairs(), live_bytes())
+    }};
+}
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    let mut is_flat = true;
+    for &dim in options.dims() {
+        let bar = progress_bar(options.updates);
+        bar.set_message(format!("{dim}D"));
+        let start = Instant::now();
+        let (peaks, pairs, end) = match dim {
+            2 => soaked!(dim2::Soak, &options, &bar),
+            _ => soaked!(dim3::Soak, &options, &bar),
+        };
+        bar.finish_and_clear();
+        println!(
+            "{dim}D: {} updates of {} colliders in {:.0} s, {} checks, {pairs} pairs held at the end",
+            options.updates,
+            options.colliders,
+            start.elapsed().as_secs_f64(),
+            options.updates.div_ceil(options.check_every),
+        );
+        println!(
+            "    bytes held: {} at most in the first tenth, {} at most later, {end} at the end",
+            peaks.early, peaks.late,
+        );
+        is_flat &= peaks.are_flat();
+    }
+    if is_flat {
+        println!("Memory did not grow.");
+        ExitCode::SUCCESS
+    } else {
+        println!("Memory GREW.");
+        ExitCode::FAILURE
+    }
+}
+
+/// A progress bar, which only shows on a terminal.
+fn progress_bar(updates: u64) -> ProgressBar {
+    let target = if stderr().is_terminal() {
+        ProgressDrawTarget::stderr()
+    } else {
+        ProgressDrawTarget::hidden()
+    };
+    let bar = ProgressBar::with_draw_target(Some(updates), target);
+    match ProgressStyle::with_template("{msg:4} {wide_bar} {percent:>3} %, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,50 @@
+//! Handles may have any index, and memory must not be as large as those that were never given out.
+
+use crate::memory::live_bytes;
+use crate::turn;
+
+/// What one collider and a list of a few hundred handles may take. An array of all indices would take gigabytes.
+const BOUND: usize = 64 << 10;
+
+/// One source for both dimensions.
+macro_rules! check {
+    ($rapier:ident) => {{
+        use unisize::$rapier::UnisizeBroadPhase;
+        use $rapier::prelude::*;
+
+        let _turn = turn();
+        let mut broad_phase = UnisizeBroadPhase::new();
+        let mut colliders = ColliderSet::new();
+        let ball = colliders.insert(ColliderBuilder::ball(0.5));
+        let (bodies, params) = (RigidBodySet::new(), IntegrationParameters::default());
+        let bogus: Vec<_> = [1 << 16, 1 << 24, u32::MAX - 1, u32::MAX]
+            .iter()
+            .flat_map(|&index| [(index, 0), (index, u32::MAX)])
+            .map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation))
+            // More than are read in the order in which they are listed.
+            .cycle()
+            .take(400)
+            .chain([ball])
+            .collect();
+        let before = live_bytes();
+        for _ in 0..10 {
+            let mut events = Vec::new();
+            broad_phase.update(&params, &colliders, &bodies, &bogus, &bogus, &mut events);
+            assert!(events.is_empty());
+        }
+        let taken = live_bytes().saturating_sub(before);
+        assert!(taken < BOUND, "{taken} bytes for one collider");
+        assert_eq!(broad_phase.stats().proxies, 1);
+        broad_phase.validate();
+    }};
+}
+
+#[test]
+fn memory_does_not_follow_bogus_indices_in_2d() {
+    check!(rapier2d);
+}
+
+#[test]
+fn memory_does_not_follow_bogus_indices_in_3d() {
+    check!(rapier3d);
+}
