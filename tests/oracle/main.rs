@@ -7,6 +7,7 @@
 //! runs it on the inputs that the fuzzer has kept.
 
 mod arbitrary;
+mod census;
 mod check;
 mod errors;
 mod fuzzed;

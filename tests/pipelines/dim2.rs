@@ -2,7 +2,7 @@
 
 use flavour::{height_field, hinge, mesh_floor, spin};
 use rapier2d as rapier;
-use unisize::rapier2d::UnisizeBroadPhase;
+use unisize::rapier2d::{Settings, UnisizeBroadPhase};
 use unisize_scenes::dim2::World;
 
 mod flavour;

@@ -2,7 +2,7 @@
 
 use flavour::{height_field, hinge, mesh_floor, spin};
 use rapier3d as rapier;
-use unisize::rapier3d::UnisizeBroadPhase;
+use unisize::rapier3d::{Settings, UnisizeBroadPhase};
 use unisize_scenes::dim3::World;
 
 mod flavour;

@@ -1,13 +1,14 @@
 //! The tests: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
+use super::{Settings, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
 
 mod bullets;
 mod changes;
 mod collisions;
 mod filters;
 mod floors;
+mod hostile;
 mod odd_updates;
 mod piles;
 mod queries;
