@@ -4,8 +4,12 @@
 
 #[path = "../../tests/sequences/dim2.rs"]
 mod dim2;
+#[path = "../../tests/sequences/dim2_f64.rs"]
+mod dim2_f64;
 #[path = "../../tests/sequences/dim3.rs"]
 mod dim3;
+#[path = "../../tests/sequences/dim3_f64.rs"]
+mod dim3_f64;
 #[path = "../../tests/sequences/fuzzed.rs"]
 mod fuzzed;
 #[path = "../../tests/sequences/ops.rs"]

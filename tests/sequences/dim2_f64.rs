@@ -5,3 +5,5 @@ use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
 
 #[path = "suite/mod.rs"]
 mod suite;
+
+pub(crate) use suite::play;
