@@ -1,7 +1,7 @@
 //! Boxes on which methods fail: how time and memory grow, for each kernel and for a bounding volume hierarchy.
 //!
 //! ```text
-//! cargo bench --all-features --bench hard_boxes
+//! cargo bench --features rapier2d,rapier3d,parallel --bench hard_boxes
 //! ```
 //!
 //! A table in Markdown for each dimension. *Times uniform* is the time for each box and pair together, in that of boxes

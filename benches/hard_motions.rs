@@ -2,7 +2,7 @@
 //! one, and this one with the kernel of the paper.
 //!
 //! ```text
-//! cargo bench --all-features --bench hard_motions
+//! cargo bench --features rapier2d,rapier3d,parallel --bench hard_motions
 //! ```
 //!
 //! A table in Markdown for each dimension. Times are for one update, the mean and the worst of 60, or of as many as four

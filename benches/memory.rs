@@ -1,7 +1,7 @@
 //! The memory that a broad phase holds, ours and Rapier's own, by a counting allocator.
 //!
 //! ```text
-//! cargo bench --all-features --bench memory
+//! cargo bench --features rapier2d,rapier3d,parallel --bench memory
 //! ```
 //!
 //! Bytes for each collider once the broad phase has followed some frames: what is freed when it is dropped. That of its

@@ -1,7 +1,7 @@
 //! Where the time goes: the phases of the kernel and of an update, beside the least that any of it could take.
 //!
 //! ```text
-//! cargo bench --all-features --bench phases
+//! cargo bench --features rapier2d,rapier3d,parallel --bench phases
 //! ```
 //!
 //! Tables in Markdown. Of the kernel each phase is the median over some frames, between which the boxes drift on. The

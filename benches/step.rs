@@ -1,7 +1,7 @@
 //! Whole steps of the physics pipeline: 2,000 falling balls, with Rapier's own broad phase and with this one.
 //!
 //! ```text
-//! cargo bench --all-features --bench step
+//! cargo bench --features rapier2d,rapier3d,parallel --bench step
 //! ```
 //!
 //! What is timed is the simulation from the start until most of the balls have landed: a pile costs more than

@@ -1,7 +1,7 @@
 //! `BroadPhase::update` alone: Rapier's own broad phase against this one, on the same frames.
 //!
 //! ```text
-//! cargo bench --all-features --bench update -- 3D/all-move
+//! cargo bench --features rapier2d,rapier3d,parallel --bench update -- 3D/all-move
 //! ```
 //!
 //! Colliders are cubes of side 1 that drift about. Some of them are moved and listed as modified, outside of

@@ -208,6 +208,21 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         slabs.flat_map(|slab| slab.tubes.homes())
     }
 
+    /// How many classes of sizes there were in the last run.
+    #[cfg(feature = "_adapter")]
+    pub(crate) fn class_count(&self) -> usize {
+        self.class_count
+    }
+
+    /// The strips of the first class in the last run, along each of the axes that are cut.
+    #[cfg(feature = "_adapter")]
+    pub(crate) fn strips(&self) -> [u32; 2] {
+        let class = self.classes[..self.class_count].first();
+        class.map_or([0; 2], |class| {
+            class.grid.axes.map(|axis| axis.last.saturating_add(1))
+        })
+    }
+
     /// Lets [`look_up`](Self::look_up) be called, until the next run.
     #[cfg(feature = "_adapter")]
     pub(crate) fn prepare_lookup(&mut self) {

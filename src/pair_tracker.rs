@@ -23,7 +23,7 @@ use candidates::{Boxes, Candidates};
 use reach::{Experience, Horizon};
 use slot_set::SlotSet;
 
-pub(crate) use layers::{Layers, Unlayered};
+pub(crate) use layers::{GridLayers, Layers, Unlayered};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
 
@@ -57,6 +57,9 @@ pub(crate) struct PairTracker<R, const D: usize> {
     /// Those of them that have left their reach, have none yet, or are gone.
     escaped: SlotSet,
     horizon: Horizon,
+    /// For how many moves to look ahead, whatever comes of it.
+    pub(crate) fixed_foresight: Option<u16>,
+    full_runs: u64,
     candidates: Candidates,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
@@ -72,6 +75,8 @@ impl<R, const D: usize> Default for PairTracker<R, D> {
             moved: Vec::new(),
             escaped: SlotSet::default(),
             horizon: Horizon::default(),
+            fixed_foresight: None,
+            full_runs: 0,
             candidates: Candidates::default(),
             found: Vec::new(),
             stopwatch: Stopwatch::default(),
@@ -180,6 +185,27 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.candidates.len()
     }
 
+    /// For how many moves ahead it searches.
+    pub(crate) fn foresight(&self) -> u32 {
+        self.horizon.moves()
+    }
+
+    /// How often it has searched for all pairs.
+    pub(crate) fn full_runs(&self) -> u64 {
+        self.full_runs
+    }
+
+    /// Goes on from the state of another one, which was read, but with settings of its own.
+    #[cfg(feature = "serde-serialize")]
+    pub(crate) fn resume(&mut self, state: Self, full_runs: u64) {
+        *self = Self {
+            stopwatch: std::mem::take(&mut self.stopwatch),
+            fixed_foresight: self.fixed_foresight,
+            full_runs,
+            ..state
+        };
+    }
+
     /// The slots that have a proxy, with their boxes.
     pub(crate) fn proxies(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
         (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
@@ -201,6 +227,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             moved,
             escaped,
             horizon,
+            fixed_foresight,
+            full_runs,
             candidates,
             found,
             stopwatch,
@@ -220,13 +248,17 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                 excess: (candidates.len() - held) as f64 / slots,
                 cost: layers.cost_per_update(boxes.len()),
             };
-            horizon.adapt(moved, boxes, previous, experience);
+            *full_runs += 1;
+            match fixed_foresight {
+                Some(moves) => *horizon = Horizon::fixed(*moves),
+                None => horizon.adapt(moved, boxes, previous, experience),
+            }
             renew_reaches(reaches, &both, moved, *horizon);
             found.reserve_exact(candidates.len() + candidates.len() / 8);
             stopwatch.lap(lap, |times| &mut times.difference);
             layers.find_all(reaches, found, stopwatch);
             lap = stopwatch.start();
-            let mut is_over = false;
+            let mut is_over = fixed_foresight.is_some();
             while !is_over && Horizon::are_too_many(found.len(), boxes.len(), held) {
                 horizon.shorten();
                 // Also if it was so before: what has not moved since may have its reach from an earlier time.
@@ -258,7 +290,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             }
             candidates.extend(found, &both, report);
             let held = candidates.held_count();
-            if Horizon::are_too_many(candidates.len(), boxes.len(), held) {
+            let are_too_many = Horizon::are_too_many(candidates.len(), boxes.len(), held);
+            if are_too_many && fixed_foresight.is_none() {
                 horizon.shorten();
                 layers.forget();
             }

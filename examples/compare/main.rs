@@ -1,7 +1,7 @@
 //! Does unisize do the same as Rapier's own broad phase, and how fast?
 //!
 //! ```text
-//! cargo run --release --all-features --example compare
+//! cargo run --release --features rapier2d,rapier3d,parallel --example compare
 //! ```
 //!
 //! simulates every scene in two and three dimensions with both broad phases side by side, compares what they

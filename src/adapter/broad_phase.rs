@@ -75,11 +75,12 @@ impl UnisizeBroadPhase {
     pub fn with_settings(settings: Settings) -> Self {
         let mut tracker = PairTracker::default();
         tracker.stopwatch = Stopwatch::new(settings.timed);
+        tracker.fixed_foresight = settings.foresight;
         Self {
             tracker,
             generations: Vec::new(),
             outlines: Vec::new(),
-            layers: settings.kernel.layers(),
+            layers: settings.kernel.layers(settings.layers),
             reading_order: ReadingOrder::default(),
             strangers: Vec::new(),
             findings: Vec::new(),
@@ -102,6 +103,10 @@ impl UnisizeBroadPhase {
             pairs: self.tracker.pair_count(),
             candidates: self.tracker.candidate_count(),
             moving: self.layers.moving(),
+            foresight: self.tracker.foresight(),
+            full_runs: self.tracker.full_runs(),
+            classes: self.layers.classes(),
+            strips: self.layers.strips(),
             times: self.tracker.stopwatch.times,
             ..self.stats
         }
@@ -132,7 +137,7 @@ impl UnisizeBroadPhase {
             super::Kernel::RankSweep => super::Kernel::GridSweep,
             _ => super::Kernel::RankSweep,
         };
-        self.tracker.validate(&mut kernel.layers());
+        self.tracker.validate(&mut kernel.layers(true));
     }
 
     /// Forgets a collider, if it is the one that was known under its index.

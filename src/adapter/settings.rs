@@ -1,7 +1,7 @@
 //! What a user may choose.
 
 use super::rapier::math::{DIM, Real};
-use crate::pair_tracker::{Layers, Unlayered};
+use crate::pair_tracker::{GridLayers, Layers, Unlayered};
 
 /// How an [`UnisizeBroadPhase`](super::UnisizeBroadPhase) works. The default suits every scene.
 ///
@@ -22,6 +22,14 @@ pub struct Settings {
     /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default,
     /// 0.01, is the margin of Rapier's own broad phase, and makes the boxes the same as there.
     pub margin: Real,
+    /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
+    /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
+    /// densely they lie and how straight they go. 0 searches for nothing ahead of time. A number that is too large for
+    /// the scene costs time and memory.
+    pub foresight: Option<u16>,
+    /// Whether the few colliders that have moved otherwise than was foreseen are looked up among the others. If not,
+    /// every search is for all. It decides the speed, never the answer. Default: `true`.
+    pub layers: bool,
     /// Whether each update takes the time of its phases, for [`Stats::times`](super::Stats::times). Default: no, so that
     /// no update looks at the clock.
     pub timed: bool,
@@ -32,6 +40,8 @@ impl Default for Settings {
         Self {
             kernel: Kernel::default(),
             margin: 0.01,
+            foresight: None,
+            layers: true,
             timed: false,
         }
     }
@@ -56,9 +66,9 @@ pub enum Kernel {
 
 impl Kernel {
     /// The kernel itself, with empty layers.
-    pub(super) fn layers(self) -> Layers<Real, DIM> {
+    pub(super) fn layers(self, are_used: bool) -> Layers<Real, DIM> {
         match self {
-            Self::GridSweep => Layers::Grid(Box::default()),
+            Self::GridSweep => Layers::Grid(Box::new(GridLayers::new(are_used))),
             Self::RankSweep => Layers::Rank(Box::default()),
             Self::BruteForce => Layers::Brute(Unlayered::default()),
         }

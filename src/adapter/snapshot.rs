@@ -26,9 +26,8 @@ struct Snapshot {
 impl Snapshot {
     fn restore(self) -> Result<UnisizeBroadPhase, &'static str> {
         let mut restored = UnisizeBroadPhase::with_settings(self.settings);
-        let stopwatch = std::mem::take(&mut restored.tracker.stopwatch);
-        restored.tracker = self.tracker.restore(&mut restored.layers)?;
-        restored.tracker.stopwatch = stopwatch;
+        let tracker = self.tracker.restore(&mut restored.layers)?;
+        restored.tracker.resume(tracker, self.stats.full_runs);
         if restored.tracker.slots() != self.generations.len() {
             return Err("there are not as many generations as slots");
         }

@@ -23,6 +23,15 @@ pub struct Stats {
     pub pairs: usize,
     /// Pairs that are watched because they may soon be held, or are.
     pub candidates: usize,
+    /// For how many of their last moves ahead colliders are searched for; 0 where looking ahead does not pay.
+    pub foresight: u32,
+    /// Searches for all pairs so far; the other updates did without.
+    pub full_runs: u64,
+    /// Classes of sizes in the last of them: 1 where sizes agree; 0 before the first one, and with a kernel that has none.
+    pub classes: usize,
+    /// Into how many strips the first of the classes is cut, along the second and the third axis: a planar scene is
+    /// not cut across its plane.
+    pub strips: [u32; 2],
     /// Updates so far that had colliders to look at.
     pub updates: u64,
     /// Colliders that the last such update was given, modified and removed.

@@ -97,6 +97,22 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
+    /// The classes of sizes in the last full run, if it still holds.
+    pub(crate) fn classes(&self) -> usize {
+        match self {
+            Self::Grid(layers) if layers.resting.is_sorted => layers.resting.order.class_count(),
+            _ => 0,
+        }
+    }
+
+    /// The strips of the first class in the last full run, if it still holds, along the axes that are cut.
+    pub(crate) fn strips(&self) -> [u32; 2] {
+        match self {
+            Self::Grid(layers) if layers.resting.is_sorted => layers.resting.order.strips(),
+            _ => [0; 2],
+        }
+    }
+
     /// How many proxies are in the moving layer.
     pub(crate) fn moving(&self) -> usize {
         match self {
@@ -109,6 +125,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
 /// The three layers.
 #[derive(Clone, Debug)]
 pub(crate) struct GridLayers<R, const D: usize> {
+    /// If not, every search is a full run.
+    are_used: bool,
     resting: Layer<R, D>,
     moving: Layer<R, D>,
     recent: GridSweep<R, D>,
@@ -132,7 +150,15 @@ struct Layer<R, const D: usize> {
 
 impl<R, const D: usize> Default for GridLayers<R, D> {
     fn default() -> Self {
+        Self::new(true)
+    }
+}
+
+impl<R, const D: usize> GridLayers<R, D> {
+    /// Empty layers, which are used, or only the first of them.
+    pub(crate) fn new(are_used: bool) -> Self {
         Self {
+            are_used,
             resting: Layer::default(),
             moving: Layer::default(),
             recent: GridSweep::default(),
@@ -199,7 +225,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         let [count, all] = [changed as u64, boxes as u64];
         let is_wave = count * self.updates > times * self.changes && part * count > all;
         let is_costly = LOOKUP_COST * changed > boxes || self.resting.spent > boxes;
-        changed > 0 && (!self.resting.is_sorted || is_costly || is_wave)
+        changed > 0 && (!self.are_used || !self.resting.is_sorted || is_costly || is_wave)
     }
 
     fn find_changed(

@@ -115,6 +115,19 @@ impl Horizon {
         }
     }
 
+    /// So many moves, until another one takes its place.
+    pub(super) fn fixed(moves: u16) -> Self {
+        Self {
+            moves: f64::from(moves).min(LONGEST),
+            ..Self::default()
+        }
+    }
+
+    /// The moves, rounded.
+    pub(super) fn moves(self) -> u32 {
+        self.moves.round() as u32
+    }
+
     /// Looks no longer ahead, for a while.
     fn pause(&mut self) {
         self.paused = self.next_pause;

@@ -46,6 +46,8 @@ impl Bytes<'_> {
         let mut sequence = Sequence {
             length_unit: self.one_of(&LENGTH_UNITS)?,
             margin: self.one_of(&MARGINS)?,
+            foresight: None,
+            layers: true,
             updates: vec![Vec::new()],
         };
         let mut count = 0;

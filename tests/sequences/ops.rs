@@ -145,6 +145,10 @@ pub(crate) struct Sequence {
     pub(crate) length_unit: f32,
     /// The margin in the settings.
     pub(crate) margin: f32,
+    /// How far to look ahead, in the settings.
+    pub(crate) foresight: Option<u16>,
+    /// Whether there are layers, in the settings.
+    pub(crate) layers: bool,
     pub(crate) updates: Vec<Vec<Op>>,
 }
 
@@ -152,8 +156,8 @@ impl fmt::Debug for Sequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "length unit {}, margin {}",
-            self.length_unit, self.margin
+            "length unit {}, margin {}, foresight {:?}, layers {}",
+            self.length_unit, self.margin, self.foresight, self.layers
         )?;
         for (i, ops) in self.updates.iter().enumerate() {
             writeln!(f, "update {i}")?;

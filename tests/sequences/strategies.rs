@@ -14,14 +14,19 @@ pub(crate) fn sequences() -> impl Strategy<Value = Sequence> {
     let updates = vec(vec(ops(), 0..7), 1..12);
     let length_unit = prop_oneof![4 => Just(LENGTH_UNITS[0]), 1 => select(&LENGTH_UNITS[..])];
     let margin = prop_oneof![4 => Just(MARGINS[0]), 3 => select(&MARGINS[..])];
-    (length_unit, margin, opening, updates).prop_map(
-        |(length_unit, margin, opening, mut updates)| {
+    let foresight =
+        prop_oneof![4 => Just(None), 1 => select(&[Some(0), Some(3), Some(u16::MAX)][..])];
+    let layers = prop::bool::weighted(0.8);
+    (length_unit, margin, foresight, layers, opening, updates).prop_map(
+        |(length_unit, margin, foresight, layers, opening, mut updates)| {
             let opening = opening.into_iter();
             let opening = opening.map(|(collider, parent)| Op::Insert(collider, parent));
             updates.insert(0, opening.collect());
             Sequence {
                 length_unit,
                 margin,
+                foresight,
+                layers,
                 updates,
             }
         },

@@ -20,6 +20,9 @@ use motion::Motion;
 use peer::{Entry, Peer};
 use sizes::Sizes;
 
+/// Boxes that much smaller, as a part of their size, overlap whatever was rounded.
+const ROUNDING: f32 = 1e-3;
+
 /// Turns of each broad phase in a case.
 const ROUNDS: usize = 5;
 
@@ -162,10 +165,12 @@ fn contend<const D: usize>(
 }
 
 /// Every broad phase must hold every pair of colliders that overlap, and may hold more: each has margins of its
-/// own. The first two have the same, and must hold the same.
+/// own. The first two have the same, and must hold the same. The one without any margin may miss a pair that touches, but
+/// for rounding.
 fn check<const D: usize>(contenders: &[Contender<D>], held: &[PairSet]) -> Result<()> {
-    for (contender, held) in contenders.iter().zip(held) {
-        let overlapping = PairSet::of_boxes(&contender.choreography.boxes())?;
+    for (i, (contender, held)) in contenders.iter().zip(held).enumerate() {
+        let smaller = if i < 2 { 0.0 } else { ROUNDING };
+        let overlapping = PairSet::of_boxes(&contender.choreography.boxes(smaller))?;
         let missing = overlapping.missing_in(held);
         if missing > 0 {
             bail!(

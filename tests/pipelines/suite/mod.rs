@@ -5,6 +5,7 @@ use super::{Settings, UnisizeBroadPhase, World, height_field, hinge, mesh_floor,
 
 mod bullets;
 mod changes;
+mod choices;
 mod collisions;
 mod filters;
 mod floors;

@@ -6,6 +6,7 @@ use super::model::{Changes, Model, Pair};
 use super::rapier::parry::query;
 use super::rapier::prelude::*;
 use super::{Kernel, Settings, UnisizeBroadPhase};
+use crate::ops::Sequence;
 
 pub(super) struct CheckedBroadPhase {
     inner: UnisizeBroadPhase,
@@ -16,11 +17,13 @@ pub(super) struct CheckedBroadPhase {
 }
 
 impl CheckedBroadPhase {
-    pub(super) fn new(kernel: Kernel, margin: Real) -> Self {
+    pub(super) fn new(kernel: Kernel, sequence: &Sequence) -> Self {
         Self {
             inner: UnisizeBroadPhase::with_settings(Settings {
                 kernel,
-                margin,
+                margin: sequence.margin.into(),
+                foresight: sequence.foresight,
+                layers: sequence.layers,
                 ..Settings::default()
             }),
             model: Model::default(),

@@ -7,7 +7,7 @@ use super::world::World;
 use crate::ops::Sequence;
 
 pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
     let mut world = World::new(sequence.length_unit.into());
     for ops in &sequence.updates {
         for &op in ops {

@@ -18,7 +18,7 @@ fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)
 }
 
 pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = CollisionPipeline::new();
     let mut world = World::new(sequence.length_unit.into());
@@ -36,7 +36,7 @@ pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
 }
 
 pub(super) fn play_physics(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence.margin.into());
+    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = PhysicsPipeline::new();
     let mut ccd_solver = CCDSolver::new();

@@ -9,6 +9,8 @@ fn settings_come_back_and_may_be_left_out() {
         let settings = Settings {
             kernel,
             margin: 0.1,
+            foresight: Some(5),
+            layers: false,
             timed: true,
         };
         let bytes = postcard::to_stdvec(&settings).unwrap();

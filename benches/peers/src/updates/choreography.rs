@@ -84,10 +84,10 @@ impl<const D: usize> Choreography<D> {
         }
     }
 
-    /// The boxes themselves, without any margin.
-    pub(crate) fn boxes(&self) -> Vec<Aabb<f32, D>> {
+    /// The boxes themselves, without any margin, and this part of their size smaller.
+    pub(crate) fn boxes(&self, smaller: f32) -> Vec<Aabb<f32, D>> {
         let around = |(center, side): (&[f32; D], &f32)| {
-            let half = side / 2.0;
+            let half = side * (1.0 - smaller) / 2.0;
             Aabb::new(center.map(|x| x - half), center.map(|x| x + half))
         };
         self.centers.iter().zip(&self.sides).map(around).collect()
