@@ -23,6 +23,8 @@ pub enum SceneKind {
     MixedOneAndAHalf,
     /// Bodies whose sizes differ by up to a factor of 4, falling into a heap.
     MixedFour,
+    /// Bodies whose sizes differ by up to a factor of 8, falling into a heap.
+    MixedEight,
     /// Bodies whose sizes differ by up to a factor of 1,000: grains falling among hills.
     MixedThousand,
     /// Fast bullets with both kinds of continuous collision detection, shot at a thin wall and at a stack.
@@ -35,7 +37,7 @@ pub enum SceneKind {
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::FallingBalls,
         Self::Pyramid,
         Self::Gas,
@@ -46,6 +48,7 @@ impl SceneKind {
         Self::Sleeping,
         Self::MixedOneAndAHalf,
         Self::MixedFour,
+        Self::MixedEight,
         Self::MixedThousand,
         Self::Bullets,
         Self::Churn,
@@ -65,6 +68,7 @@ impl SceneKind {
             Self::Sleeping => "sleeping",
             Self::MixedOneAndAHalf => "mixed-1.5",
             Self::MixedFour => "mixed-4",
+            Self::MixedEight => "mixed-8",
             Self::MixedThousand => "mixed-1000",
             Self::Bullets => "bullets",
             Self::Churn => "churn",
@@ -90,6 +94,7 @@ impl SceneKind {
             Self::Sleeping => "sleeping boxes, and one moving ball to a hundred of them",
             Self::MixedOneAndAHalf => "sizes 1 to 1.5 falling onto a half-space",
             Self::MixedFour => "sizes 1 to 4 falling onto a half-space",
+            Self::MixedEight => "sizes 1 to 8 falling onto a half-space",
             Self::MixedThousand => "sizes 1 to 1,000, few large, in a pit of half-spaces",
             Self::Bullets => "fast bullets with CCD and soft CCD at a thin wall and a stack",
             Self::Churn => "falling balls of which 2 % are replaced at every step",
@@ -106,6 +111,7 @@ impl SceneKind {
             | Self::Hopper
             | Self::MixedOneAndAHalf
             | Self::MixedFour
+            | Self::MixedEight
             | Self::MixedThousand
             | Self::Churn => 2_000,
         }

@@ -89,4 +89,25 @@ impl World {
             true,
         );
     }
+
+    /// Whether the narrow phase would look at a pair of colliders of this world at all.
+    ///
+    /// The conditions are those of `NarrowPhase::compute_contacts` and `compute_intersections` without hooks and joints:
+    /// not of one body, and of types and groups that meet.
+    pub fn may_touch(&self, a: &Collider, b: &Collider) -> bool {
+        let body_type = |collider: &Collider| {
+            collider
+                .parent()
+                .map_or(RigidBodyType::Fixed, |body| self.bodies[body].body_type())
+        };
+        let types = [body_type(a), body_type(b)];
+        let same_parent = a.parent().is_some() && a.parent() == b.parent();
+        let types_meet = |collider: &Collider| {
+            let active = collider.active_collision_types();
+            active.test(types[0], types[1])
+        };
+        !same_parent
+            && (types_meet(a) || types_meet(b))
+            && a.collision_groups().test(b.collision_groups())
+    }
 }

@@ -22,26 +22,12 @@ impl Pair {
 
     /// Whether the narrow phase of Rapier would drop this pair anyway, as the world is now.
     ///
-    /// The conditions are those of `NarrowPhase::compute_contacts` and `compute_intersections`. A pair with a
-    /// collider that does not exist is not one of them: nobody should hold it.
+    /// A pair with a collider that does not exist is not one of them: nobody should hold it.
     pub(super) fn is_dropped_by_narrow_phase(self, world: &World) -> bool {
         let [Some(a), Some(b)] = self.handles().map(|handle| world.colliders.get(handle)) else {
             return false;
         };
-        let body_type = |collider: &Collider| {
-            collider
-                .parent()
-                .map_or(RigidBodyType::Fixed, |body| world.bodies[body].body_type())
-        };
-        let types = [body_type(a), body_type(b)];
-        let same_parent = a.parent().is_some() && a.parent() == b.parent();
-        let types_meet = |collider: &Collider| {
-            let active = collider.active_collision_types();
-            active.test(types[0], types[1])
-        };
-        same_parent
-            || !(types_meet(a) || types_meet(b))
-            || !a.collision_groups().test(b.collision_groups())
+        !world.may_touch(a, b)
     }
 
     /// The pair with what its colliders are, and where.

@@ -1,15 +1,15 @@
 //! Bodies of mixed sizes, falling onto half-spaces, whose boxes are as large as boxes get.
 //!
-//! A broad phase for boxes of about the same size is at home with a ratio of 1.5, has to work at 4, and has
+//! A broad phase for boxes of about the same size is at home with a ratio of 1.5, has to work at 4 and 8, and has
 //! to treat the few large ones apart at 1,000.
 
 use super::rapier::prelude::*;
 use super::{Container, Lattice, Random, Stage, UP, World, cube, falling, horizontal, jitter};
 
-/// The sizes of the third scene: most bodies are near the lower end.
+/// The sizes of the last scene: most bodies are near the lower end.
 const GRAIN: [Real; 2] = [0.05, 0.5];
 
-/// The sizes of the hills of the third scene.
+/// The sizes of the hills of the last scene.
 const HILL: [Real; 2] = [2.0, 50.0];
 
 /// By how much a hill rises above the ground.

@@ -36,6 +36,7 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Sleeping => sleeping::build(bodies, random),
         SceneKind::MixedOneAndAHalf => mixed::build_heap(bodies, 1.5, random),
         SceneKind::MixedFour => mixed::build_heap(bodies, 4.0, random),
+        SceneKind::MixedEight => mixed::build_heap(bodies, 8.0, random),
         SceneKind::MixedThousand => mixed::build_hills(bodies, random),
         SceneKind::Bullets => bullets::build(bodies, random),
         SceneKind::Churn => churn::build(bodies, random),
