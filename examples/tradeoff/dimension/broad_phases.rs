@@ -1,0 +1,27 @@
+//! From a method to its broad phase.
+
+use super::common_box::CommonBox;
+use super::ours::{Kernel, Settings, UnisizeBroadPhase};
+use super::scenes::rapier::prelude::*;
+use crate::method::{Margin, Method, Search};
+
+/// An empty broad phase.
+pub(super) fn create(method: Method, typical_size: Real) -> Box<dyn BroadPhase> {
+    let kernel = match method.search {
+        Search::Rapier => return Box::new(DefaultBroadPhase::new()),
+        Search::CommonBox => return Box::new(CommonBox::default()),
+        Search::GridSweep => Kernel::GridSweep,
+        Search::RankSweep => Kernel::RankSweep,
+        Search::BruteForce => Kernel::BruteForce,
+    };
+    let settings = Settings::default();
+    let margin = match method.margin {
+        Margin::Default => settings.margin,
+        Margin::Sizes(sizes) => sizes * typical_size,
+    };
+    Box::new(UnisizeBroadPhase::with_settings(Settings {
+        kernel,
+        margin,
+        ..settings
+    }))
+}

@@ -1,0 +1,101 @@
+//! A method at work: a broad phase and a narrow phase of its own, in a world that others move.
+
+use super::broad_phases;
+use super::clocked::Clocked;
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use crate::method::Method;
+use std::time::Duration;
+
+/// A broad phase and a narrow phase of its own.
+pub(super) struct Contestant {
+    pub(super) broad_phase: Clocked,
+    narrow_phase: NarrowPhase,
+    pipeline: CollisionPipeline,
+}
+
+/// How long a step took.
+#[derive(Clone, Copy)]
+pub(super) struct Lap {
+    pub(super) broad: Duration,
+    pub(super) both: Duration,
+}
+
+impl Contestant {
+    pub(super) fn new(method: Method, typical_size: Real, is_asked_for_pairs: bool) -> Self {
+        let broad_phase = broad_phases::create(method, typical_size);
+        Self {
+            broad_phase: Clocked::new(broad_phase, is_asked_for_pairs),
+            narrow_phase: NarrowPhase::new(),
+            pipeline: CollisionPipeline::new(),
+        }
+    }
+
+    /// Finds the contacts of a copy of the world in which these colliders have moved.
+    ///
+    /// The narrow phase is timed with what Rapier does there for changes by the user, which is little: there are none.
+    pub(super) fn step(&mut self, stage: &mut Stage, moved: &[ColliderHandle]) -> Lap {
+        stage.mark(moved);
+        self.pipeline.step(
+            stage.prediction,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut stage.bodies,
+            &mut stage.colliders,
+            &JointFilter(&stage.joints),
+            &(),
+        );
+        let broad = self.broad_phase.elapsed;
+        Lap {
+            broad,
+            both: broad + self.broad_phase.done.elapsed(),
+        }
+    }
+}
+
+/// A copy of a world at one step, for all contestants.
+pub(super) struct Stage {
+    colliders: ColliderSet,
+    bodies: RigidBodySet,
+    joints: ImpulseJointSet,
+    prediction: Real,
+}
+
+impl Stage {
+    pub(super) fn of(world: &World) -> Self {
+        Self {
+            colliders: world.colliders.clone(),
+            bodies: world.bodies.clone(),
+            joints: world.impulse_joints.clone(),
+            prediction: world.params.prediction_distance(),
+        }
+    }
+
+    /// Makes Rapier take these colliders, and no others, for moved.
+    fn mark(&mut self, moved: &[ColliderHandle]) {
+        for &handle in moved {
+            if let Some(collider) = self.colliders.get_mut(handle) {
+                let position = *collider.position();
+                collider.set_position(position);
+                if !self.joints.is_empty() {
+                    collider.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS);
+                }
+            }
+        }
+    }
+}
+
+/// Leaves out the contacts that joints disable, as `PhysicsPipeline` does and `CollisionPipeline`, which knows of no
+/// joints, does not.
+struct JointFilter<'a>(&'a ImpulseJointSet);
+
+impl PhysicsHooks for JointFilter<'_> {
+    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
+        let bodies = context.rigid_body1.zip(context.rigid_body2);
+        let is_disabled = bodies.is_some_and(|(first, second)| {
+            let mut joints = self.0.joints_between(first, second);
+            joints.any(|(_, joint)| !joint.data.contacts_enabled)
+        });
+        (!is_disabled).then(SolverFlags::default)
+    }
+}

@@ -1,0 +1,55 @@
+//! Measures in one dimension: one source, compiled once in each.
+
+use super::{DIM, ours, scenes};
+
+mod broad_phases;
+mod clocked;
+mod common_box;
+mod contestant;
+mod film;
+mod listed;
+mod replay;
+mod truth;
+
+use crate::method::Method;
+use crate::options::Options;
+use crate::study::Study;
+use scenes::rapier::prelude::*;
+use unisize_scenes::SceneKind;
+
+/// Measures in one scene; `on_step` is called after each step that is measured or simulated.
+pub(crate) fn study(kind: SceneKind, options: &Options, mut on_step: impl FnMut()) -> Study {
+    let (bodies, course_bodies) = (options.bodies(kind), options.course_bodies(kind));
+    let mut scene = scenes::Scene::build(kind, bodies, options.seed);
+    // Some pour their bodies in.
+    scene.prepare();
+    let typical_size = typical_size(&scene);
+    let methods = Method::all(bodies);
+    let figures = replay::run(kind, options, &methods, typical_size, &mut on_step);
+    let courses = film::courses(kind, options, typical_size, &mut on_step);
+    Study {
+        scene: kind.name(),
+        dim: DIM,
+        bodies,
+        steps: options.steps(),
+        typical_size,
+        default_margin: ours::Settings::default().margin,
+        course_bodies,
+        figures,
+        courses,
+    }
+}
+
+/// The median of the largest extents of all colliders that can move.
+fn typical_size(scene: &scenes::Scene) -> Real {
+    let world = &scene.world;
+    let can_move = |collider: &&Collider| {
+        let body = collider.parent().map(|parent| &world.bodies[parent]);
+        body.is_some_and(|body| !body.is_fixed())
+    };
+    let colliders = world.colliders.iter().map(|(_, collider)| collider);
+    let size = |collider: &Collider| collider.shape().compute_local_aabb().extents().max();
+    let mut sizes: Vec<_> = colliders.filter(can_move).map(size).collect();
+    sizes.sort_by(Real::total_cmp);
+    sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
+}

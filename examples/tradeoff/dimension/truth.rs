@@ -1,0 +1,75 @@
+//! Which shapes touch, found without any of the methods: exact queries for every pair that comes anywhere near.
+
+use super::clocked::key;
+use super::scenes::World;
+use super::scenes::rapier::{
+    math::DIM,
+    parry::{bounding_volume::BoundingVolume, query},
+    prelude::*,
+};
+use crate::study::Recall;
+use std::collections::HashSet;
+use unisize::{Aabb, BruteForce, PairFinder};
+
+/// By how much boxes are loosened before they are compared, in typical sizes: much more than any touching pair needs.
+const SLACK: Real = 0.25;
+
+/// How many units in the last place a distance may be wrong by.
+const ROUNDING: Real = 8.0;
+
+/// The pairs of shapes that touch at one moment, of those that the narrow phase would look at.
+pub(super) struct Truth {
+    touching: Vec<[ColliderHandle; 2]>,
+    /// Nearer than the prediction distance, up to rounding, and those that touch.
+    near: Vec<[ColliderHandle; 2]>,
+}
+
+impl Truth {
+    /// Compares every two boxes, and every two shapes whose loosened boxes overlap. **O(n²)**.
+    pub(super) fn of(world: &World, typical_size: Real) -> Self {
+        let prediction = world.params.prediction_distance();
+        let enabled = world.colliders.iter_enabled();
+        let (handles, colliders): (Vec<_>, Vec<_>) = enabled.unzip();
+        let boxes: Vec<Aabb<Real, DIM>> = colliders
+            .iter()
+            .map(|collider| {
+                let slack = SLACK * typical_size + prediction;
+                let aabb = collider.compute_aabb().loosened(slack);
+                Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into())
+            })
+            .collect();
+        let mut pairs = Vec::new();
+        let found = BruteForce.find_pairs(&boxes, &mut pairs);
+        found.expect("the boxes of a sane scene are valid");
+
+        let mut truth = Self {
+            touching: Vec::new(),
+            near: Vec::new(),
+        };
+        for [i, j] in pairs.into_iter().map(|pair| pair.map(|i| i as usize)) {
+            let (a, b) = (colliders[i], colliders[j]);
+            if !world.may_touch(a, b) {
+                continue;
+            }
+            let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
+            let distance = distance.expect("the shapes of the scenes are supported");
+            let farthest = a.translation().amax().max(b.translation().amax());
+            let rounding = ROUNDING * Real::EPSILON * farthest;
+            if distance <= 0.0 {
+                truth.touching.push(key(handles[i], handles[j]));
+            }
+            if distance <= (prediction - rounding).max(0.0) {
+                truth.near.push(key(handles[i], handles[j]));
+            }
+        }
+        truth
+    }
+
+    /// How many of them are held, of those that touch and of all.
+    pub(super) fn recall(&self, held: &HashSet<[ColliderHandle; 2]>) -> [Recall; 2] {
+        [&self.touching, &self.near].map(|pairs| Recall {
+            found: pairs.iter().filter(|pair| held.contains(*pair)).count(),
+            all: pairs.len(),
+        })
+    }
+}
