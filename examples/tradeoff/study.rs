@@ -46,14 +46,6 @@ impl Recall {
     pub(crate) fn missed(self) -> usize {
         self.all - self.found
     }
-
-    pub(crate) fn share(self) -> f64 {
-        if self.all == 0 {
-            1.0
-        } else {
-            self.found as f64 / self.all as f64
-        }
-    }
 }
 
 impl Figures {

@@ -2,7 +2,7 @@
 
 use crate::course::{Course, Run};
 use crate::method::{Margin, Method, Search};
-use crate::study::{Figures, Study};
+use crate::study::{Figures, Recall, Study};
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{CellAlignment, ColumnConstraint, Table};
 
@@ -113,78 +113,140 @@ pub(crate) fn print_summary(studies: &[Study]) {
     }
     println!("{table}\n");
 
-    println!("### Pairs held per pair that touches\n");
-    let methods = [
-        (Search::Rapier, Margin::Default),
-        (Search::GridSweep, Margin::Sizes(0.0)),
-        (Search::GridSweep, Margin::Default),
-        (Search::GridSweep, Margin::Sizes(0.05)),
-        (Search::GridSweep, Margin::Sizes(0.1)),
-        (Search::GridSweep, Margin::Sizes(0.25)),
-        (Search::GridSweep, Margin::Sizes(0.5)),
-        (Search::CommonBox, Margin::Sizes(0.0)),
-    ]
-    .map(|(search, margin)| Method { search, margin });
-    let mut head = vec!["scene".to_owned(), "touching pairs seen".to_owned()];
-    head.extend(methods.map(|method| method.name()));
-    head.push("least recall of all methods".to_owned());
-    let mut table = self::table(head);
+    print_by_method(
+        studies,
+        "Broad and narrow phase, over the default settings",
+        |study, figures| figures.both / study.automatic().both,
+    );
+    print_by_method(
+        studies,
+        "Broad phase alone, over the default settings",
+        |study, figures| figures.broad / study.automatic().broad,
+    );
+    print_by_method(studies, "Pairs held per pair that touches", |_, figures| {
+        figures.held_a_contact()
+    });
+
+    println!(
+        "### Recall: the pairs that are held, of those that should be, by all methods together\n"
+    );
+    let mut table = self::table(["scene", "touching", "within the prediction distance"]);
     for study in studies {
-        let figures = &study.figures;
-        let contacts = figures.first().map_or(0, |f| f.touching.all);
-        let mut row = vec![title(study), contacts.to_string()];
-        row.extend(methods.map(|method| {
-            let found = figures.iter().find(|f| f.method == method);
-            found.map_or_else(String::new, |f| format!("{:.2}", f.held_a_contact()))
-        }));
-        let recalls = figures
-            .iter()
-            .flat_map(|f| [f.touching.share(), f.near.share()]);
-        row.push(recalls.fold(1.0, f64::min).to_string());
-        table.add_row(row);
+        let of = |recall: fn(&Figures) -> Recall| {
+            let recalls = study.figures.iter().map(recall);
+            let sum = recalls.fold([0, 0], |[found, all], r| [found + r.found, all + r.all]);
+            format!("{} of {}", sum[0], sum[1])
+        };
+        table.add_row(vec![title(study), of(|f| f.touching), of(|f| f.near)]);
     }
     println!("{table}\n");
     print_courses(studies);
 }
 
+/// Prints a figure of every scene and method. Margins matter to all kernels alike, and are told of the fast one.
+fn print_by_method(studies: &[Study], what: &str, figure: impl Fn(&Study, &Figures) -> f64) {
+    println!("### {what}\n");
+    let mut methods = Vec::new();
+    for figures in studies.iter().flat_map(|study| &study.figures) {
+        let Method { search, margin } = figures.method;
+        let is_told = search != Search::RankSweep || margin == Margin::Default;
+        if is_told && !methods.contains(&figures.method) {
+            methods.push(figures.method);
+        }
+    }
+    let mut head = vec!["scene".to_owned()];
+    head.extend(methods.iter().map(|method| method.name()));
+    let mut table = table(head);
+    for study in studies {
+        let mut row = vec![title(study)];
+        row.extend(methods.iter().map(|&method| {
+            let found = study.figures.iter().find(|f| f.method == method);
+            found.map_or_else(String::new, |f| format!("{:.2}", figure(study, f)))
+        }));
+        table.add_row(row);
+    }
+    println!("{table}\n");
+}
+
 /// Prints how whole simulations fared: what all settings of unisize span, beside Rapier as it is and the reference.
 fn print_courses(studies: &[Study]) {
-    println!("### Whole simulations on one broad phase each\n");
+    const ALL: [Run; 3] = [Run::Reference, Run::Rapier, Run::Setting];
+    let span = |study: &Study, runs: &[Run], figure: &Figure| {
+        let of_run = |&run: &Run| {
+            let courses = study.courses.iter().filter(|course| course.run == run);
+            figure.unit.span(courses.map(figure.of))
+        };
+        runs.iter().map(of_run).collect::<Vec<_>>()
+    };
+
+    println!("### Whole simulations on one broad phase each: errors\n");
     let mut table = table([
         "scene",
         "bodies",
         "energy change: reference",
         "Rapier",
         "unisize",
-        "worst penetration: reference",
+        "worst penetration, sizes: reference",
         "Rapier",
         "unisize",
-        "worst joint error: reference",
+        "worst joint error, segments: reference",
         "Rapier",
-        "unisize",
-        "leaves the reference: Rapier",
-        "unisize",
-        "leaves Rapier in order: Rapier",
         "unisize",
     ]);
     for study in studies {
         let mut row = vec![title(study), study.course_bodies.to_string()];
-        let runs = [Run::Reference, Run::Rapier, Run::Setting];
-        let mut span = |runs: &[Run], figure: &dyn Fn(&Course) -> Option<f64>, unit: Unit| {
-            row.extend(runs.iter().map(|&run| {
-                let courses = study.courses.iter().filter(|course| course.run == run);
-                unit.span(courses.map(figure))
-            }));
-        };
-        span(&runs, &|c| Some(c.energy_change), Unit::Percent);
-        span(&runs, &|c| Some(c.worst_penetration), Unit::Lengths);
-        span(&runs, &|c| c.worst_stretch, Unit::Lengths);
-        span(&runs[1..], &|c| c.leaves_reference, Unit::Seconds);
-        span(&runs[1..], &|c| c.leaves_rapier, Unit::Seconds);
+        for figure in [&ENERGY, &PENETRATION, &STRETCH] {
+            row.extend(span(study, &ALL, figure));
+        }
+        table.add_row(row);
+    }
+    println!("{table}\n");
+
+    println!("### Whole simulations on one broad phase each: how soon they differ\n");
+    let mut table = self::table([
+        "scene",
+        "leaves the reference: Rapier",
+        "unisize",
+        "leaves Rapier with its events in order: Rapier as it is",
+        "unisize",
+        "unisize with its events in order",
+    ]);
+    for study in studies {
+        let mut row = vec![title(study)];
+        row.extend(span(study, &ALL[1..], &LEAVES_REFERENCE));
+        row.extend(span(study, &ALL[1..], &LEAVES_RAPIER));
+        row.extend(span(study, &[Run::AutomaticInOrder], &LEAVES_RAPIER));
         table.add_row(row);
     }
     println!("{table}\n");
 }
+
+/// Something that is told of a simulation.
+struct Figure {
+    of: fn(&Course) -> Option<f64>,
+    unit: Unit,
+}
+
+const ENERGY: Figure = Figure {
+    of: |course| Some(course.energy_change),
+    unit: Unit::Percent,
+};
+const PENETRATION: Figure = Figure {
+    of: |course| Some(course.worst_penetration),
+    unit: Unit::Lengths,
+};
+const STRETCH: Figure = Figure {
+    of: |course| course.worst_stretch,
+    unit: Unit::Lengths,
+};
+const LEAVES_REFERENCE: Figure = Figure {
+    of: |course| course.leaves_reference,
+    unit: Unit::Seconds,
+};
+const LEAVES_RAPIER: Figure = Figure {
+    of: |course| course.leaves_rapier,
+    unit: Unit::Seconds,
+};
 
 /// How a figure is written.
 #[derive(Clone, Copy)]

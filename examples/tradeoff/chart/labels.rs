@@ -18,9 +18,10 @@ type Rectangle = [i32; 4];
 pub(super) struct Labels(Vec<Rectangle>);
 
 impl Labels {
-    /// Keeps labels off a point.
-    pub(super) fn avoid(&mut self, (x, y): (i32, i32)) {
-        self.0.push([x - 4, y - 4, x + 4, y + 4]);
+    /// Keeps labels off a point of this radius.
+    pub(super) fn avoid(&mut self, (x, y): (i32, i32), radius: i32) {
+        self.0
+            .push([x - radius, y - radius, x + radius, y + radius]);
     }
 
     /// Keeps labels off a line.

@@ -1,5 +1,6 @@
 //! Which colour a search has in all panels, and the legend below them.
 
+use super::panel::RING;
 use crate::method::Search;
 use crate::study::Study;
 use plotters::coord::Shift;
@@ -40,9 +41,9 @@ pub(super) fn draw<B: DrawingBackend>(
             _ => ENTRY,
         };
     }
-    area.draw(&Circle::new((x + 12, y), 8, BLACK.stroke_width(2)))?;
+    area.draw(&Circle::new((x + 12, y), RING, BLACK.stroke_width(2)))?;
     area.draw(&Text::new("the default settings", (x + 32, y - 7), FONT))?;
-    let explanation = "Points of one colour are margins, in typical sizes of a collider. \
-                       Lines join them in order; equal margins hold equal pairs, whatever the kernel.";
+    let explanation = "Points of one colour are margins, in typical sizes of a collider; the one without a number has the \
+                       default margin. Equal margins hold equal pairs, whatever the kernel.";
     area.draw(&Text::new(explanation, (16, y + 16), FONT))
 }

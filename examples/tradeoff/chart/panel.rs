@@ -2,12 +2,15 @@
 
 use super::labels::Labels;
 use super::{legend, ticks};
-use crate::method::{Method, Search};
+use crate::method::{Margin, Method, Search};
 use crate::study::{Figures, Study};
 use plotters::coord::Shift;
 use plotters::coord::combinators::BindKeyPoints;
 use plotters::prelude::*;
 use std::ops::Range;
+
+/// The radius of the ring around the default settings.
+pub(super) const RING: i32 = 8;
 
 /// One scene.
 pub(super) struct Panel<'a>(&'a Study);
@@ -82,11 +85,12 @@ impl<'a> Panel<'a> {
             chart.draw_series(points.iter().map(mark))?;
         }
         let automatic = point(study.automatic());
-        chart.draw_series([Circle::new(automatic, 8, BLACK.stroke_width(2))])?;
+        chart.draw_series([Circle::new(automatic, RING, BLACK.stroke_width(2))])?;
 
         let mut labels = Labels::default();
         let place = |figures: &Figures| chart.backend_coord(&point(figures));
-        study.figures.iter().for_each(|f| labels.avoid(place(f)));
+        study.figures.iter().for_each(|f| labels.avoid(place(f), 4));
+        labels.avoid(place(study.automatic()), RING);
         for line in Search::ALL.map(|search| self.points(search)) {
             for ends in line.windows(2) {
                 labels.avoid_line(chart.backend_coord(&ends[0]), chart.backend_coord(&ends[1]));
@@ -96,9 +100,10 @@ impl<'a> Panel<'a> {
         let bounds = [x.start, y.start, x.end, y.end];
         let mut texts = Vec::new();
         for figures in &study.figures {
+            // The default margin has its ring, and other kernels their point above it.
             let Method { search, margin } = figures.method;
-            let is_marked = figures.method == Method::AUTOMATIC;
-            if is_marked || !matches!(search, Search::GridSweep | Search::RankSweep) {
+            let has_margins = matches!(search, Search::GridSweep | Search::RankSweep);
+            if !has_margins || margin == Margin::Default {
                 continue;
             }
             let text = margin.label();
