@@ -132,7 +132,8 @@ fn contend<const D: usize>(
         contender.times = Times::default();
         contender
     };
-    let mut contenders: Vec<_> = entries.iter().map(enter).collect();
+    let is_measured = |entry: &&Entry<D>| entry.takes_large || !start.has_large();
+    let mut contenders: Vec<_> = entries.iter().filter(is_measured).map(enter).collect();
     for round in 0..ROUNDS {
         let run = |contender: &mut Contender<D>| contender.run(frames_a_round);
         if round % 2 == 0 {

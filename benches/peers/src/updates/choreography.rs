@@ -52,6 +52,11 @@ impl<const D: usize> Choreography<D> {
         format!("{}{}", self.motion, self.sizes)
     }
 
+    /// Whether some are a hundred times as large as others.
+    pub(crate) fn has_large(&self) -> bool {
+        self.sizes == Sizes::FewLarge
+    }
+
     /// The side of each cube.
     pub(crate) fn sides(&self) -> &[f32] {
         &self.sides

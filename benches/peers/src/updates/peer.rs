@@ -19,6 +19,8 @@ pub(crate) trait Peer<const D: usize> {
 pub(crate) struct Entry<const D: usize> {
     pub(crate) name: &'static str,
     pub(crate) create: Create<D>,
+    /// Whether it is measured with sizes as far apart as one to a hundred.
+    pub(crate) takes_large: bool,
 }
 
 type Create<const D: usize> = fn(start: &Choreography<D>) -> Box<dyn Peer<D>>;

@@ -7,6 +7,8 @@ use crate::updates::peer::Entry;
 pub(crate) const MULTI_SAP: Entry<DIM> = Entry {
     name: "Rapier 0.26, multi-SAP",
     create: |start| Box::new(Driven::new(Recorder::default(), start)),
+    // It takes minutes to put large boxes into its regions.
+    takes_large: false,
 };
 
 /// The broad phase, which remembers its events in a pipeline that keeps them to itself.

@@ -8,11 +8,13 @@ use crate::updates::peer::Entry;
 pub(crate) const OURS: Entry<DIM> = Entry {
     name: "unisize",
     create: |start| Box::new(Driven::new(UnisizeBroadPhase::new(), start)),
+    takes_large: true,
 };
 
 pub(crate) const DEFAULT: Entry<DIM> = Entry {
     name: "Rapier 0.27, BVH",
     create: |start| Box::new(Driven::new(DefaultBroadPhase::new(), start)),
+    takes_large: true,
 };
 
 impl<B: BroadPhase> BroadPhaseOfEngine for B {

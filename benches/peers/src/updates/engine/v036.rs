@@ -8,6 +8,7 @@ use crate::updates::peer::Entry;
 pub(crate) const BVH: Entry<DIM> = Entry {
     name: "Rapier 0.36, BVH",
     create: |start| Box::new(Driven::new(BroadPhaseBvh::new(), start)),
+    takes_large: true,
 };
 
 impl BroadPhaseOfEngine for BroadPhaseBvh {
