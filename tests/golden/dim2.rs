@@ -17,7 +17,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 14] = [
+const SCENES: [u64; 15] = [
     0xbcecf202e65bda65,
     0x6342bc289035b930,
     0x9fbb324a2187e108,
@@ -28,6 +28,7 @@ const SCENES: [u64; 14] = [
     0x9d2573815a8ec274,
     0x447936cfe52fd7d0,
     0x44dcf98d7a6d1f7a,
+    0x17c14344a2c37a67,
     0x108130fab755c3a8,
     0x0dcee881880f0316,
     0x31e9dad2c7d18b06,

@@ -17,7 +17,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 14] = [
+const SCENES: [u64; 15] = [
     0xd75d4fc539032bf7,
     0x6342bc289035b930,
     0x22b177a85a3be5b9,
@@ -28,6 +28,7 @@ const SCENES: [u64; 14] = [
     0x9d2573815a8ec274,
     0xb96c9896c819c152,
     0x5b2db36e4afbe688,
+    0xd4f90b91bdc71bf5,
     0x65382c7bd31626a1,
     0x1c1ca308a61f3752,
     0x895327dace4cfe60,

@@ -17,7 +17,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 14] = [
+const SCENES: [u64; 15] = [
     0x84c3c22759bcd322,
     0x9975a8338cbe766d,
     0x38dfb4250ff72231,
@@ -28,6 +28,7 @@ const SCENES: [u64; 14] = [
     0xc0e1fbecb453faa1,
     0x8661b0784f559c22,
     0x4f5278d2ec7ede52,
+    0x941cd146e0b6341c,
     0x597b12bac1441de1,
     0x38c9c8fbea0f52c3,
     0xfb74257d15c56af9,

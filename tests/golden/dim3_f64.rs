@@ -17,7 +17,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 14] = [
+const SCENES: [u64; 15] = [
     0x84c3c22759bcd322,
     0x9975a8338cbe766d,
     0x76161b6c0d3432a9,
@@ -28,6 +28,7 @@ const SCENES: [u64; 14] = [
     0xc0e1fbecb453faa1,
     0x8661b0784f559c22,
     0x4f5278d2ec7ede52,
+    0x941cd146e0b6341c,
     0xb33871136aa24733,
     0x84a14a3b770fe7db,
     0xfb74257d15c56af9,

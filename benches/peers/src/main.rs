@@ -22,11 +22,22 @@ use anyhow::{Context, Result};
 use clap::Parser;
 use options::{Options, Subject};
 use progress::Progress;
+use row::Row;
+use std::path::Path;
 
 fn main() -> Result<()> {
     let options = Options::parse();
     let machine = options.machine();
     let progress = Progress::new();
+
+    let results = options.out.join("benches/results");
+    let figures = options.out.join("docs/figures");
+    let file = results.join(format!("{machine}.csv"));
+    if options.redraw {
+        let rows =
+            row::read_csv(&file).with_context(|| format!("cannot read {}", file.display()))?;
+        return draw(&rows, &figures);
+    }
 
     let mut rows = Vec::new();
     if options.covers(Subject::Kernels) {
@@ -40,16 +51,17 @@ fn main() -> Result<()> {
     println!("Machine: {machine}\n");
     table::print(&rows);
 
-    let results = options.out.join("benches/results");
-    let figures = options.out.join("docs/figures");
     for folder in [&results, &figures] {
         std::fs::create_dir_all(folder)
             .with_context(|| format!("cannot create {}", folder.display()))?;
     }
-    let file = results.join(format!("{machine}.csv"));
     row::write_csv(&rows, &file).with_context(|| format!("cannot write {}", file.display()))?;
     println!("Written: {}", file.display());
-    for file in chart::draw(&rows, &figures)? {
+    draw(&rows, &figures)
+}
+
+fn draw(rows: &[Row], figures: &Path) -> Result<()> {
+    for file in chart::draw(rows, figures)? {
         println!("Written: {}", file.display());
     }
     Ok(())

@@ -11,6 +11,10 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) quick: bool,
 
+    /// Measure nothing, but draw the charts again from what was measured
+    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    pub(crate) redraw: bool,
+
     /// Measure only these
     #[arg(long, value_name = "WHAT")]
     only: Option<Subject>,

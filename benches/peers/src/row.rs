@@ -1,21 +1,22 @@
 //! One figure: a contender in a case.
 
 use anyhow::Result;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// What one contender took in one case. Times are in milliseconds a frame.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Row {
     /// `kernels` or `updates`.
-    pub(crate) subject: &'static str,
+    pub(crate) subject: Cow<'static, str>,
     pub(crate) dimension: usize,
     /// The part of the area or volume that the boxes would fill if they did not overlap.
     pub(crate) density: f64,
     /// What moves between two frames.
     pub(crate) motion: String,
     pub(crate) count: usize,
-    pub(crate) contender: &'static str,
+    pub(crate) contender: Cow<'static, str>,
     /// The setting that was best, of those that were tried.
     pub(crate) setting: String,
     pub(crate) frames: usize,
@@ -66,4 +67,10 @@ pub(crate) fn write_csv(rows: &[Row], file: &Path) -> Result<()> {
     }
     writer.flush()?;
     Ok(())
+}
+
+/// The rows of a file that was so written.
+pub(crate) fn read_csv(file: &Path) -> Result<Vec<Row>> {
+    let rows = csv::Reader::from_path(file)?.into_deserialize();
+    Ok(rows.collect::<Result<_, _>>()?)
 }

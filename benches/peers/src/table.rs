@@ -11,7 +11,7 @@ pub(crate) fn print(rows: &[Row]) {
 
 fn print_one(rows: &[Row]) {
     let Some(first) = rows.first() else { return };
-    let figure = match first.subject {
+    let figure = match &*first.subject {
         "kernels" => "milliseconds and ratio to unisize",
         _ => "milliseconds (mean / worst frame), ratio to unisize and held pairs",
     };
@@ -31,8 +31,8 @@ fn print_one(rows: &[Row]) {
         if !counts.contains(&row.count) {
             counts.push(row.count);
         }
-        if !contenders.contains(&row.contender) {
-            contenders.push(row.contender);
+        if !contenders.contains(&&*row.contender) {
+            contenders.push(&*row.contender);
         }
     }
     let titles: Vec<_> = counts.iter().map(|count| format!("n = {count}")).collect();

@@ -146,12 +146,12 @@ fn contend<const D: usize>(
     let held: Vec<_> = contenders.iter().map(|c| c.peer.held_pairs()).collect();
     let is_right = check(&contenders, &held)?;
     let row = |(contender, held): (&Contender<D>, &PairSet)| Row {
-        subject: "updates",
+        subject: "updates".into(),
         dimension: D,
         density,
         motion: start.title(),
         count: start.centers().len(),
-        contender: contender.name,
+        contender: contender.name.into(),
         setting: String::new(),
         frames: contender.times.count(),
         typical_ms: contender.times.typical(),

@@ -25,20 +25,20 @@ const COLORS: [RGBColor; 10] = [
 const ENTRY_WIDTH: u32 = 200;
 
 /// The contenders in the order of the legend.
-pub(super) struct Legend(Vec<&'static str>);
+pub(super) struct Legend<'a>(Vec<&'a str>);
 
-impl Legend {
-    pub(super) fn new(panels: &[Panel<'_>]) -> Self {
+impl<'a> Legend<'a> {
+    pub(super) fn new(panels: &'a [Panel<'_>]) -> Self {
         let mut contenders = Vec::new();
         for row in panels.iter().flat_map(|panel| &panel.rows) {
-            if !contenders.contains(&row.contender) {
-                contenders.push(row.contender);
+            if !contenders.contains(&&*row.contender) {
+                contenders.push(&*row.contender);
             }
         }
         Self(contenders)
     }
 
-    pub(super) fn contenders(&self) -> &[&'static str] {
+    pub(super) fn contenders(&self) -> &[&'a str] {
         &self.0
     }
 

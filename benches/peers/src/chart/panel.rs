@@ -4,6 +4,7 @@ use super::legend::Legend;
 use crate::row::Row;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// The rows of a case.
@@ -13,15 +14,16 @@ pub(super) struct Panel<'a> {
 }
 
 /// A panel for each case, those of a dimension side by side. Of its densities, the higher one is drawn: the
-/// other one is in the table. Cases of a single number of boxes make no line.
+/// other one is in the table, and so are sizes that differ. Cases of few numbers of boxes make no line.
 pub(super) fn of_rows<'a>(rows: &[&'a Row]) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();
     for case in rows.chunk_by(|a, b| a.is_in_series_with(b)) {
-        let [first, .., last] = case else { continue };
+        let Some(first) = case.first() else { continue };
+        let counts: BTreeSet<_> = case.iter().map(|row| row.count).collect();
         let is_densest = rows
             .iter()
             .all(|row| row.dimension != first.dimension || row.density <= first.density);
-        if is_densest && first.count != last.count {
+        if is_densest && counts.len() > 2 {
             let motion = if first.motion.is_empty() {
                 String::new()
             } else {

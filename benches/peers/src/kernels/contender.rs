@@ -147,12 +147,12 @@ impl<const D: usize> Contender<D> {
 
     pub(crate) fn row(&self, density: f64) -> Row {
         Row {
-            subject: "kernels",
+            subject: "kernels".into(),
             dimension: D,
             density,
             motion: String::new(),
             count: self.boxes.mins().len(),
-            contender: self.name,
+            contender: self.name.into(),
             setting: self.setting.clone(),
             frames: self.times.count(),
             typical_ms: self.times.typical(),
