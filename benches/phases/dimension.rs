@@ -12,7 +12,10 @@ use std::time::Duration;
 use unisize::PhaseTimes;
 
 /// The numbers of colliders.
-const COUNTS: [usize; 3] = [1_000, 10_000, 1 << 17];
+const COUNTS: [usize; 4] = [1_000, 10_000, 1 << 17, MOST];
+
+/// Measured where all are listed and on no bodies only, for the gain by a second thread.
+const MOST: usize = 1 << 20;
 
 /// The largest of them in a smoke test.
 const SMOKE_TEST_MAX: usize = 1_000;
@@ -35,7 +38,9 @@ pub(crate) fn print() {
     for motion in Motion::ALL {
         for (parents, are_there) in [(Parents::None, "no"), (Parents::Dynamic, "yes")] {
             for count in COUNTS {
-                if !common::is_smoke_test() || count <= SMOKE_TEST_MAX {
+                let is_too_large = common::is_smoke_test() && count > SMOKE_TEST_MAX;
+                let is_for_threads = motion.stride() == 1 && matches!(parents, Parents::None);
+                if !is_too_large && (count < MOST || is_for_threads) {
                     let cells = measure(motion, parents, count);
                     println!("| {} | {are_there} | {count} |{cells}", motion.name());
                 }
