@@ -12,16 +12,17 @@
 mod dim2;
 mod dim3;
 mod options;
+#[path = "../progress/bar.rs"]
+mod progress;
 mod report;
 mod row;
 mod table;
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use options::Options;
+use progress::progress_bar;
 use report::Report;
 use std::fs::File;
-use std::io::{IsTerminal, stderr};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -40,7 +41,7 @@ fn main() -> ExitCode {
         eprintln!("error: cannot have {} threads: {error}", options.threads);
         return ExitCode::from(2);
     }
-    let bar = progress_bar(&options);
+    let bar = progress_bar(options.total_steps() as u64);
     let mut report = Report::default();
     for dim in options.dims() {
         table::print_header(&bar, dim);
@@ -73,19 +74,5 @@ fn main() -> ExitCode {
             report.rows.len()
         );
         ExitCode::FAILURE
-    }
-}
-
-/// A progress bar over all steps, which only shows on a terminal.
-fn progress_bar(options: &Options) -> ProgressBar {
-    let target = if stderr().is_terminal() {
-        ProgressDrawTarget::stderr()
-    } else {
-        ProgressDrawTarget::hidden()
-    };
-    let bar = ProgressBar::with_draw_target(Some(options.total_steps() as u64), target);
-    match ProgressStyle::with_template("{msg:18} {wide_bar} {percent:>3} %, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

@@ -11,12 +11,14 @@ mod dim2;
 mod dim3;
 mod memory;
 mod options;
+#[path = "../progress/bar.rs"]
+mod progress;
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use memory::{Peaks, live_bytes};
 use options::Options;
-use std::io::{IsTerminal, stderr};
+use progress::progress_bar;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -69,19 +71,5 @@ fn main() -> ExitCode {
     } else {
         println!("Memory GREW.");
         ExitCode::FAILURE
-    }
-}
-
-/// A progress bar, which only shows on a terminal.
-fn progress_bar(updates: u64) -> ProgressBar {
-    let target = if stderr().is_terminal() {
-        ProgressDrawTarget::stderr()
-    } else {
-        ProgressDrawTarget::hidden()
-    };
-    let bar = ProgressBar::with_draw_target(Some(updates), target);
-    match ProgressStyle::with_template("{msg:4} {wide_bar} {percent:>3} %, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

@@ -21,13 +21,14 @@ mod dim2;
 mod dim3;
 mod method;
 mod options;
+#[path = "../progress/bar.rs"]
+mod progress;
 mod study;
 mod table;
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use options::Options;
-use std::io::{IsTerminal, stderr};
+use progress::progress_bar;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -38,7 +39,7 @@ fn main() -> ExitCode {
         eprintln!("error: cannot create {}: {error}", figures.display());
         return ExitCode::from(2);
     }
-    let bar = progress_bar(&options);
+    let bar = progress_bar(options.total_steps() as u64);
     let mut studies = Vec::new();
     for kind in options.scenes() {
         for dim in [2, 3] {
@@ -82,19 +83,5 @@ fn main() -> ExitCode {
     match missed + differing {
         0 => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
-    }
-}
-
-/// A progress bar over all steps, which only shows on a terminal.
-fn progress_bar(options: &Options) -> ProgressBar {
-    let target = if stderr().is_terminal() {
-        ProgressDrawTarget::stderr()
-    } else {
-        ProgressDrawTarget::hidden()
-    };
-    let bar = ProgressBar::with_draw_target(Some(options.total_steps() as u64), target);
-    match ProgressStyle::with_template("{msg:18} {wide_bar} {percent:>3} %, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

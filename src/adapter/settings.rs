@@ -24,8 +24,8 @@ pub struct Settings {
     pub margin: Real,
     /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
     /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
-    /// densely they lie and how straight they go. 0 searches for nothing ahead of time. A number that is too large for
-    /// the scene costs time and memory.
+    /// densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than 64
+    /// count as 64. A number that is too large for the scene costs time and memory.
     pub foresight: Option<u16>,
     /// Whether the few colliders that have moved otherwise than was foreseen are looked up among the others. If not,
     /// every search is for all. It decides the speed, never the answer. Default: `true`.

@@ -41,8 +41,8 @@ const EFFORTS: [Effort; 4] = [
     effort(1 << 20, 1, 3, 1),
 ];
 
-/// Beyond this, a case takes more than a minute, and only the higher density is measured.
-const SPARSE_MAX_COUNT: usize = 1 << 17;
+/// Beyond this, a case in 3D takes more than a minute, and only the higher density is measured.
+const SPARSE_MAX_COUNT_3D: usize = 1 << 17;
 
 const QUICK_EFFORTS: [Effort; 2] = [effort(1 << 10, 5, 3, 10), effort(1 << 14, 3, 3, 3)];
 
@@ -78,7 +78,7 @@ fn measure_in<const D: usize>(
 ) -> Result<Vec<Row>> {
     let mut cases: Vec<_> = efforts.iter().map(|effort| (dense, effort)).collect();
     if !quick {
-        let is_quick_enough = |effort: &&Effort| effort.count <= SPARSE_MAX_COUNT;
+        let is_quick_enough = |effort: &&Effort| D == 2 || effort.count <= SPARSE_MAX_COUNT_3D;
         let sparse_efforts = efforts.iter().filter(is_quick_enough);
         cases.extend(sparse_efforts.map(|effort| (sparse, effort)));
     }
