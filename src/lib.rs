@@ -50,6 +50,8 @@
 //! dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
 
 mod aabb;
+#[cfg(feature = "baselines")]
+mod baselines;
 mod brute_force;
 mod grid_sweep;
 mod invalid_box;
