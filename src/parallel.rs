@@ -11,6 +11,17 @@ pub(crate) fn threads() -> usize {
     return 1;
 }
 
+/// Does two things at once, or one after the other.
+pub(crate) fn join<A: Send, B: Send>(
+    a: impl FnOnce() -> A + Send,
+    b: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    return rayon::join(a, b);
+    #[cfg(not(feature = "parallel"))]
+    return (a(), b());
+}
+
 /// Fewer items than this are not worth a second thread.
 #[cfg(all(feature = "parallel", feature = "_adapter"))]
 const WORTH_A_THREAD: usize = 1 << 14;

@@ -15,12 +15,17 @@ mod tests;
 use core::marker::PhantomData;
 
 use crate::pair_finder::{check_boxes, ordered};
-use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real};
+use crate::parallel;
+use crate::stopwatch::Stopwatch;
+use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, PhaseTimes, Real};
 use radix_sort::{RadixSort, SortKey};
 use succ_tree::SuccTree;
 
 /// Two endpoints a box, numbered by `u32`, with one number to spare.
 const MAX_BOXES: usize = (u32::MAX / 2) as usize;
+
+/// With fewer boxes, a second thread for the second axis is not worth it.
+const WORTH_A_THREAD: usize = 1 << 14;
 
 /// The ranks of so many endpoints are fetched before these are swept. They lie all over the place, and fetching them at
 /// once takes little longer than fetching one; taken one by one, the sweep takes a tenth more time in all.
@@ -48,29 +53,33 @@ const BATCH: usize = 32;
 ///
 /// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
 /// [`InvalidBoxReason::TooMany`].
+///
+/// With the feature `parallel`, the endpoints of the two axes are sorted at once, as section 7 of the paper has it; the
+/// sweep goes on alone. The pairs are the same, in the same order.
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R, const D: usize> {
     /// Scratch memory for keys of 32 bits, empty unless `R` is `f32`.
-    narrow: Endpoints<u32>,
+    narrow: [Endpoints<u32>; 2],
     /// Scratch memory for keys of 64 bits, empty unless `R` is `f64`.
-    wide: Endpoints<u64>,
+    wide: [Endpoints<u64>; 2],
     sweep: Sweep,
+    stopwatch: Stopwatch,
     real: PhantomData<R>,
 }
 
-/// The endpoints of one axis. All of it scratch memory.
+/// The endpoints of one axis, or of one axis after the other. All of it scratch memory.
 #[derive(Clone, Debug, Default)]
 struct Endpoints<K> {
     /// Integers that are ordered as the endpoints are: lows at `i`, highs at `i + n`.
     keys: Vec<K>,
     sorter: RadixSort<K>,
+    /// The endpoints in order.
+    order: Vec<u32>,
 }
 
 /// What the sweep works on. All of it scratch memory.
 #[derive(Clone, Debug, Default)]
 struct Sweep {
-    /// The endpoints in the order of the axis at hand.
-    order: Vec<u32>,
     /// The objects in the order of their low endpoints on the first axis.
     lows: Vec<u32>,
     /// By object, the ranks of its low and of its high endpoint on the first axis.
@@ -88,13 +97,39 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len())?;
+        self.stopwatch.times = PhaseTimes::default();
+        let lap = self.stopwatch.start();
         check_boxes(boxes)?;
+        self.stopwatch.lap(lap, |times| &mut times.read);
+        let Self {
+            narrow,
+            wide,
+            sweep,
+            stopwatch,
+            ..
+        } = self;
         if size_of::<R>() == size_of::<u32>() {
-            self.sweep.find_pairs(&mut self.narrow, boxes, pairs);
+            sweep.find_pairs(narrow, boxes, pairs, stopwatch);
         } else {
-            self.sweep.find_pairs(&mut self.wide, boxes, pairs);
+            sweep.find_pairs(wide, boxes, pairs, stopwatch);
         }
         Ok(())
+    }
+}
+
+impl<R: Real, const D: usize> RankSweep<R, D> {
+    /// The same kernel, which from now on takes the [times of its phases](Self::phase_times).
+    pub fn timed(self) -> Self {
+        Self {
+            stopwatch: Stopwatch::new(true),
+            ..self
+        }
+    }
+
+    /// How long each phase of the last run has taken; zeros unless it was [`timed`](Self::timed). The ranks are a part of
+    /// [`sort`](PhaseTimes::sort); [`sweep`](PhaseTimes::sweep) is what the paper calls the pairing phase.
+    pub fn phase_times(&self) -> PhaseTimes {
+        self.stopwatch.times
     }
 }
 
@@ -110,52 +145,61 @@ fn check_count(count: usize) -> Result<(), InvalidBox> {
 
 impl<K: SortKey> Endpoints<K> {
     /// Sorts the endpoints of an axis.
-    fn sort<R: Real, const D: usize>(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        axis: usize,
-        order: &mut Vec<u32>,
-    ) {
+    fn sort<R: Real, const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
         let key = |x: R| K::from_order_key(x.order_key());
         self.keys.clear();
         self.keys.extend(boxes.iter().map(|b| key(b.mins[axis])));
         self.keys.extend(boxes.iter().map(|b| key(b.maxs[axis])));
-        self.sorter.sort(&self.keys, order);
+        self.sorter.sort(&self.keys, &mut self.order);
     }
 }
 
 impl Sweep {
     fn find_pairs<R: Real, K: SortKey, const D: usize>(
         &mut self,
-        endpoints: &mut Endpoints<K>,
+        [first, second]: &mut [Endpoints<K>; 2],
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
     ) {
-        let Self {
-            order, lows, ranks, ..
-        } = self;
-        endpoints.sort(boxes, 0, order);
-        let exact = ranks::rank_endpoints(&endpoints.keys, order, lows, ranks);
-        // With one axis only, that is swept as well.
-        if D > 1 {
-            endpoints.sort(boxes, 1, order);
-        }
-        if exact && D <= 2 {
-            self.sweep(pairs, |_, _| true);
+        let lap = stopwatch.start();
+        let Self { lows, ranks, .. } = self;
+        let mut rank = |endpoints: &mut Endpoints<K>| {
+            endpoints.sort(boxes, 0);
+            ranks::rank_endpoints(&endpoints.keys, &endpoints.order, lows, ranks)
+        };
+        let (exact, order) = if D > 1 && boxes.len() >= WORTH_A_THREAD && parallel::threads() > 1 {
+            let (exact, ()) = parallel::join(|| rank(first), || second.sort(boxes, 1));
+            (exact, &second.order)
         } else {
-            self.sweep(pairs, |p, q| boxes[p as usize].overlaps(&boxes[q as usize]));
+            let exact = rank(first);
+            // In the memory of the first axis. With one axis only, that is swept as well.
+            if D > 1 {
+                first.sort(boxes, 1);
+            }
+            (exact, &first.order)
+        };
+        let lap = stopwatch.lap(lap, |times| &mut times.sort);
+        if exact && D <= 2 {
+            self.sweep(order, pairs, |_, _| true);
+        } else {
+            let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
+            self.sweep(order, pairs, overlap);
         }
+        stopwatch.lap(lap, |times| &mut times.sweep);
     }
 
-    /// Sweeps the endpoints in `order` and appends the pairs of objects that overlap on both axes and pass the test.
-    #[inline]
-    fn sweep(&mut self, pairs: &mut Vec<[u32; 2]>, overlap: impl Fn(u32, u32) -> bool) {
-        let Self {
-            order,
-            ranks,
-            active,
-            ..
-        } = self;
+    /// Sweeps the endpoints of the second axis, in order, and appends the pairs of objects that overlap on both axes and
+    /// pass the test.
+    // Not inlined, so that a profiler can tell it from the sorting.
+    #[inline(never)]
+    fn sweep(
+        &mut self,
+        order: &[u32],
+        pairs: &mut Vec<[u32; 2]>,
+        overlap: impl Fn(u32, u32) -> bool,
+    ) {
+        let Self { ranks, active, .. } = self;
         let n = ranks.len() as u32;
         active.reset(2 * n);
         let mut batch = [[0; 2]; BATCH];

@@ -17,7 +17,7 @@ const SMALL_DIGIT: u32 = 8;
 const FEW: usize = 1 << 10;
 
 /// An unsigned integer that is sorted by.
-pub(super) trait SortKey: Copy + Ord + Debug + Default {
+pub(super) trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
     /// How many bits it has.
     const BITS: u32;
     /// The low bits of an [`order_key`](crate::Real::order_key).

@@ -201,16 +201,58 @@ fn boxes_of_one_size_are_not_tested() {
     }
     let mut kernel = RankSweep::default();
     check(&mut kernel, &boxes, "one size");
-    let Sweep {
-        order, ranks, lows, ..
-    } = &mut kernel.sweep;
-    kernel.narrow.sort(&boxes, 0, order);
+    let Sweep { ranks, lows, .. } = &mut kernel.sweep;
+    let [first, _] = &mut kernel.narrow;
+    first.sort(&boxes, 0);
     assert!(ranks::rank_endpoints(
-        &kernel.narrow.keys,
-        order,
+        &first.keys,
+        &first.order,
         lows,
         ranks
     ));
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn both_axes_at_once_are_as_one_after_the_other() {
+    let recipe: Interval = |random| point(random.rand_float() * 300.0);
+    let mut boxes = scene::<f32, 2>(WORTH_A_THREAD + 1, [recipe; 2], 1);
+    for b in &mut boxes {
+        b.maxs = b.mins.map(|x| x + 1.0);
+    }
+    let [(one, few), (two, many)] = [1, 2].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let mut kernel = RankSweep::default();
+        let mut pairs = Vec::new();
+        let found = pool
+            .build()
+            .unwrap()
+            .install(|| kernel.find_pairs(&boxes, &mut pairs));
+        assert_eq!(found, Ok(()));
+        (kernel, pairs)
+    });
+    assert!(few.len() > 1000);
+    assert!(few == many, "another answer, or another order");
+    assert!(one.narrow[1].order.is_empty());
+    assert!(!two.narrow[1].order.is_empty());
+    check(&mut RankSweep::default(), &boxes[..3000], "some of them");
+}
+
+#[test]
+fn times_are_taken_on_demand() {
+    let recipe: Interval = |random| point(random.rand_float() * 300.0);
+    let boxes = scene::<f32, 2>(1000, [recipe; 2], 1);
+    let mut kernel = RankSweep::default();
+    check(&mut kernel, &boxes, "not timed");
+    assert_eq!(kernel.phase_times(), PhaseTimes::default());
+    let mut kernel = kernel.timed();
+    check(&mut kernel, &boxes, "timed");
+    let times = kernel.phase_times();
+    assert!(
+        [times.read, times.sort, times.sweep]
+            .iter()
+            .all(|time| !time.is_zero())
+    );
 }
 
 #[test]
