@@ -25,8 +25,8 @@ const MAX_SPEED: f32 = 0.1;
 pub struct DriftingBoxes<const D: usize> {
     mins: Vec<[f32; D]>,
     velocities: Vec<[f32; D]>,
-    /// The greatest lower corner, on every axis.
-    reach: f32,
+    /// The greatest lower corner.
+    reach: [f32; D],
 }
 
 impl<const D: usize> DriftingBoxes<D> {
@@ -40,15 +40,28 @@ impl<const D: usize> DriftingBoxes<D> {
     /// smaller than a box, it is as large as one.
     pub fn new(count: usize, density: f64, seed: u64) -> Self {
         let side = (count as f64 / density).powf(1.0 / D as f64);
-        let reach = (side as f32 - Self::SIZE).max(0.0);
+        Self::within([side; D], count, seed)
+    }
+
+    /// The same in a layer of this thickness, along the last axis: at 1, no box can move along it. The other sides of the
+    /// environment are so long that its density is as given. **O(n)**.
+    pub fn in_layer(count: usize, density: f64, thickness: f64, seed: u64) -> Self {
+        let area = count as f64 / (density * thickness);
+        let mut sides = [area.powf(1.0 / (D - 1) as f64); D];
+        sides[D - 1] = thickness;
+        Self::within(sides, count, seed)
+    }
+
+    fn within(sides: [f64; D], count: usize, seed: u64) -> Self {
+        let reach = sides.map(|side| (side as f32 - Self::SIZE).max(0.0));
         let mut random = Random::new(seed);
-        let mut corners = |lo, hi| {
-            let corner = |_| std::array::from_fn(|_| random.range(lo, hi));
+        let mut corners = |lo: [f32; D], hi: [f32; D]| {
+            let corner = |_| std::array::from_fn(|axis| random.range(lo[axis], hi[axis]));
             (0..count).map(corner).collect()
         };
         Self {
-            mins: corners(0.0, reach),
-            velocities: corners(-MAX_SPEED, MAX_SPEED),
+            mins: corners([0.0; D], reach),
+            velocities: corners([-MAX_SPEED; D], [MAX_SPEED; D]),
             reach,
         }
     }
@@ -56,17 +69,17 @@ impl<const D: usize> DriftingBoxes<D> {
     /// Moves every box on to the next frame. **O(n)**.
     pub fn advance(&mut self) {
         for (min, velocity) in self.mins.iter_mut().zip(&mut self.velocities) {
-            for (x, v) in min.iter_mut().zip(velocity) {
+            for ((x, v), reach) in min.iter_mut().zip(velocity).zip(self.reach) {
                 *x += *v;
                 if *x < 0.0 {
                     *x = -*x;
                     *v = -*v;
-                } else if *x > self.reach {
-                    *x = 2.0 * self.reach - *x;
+                } else if *x > reach {
+                    *x = 2.0 * reach - *x;
                     *v = -*v;
                 }
                 // In an environment that is hardly larger than a box, one bounce may not be enough.
-                *x = x.clamp(0.0, self.reach);
+                *x = x.clamp(0.0, reach);
             }
         }
     }
@@ -117,9 +130,25 @@ mod tests {
             let reach = boxes.reach;
             for _ in 0..100 {
                 boxes.advance();
-                let inside = |x: &f32| (0.0..=reach).contains(x);
+                let inside = |x: &f32| (0.0..=reach[0]).contains(x);
                 assert!(boxes.mins().iter().flatten().all(inside), "{density}");
             }
+        }
+    }
+
+    #[test]
+    fn a_layer_has_its_thickness_and_density() {
+        for thickness in [1.0, 2.5, 8.0] {
+            let mut boxes = DriftingBoxes::<3>::in_layer(10_000, 0.2, thickness, 7);
+            (0..50).for_each(|_| boxes.advance());
+            let extent = |axis| {
+                let along = boxes.mins().iter().map(|mins| f64::from(mins[axis]));
+                1.0 + along.clone().fold(f64::MIN, f64::max) - along.fold(f64::MAX, f64::min)
+            };
+            let [x, y, z] = [0, 1, 2].map(extent);
+            assert!((z - thickness).abs() < 0.01 * thickness, "{z}");
+            let density = 10_000.0 / (x * y * z);
+            assert!((density - 0.2).abs() < 0.01, "{density}");
         }
     }
 }

@@ -18,8 +18,11 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
-//! [`DriftingBoxes`], [`HardBoxes`] and [`HardFrames`] are bare boxes, for what needs no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`HardBoxes`] and [`HardFrames`] are bare boxes, for what needs no
+//! engine.
 
+mod backbone;
+mod converging;
 mod hard_boxes;
 mod hard_motions;
 mod kind;
@@ -31,7 +34,9 @@ pub mod dim2_f64;
 pub mod dim3;
 pub mod dim3_f64;
 
+pub use backbone::Backbone;
 pub use boxes::DriftingBoxes;
+pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;

@@ -1,0 +1,101 @@
+//! Squares that all fly to the centre, and on: the second experiment of the paper.
+
+use crate::random::Random;
+
+/// Squares of side 1 that lie about uniformly in a square, fly to its centre at one speed, through each other, and spread out
+/// again on the other side: what Figure 4 of Capannini and Larsson, *Output Sensitive Collision Detection for Unisize
+/// Boxes*, is measured on.
+///
+/// The paper says so much and no more. Here the squares fill a fifth of the area at first, and a square from the middle of a
+/// side reaches the centre in frame [`HALF_WAY`](Self::HALF_WAY) of 500. They are densest around then, for those that
+/// start at one distance arrive at one time: at a distance of r from the centre there are about 1/r times as many as
+/// at first.
+///
+/// ```
+/// use unisize_scenes::ConvergingBoxes;
+///
+/// let mut boxes = ConvergingBoxes::new(1000, 7);
+/// let distance = |boxes: &ConvergingBoxes| boxes.mins()[0].map(|x| x + 0.5).iter().map(|x| x * x).sum::<f32>();
+/// let before = distance(&boxes);
+/// boxes.advance();
+/// assert!(distance(&boxes) < before);
+/// ```
+#[derive(Clone, Debug)]
+pub struct ConvergingBoxes {
+    mins: Vec<[f32; 2]>,
+    velocities: Vec<[f32; 2]>,
+    half_side: f32,
+}
+
+/// The part of the area that the squares would fill at first, if they did not overlap.
+const DENSITY: f64 = 0.2;
+
+impl ConvergingBoxes {
+    /// The frame in which a square from the middle of a side reaches the centre.
+    pub const HALF_WAY: usize = 250;
+
+    /// So many squares around the origin. Equal arguments give equal squares in every frame. **O(n)**.
+    pub fn new(count: usize, seed: u64) -> Self {
+        let half_side = (count as f64 / DENSITY).sqrt() as f32 / 2.0;
+        let speed = half_side / Self::HALF_WAY as f32;
+        let mut random = Random::new(seed);
+        let mut boxes = Self {
+            mins: Vec::with_capacity(count),
+            velocities: Vec::with_capacity(count),
+            half_side,
+        };
+        for _ in 0..count {
+            let centre = [0; 2].map(|_| random.range(-half_side, half_side));
+            let distance = centre[0].hypot(centre[1]).max(f32::MIN_POSITIVE);
+            boxes.mins.push(centre.map(|x| x - 0.5));
+            boxes.velocities.push(centre.map(|x| -x / distance * speed));
+        }
+        boxes
+    }
+
+    /// Moves every square on to the next frame. **O(n)**.
+    pub fn advance(&mut self) {
+        for (min, velocity) in self.mins.iter_mut().zip(&self.velocities) {
+            for (x, v) in min.iter_mut().zip(velocity) {
+                *x += v;
+            }
+        }
+    }
+
+    /// The lower corner of each square in this frame.
+    pub fn mins(&self) -> &[[f32; 2]] {
+        &self.mins
+    }
+
+    /// Half the side of the square in which they lie at first.
+    pub fn half_side(&self) -> f32 {
+        self.half_side
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ConvergingBoxes;
+
+    /// The mean distance of the squares from the centre.
+    fn mean_distance(boxes: &ConvergingBoxes) -> f32 {
+        let distance = |[x, y]: &[f32; 2]| (x + 0.5).hypot(y + 0.5);
+        boxes.mins().iter().map(distance).sum::<f32>() / boxes.mins().len() as f32
+    }
+
+    #[test]
+    fn they_gather_and_spread_out_again() {
+        let mut boxes = ConvergingBoxes::new(5000, 7);
+        // That of a uniform square is 0.765 of half its side.
+        let first = mean_distance(&boxes) / boxes.half_side();
+        assert!((first - 0.765).abs() < 0.02, "{first}");
+        let mut least = f32::MAX;
+        for _ in 0..2 * ConvergingBoxes::HALF_WAY {
+            boxes.advance();
+            least = least.min(mean_distance(&boxes) / boxes.half_side());
+        }
+        assert!(least < 0.35, "{least}");
+        let last = mean_distance(&boxes) / boxes.half_side();
+        assert!(last > 1.0, "{last}");
+    }
+}
