@@ -18,8 +18,7 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`HardBoxes`] and [`HardFrames`] are bare boxes, for what needs no
-//! engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod backbone;
 mod converging;
@@ -27,6 +26,7 @@ mod hard_boxes;
 mod hard_motions;
 mod kind;
 mod random;
+mod stampede;
 
 pub mod boxes;
 pub mod dim2;
@@ -40,3 +40,4 @@ pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
+pub use stampede::Stampede;
