@@ -5,6 +5,8 @@ mod lookup;
 mod order;
 mod slab;
 mod sweep;
+#[cfg(test)]
+mod tests;
 mod tubes;
 
 use crate::pair_finder::check_boxes;
@@ -346,34 +348,5 @@ impl<R: Real, const D: usize> Class<R, D> {
         for slab in self.slabs() {
             slab.tubes.look_up(&self.grid, aabb, owner, emitter);
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::BruteForce;
-
-    /// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
-    #[test]
-    fn a_sample_that_misleads_costs_time_and_nothing_else() {
-        for spread in [0.0, 1e-3, 50.0] {
-            misled(spread);
-        }
-    }
-
-    fn misled(spread: f32) {
-        let mut boxes: Vec<_> = (0..2000)
-            .map(|i| Aabb::new([i as f32, -1e9], [i as f32 + 1.5, 1e9]))
-            .collect();
-        for i in grid::scattered(boxes.len()) {
-            let corner = [i as f32, spread * (i % 50) as f32];
-            boxes[i] = Aabb::new(corner, corner);
-        }
-        let [mut found, mut expected] = [Vec::new(), Vec::new()];
-        GridSweep::default().find_pairs(&boxes, &mut found).unwrap();
-        BruteForce.find_pairs(&boxes, &mut expected).unwrap();
-        found.sort_unstable();
-        assert!(found == expected);
     }
 }

@@ -1,0 +1,85 @@
+//! What the suite over all kernels cannot see: that settings are heeded, and that guesses may be wrong.
+
+use super::*;
+use crate::BruteForce;
+use std::num::NonZero;
+
+/// Unit squares in rows of this length.
+fn rows(count: usize, length: usize) -> Vec<Aabb<f32, 2>> {
+    let corner = |i: usize| [(i % length) as f32 * 0.9, (i / length) as f32 * 0.9];
+    let unit = |mins: [f32; 2]| Aabb::new(mins, mins.map(|x| x + 1.0));
+    (0..count).map(|i| unit(corner(i))).collect()
+}
+
+fn slabs<R, const D: usize>(kernel: &GridSweep<R, D>) -> usize {
+    kernel.classes[0].slab_count
+}
+
+#[test]
+fn work_is_cut_into_as_many_slabs_as_asked_for() {
+    let boxes = rows(4000, 10);
+    let mut expected = Vec::new();
+    for count in 1..5 {
+        let mut kernel = GridSweep::with_slabs(NonZero::new(count).unwrap());
+        let mut pairs = Vec::new();
+        kernel.find_pairs(&boxes, &mut pairs).unwrap();
+        assert_eq!(slabs(&kernel), count);
+        if count == 1 {
+            expected = pairs;
+        } else {
+            assert!(pairs == expected, "another answer, or another order");
+        }
+    }
+    assert!(expected.len() > 10_000);
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn each_thread_has_a_slab_if_there_is_enough_to_do() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build();
+    let slabs_of = |count| {
+        let mut kernel = GridSweep::default();
+        kernel
+            .find_pairs(&rows(count, 10), &mut Vec::new())
+            .unwrap();
+        slabs(&kernel)
+    };
+    let counts = [WORTH_A_THREAD - 1, WORTH_A_THREAD];
+    let slabs = pool.unwrap().install(|| counts.map(slabs_of));
+    assert_eq!(slabs, [1, 3]);
+}
+
+#[test]
+fn times_are_taken_on_demand() {
+    let boxes = rows(4000, 10);
+    let mut pairs = Vec::new();
+    let mut kernel = GridSweep::default();
+    kernel.find_pairs(&boxes, &mut pairs).unwrap();
+    assert_eq!(kernel.phase_times(), PhaseTimes::default());
+    let mut kernel = kernel.timed();
+    for _ in 0..2 {
+        kernel.find_pairs(&boxes, &mut pairs).unwrap();
+        let times = kernel.phase_times();
+        let phases = [times.read, times.sort, times.sweep];
+        assert!(phases.iter().all(|time| !time.is_zero()));
+    }
+}
+
+/// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
+#[test]
+fn a_sample_that_misleads_costs_time_and_nothing_else() {
+    for spread in [0.0, 1e-3, 50.0] {
+        let mut boxes: Vec<_> = (0..2000)
+            .map(|i| Aabb::new([i as f32, -1e9], [i as f32 + 1.5, 1e9]))
+            .collect();
+        for i in grid::scattered(boxes.len()) {
+            let corner = [i as f32, spread * (i % 50) as f32];
+            boxes[i] = Aabb::new(corner, corner);
+        }
+        let [mut found, mut expected] = [Vec::new(), Vec::new()];
+        GridSweep::default().find_pairs(&boxes, &mut found).unwrap();
+        BruteForce.find_pairs(&boxes, &mut expected).unwrap();
+        found.sort_unstable();
+        assert!(found == expected);
+    }
+}
