@@ -1,0 +1,281 @@
+//! Frames, one after the other, as a GIF file that goes on and on.
+//!
+//! All frames share one palette, made from all of them. Of each frame after the first, only the pixels are stored that
+//! differ from what is shown already; what is nearly the same counts as the same.
+
+use crate::{Picture, PictureError};
+use color_quant::NeuQuant;
+use gif::{DisposalMethod, Encoder, Frame, Repeat};
+use std::borrow::Cow;
+use std::collections::{BTreeSet, HashMap};
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+/// The index that lets what was there before shine through: the last one.
+const TRANSPARENT: u8 = 255;
+
+/// How many colours there are beside it.
+const COLORS: usize = TRANSPARENT as usize;
+
+/// About how many pixels the palette is made from.
+const SAMPLES: usize = 400_000;
+
+/// Frames of one size, to be written as a looping GIF file.
+#[derive(Clone, Debug)]
+pub struct Animation {
+    frames_per_second: u32,
+    tolerance: u8,
+    hold: f32,
+    size: [usize; 2],
+    /// The bytes of each frame.
+    frames: Vec<Vec<u8>>,
+}
+
+impl Animation {
+    /// An animation at this speed. The format has delays in hundredths of a second, so 50, 33, 25, 20, ... are exact or nearly
+    /// so, and 50 is the most.
+    pub fn new(frames_per_second: u32) -> Self {
+        Self {
+            frames_per_second,
+            tolerance: 6,
+            hold: 0.0,
+            size: [0; 2],
+            frames: Vec::new(),
+        }
+    }
+
+    /// A pixel keeps its colour while no channel should change by more than this, in steps of 255. Default: 6; 0 to 20 are of
+    /// use. Much of the size of a file is in small changes of shadows.
+    pub fn tolerance(mut self, tolerance: u8) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Shows the last frame for so many seconds more. Default: 0.
+    pub fn hold(mut self, seconds: f32) -> Self {
+        self.hold = seconds;
+        self
+    }
+
+    /// How many frames there are.
+    pub fn len(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.frames.is_empty()
+    }
+
+    /// Adds a frame.
+    ///
+    /// # Errors
+    /// [`PictureError::FrameSize`] if it differs in size from those before it.
+    pub fn push(&mut self, frame: Picture) -> Result<(), PictureError> {
+        if self.frames.is_empty() {
+            self.size = frame.size();
+        } else if frame.size() != self.size {
+            return Err(PictureError::FrameSize {
+                frame: frame.size(),
+                animation: self.size,
+            });
+        }
+        self.frames.push(frame.bytes());
+        Ok(())
+    }
+
+    /// Adds so many frames in which the last one turns into the first, for a loop without a jump.
+    pub fn fade_to_start(&mut self, frames: usize) {
+        let (Some(first), Some(last)) = (self.frames.first().cloned(), self.frames.last().cloned())
+        else {
+            return;
+        };
+        for frame in 1..=frames {
+            let share = frame as f32 / (frames + 1) as f32;
+            let mix = |(&from, &to): (&u8, &u8)| {
+                (f32::from(from) * (1.0 - share) + f32::from(to) * share).round() as u8
+            };
+            let faded = last.iter().zip(&first).map(mix).collect();
+            self.frames.push(faded);
+        }
+    }
+
+    /// Writes a GIF file.
+    ///
+    /// # Errors
+    /// As [`write_gif_to`](Self::write_gif_to), or [`PictureError::File`] if the file cannot be written.
+    pub fn write_gif(&self, path: &Path) -> Result<(), PictureError> {
+        let at_path = |source| PictureError::File {
+            path: path.to_owned(),
+            source,
+        };
+        let mut file = BufWriter::new(File::create(path).map_err(at_path)?);
+        self.write_gif_to(&mut file)?;
+        file.flush().map_err(at_path)
+    }
+
+    /// Writes the bytes of a GIF file. **O(pixels of all frames)**.
+    ///
+    /// # Errors
+    /// [`PictureError::NoFrames`] if there are none, [`PictureError::Gif`] if they cannot be written.
+    pub fn write_gif_to(&self, writer: impl Write) -> Result<(), PictureError> {
+        if self.frames.is_empty() {
+            return Err(PictureError::NoFrames);
+        }
+        // Sides are at most `Picture::MAX_SIDE`.
+        let [width, height] = self.size.map(|side| side as u16);
+        let palette = Palette::of(&self.frames);
+        let mut encoder = Encoder::new(writer, width, height, &palette.bytes())?;
+        encoder.set_repeat(Repeat::Infinite)?;
+        let mut shown: Option<Vec<u8>> = None;
+        for (index, frame) in self.frames.iter().enumerate() {
+            let wanted = palette.indices(frame);
+            let (area, pixels) = match &mut shown {
+                None => {
+                    shown = Some(wanted.clone());
+                    ([0, 0, self.size[0], self.size[1]], wanted)
+                }
+                Some(shown) => self.difference(&palette, shown, frame, &wanted),
+            };
+            let [left, top, width, height] = area.map(|place| place as u16);
+            encoder.write_frame(&Frame {
+                delay: self.delay(index),
+                dispose: DisposalMethod::Keep,
+                transparent: Some(TRANSPARENT),
+                left,
+                top,
+                width,
+                height,
+                buffer: Cow::Owned(pixels),
+                ..Frame::default()
+            })?;
+        }
+        Ok(())
+    }
+
+    /// In hundredths of a second.
+    fn delay(&self, frame: usize) -> u16 {
+        let delay = (100.0 / self.frames_per_second.max(1) as f32)
+            .round()
+            .max(2.0);
+        let hold = if frame + 1 == self.frames.len() {
+            100.0 * self.hold.max(0.0)
+        } else {
+            0.0
+        };
+        // Saturates.
+        (delay + hold) as u16
+    }
+
+    /// What of a frame differs from what is shown, which is brought up to date: the area as left, top, width and height, and its
+    /// pixels.
+    fn difference(
+        &self,
+        palette: &Palette,
+        shown: &mut [u8],
+        frame: &[u8],
+        wanted: &[u8],
+    ) -> ([usize; 4], Vec<u8>) {
+        let width = self.size[0];
+        let mut changes = vec![TRANSPARENT; wanted.len()];
+        let (mut lo, mut hi) = ([usize::MAX; 2], [0; 2]);
+        for (index, bytes) in frame.chunks_exact(3).enumerate() {
+            let before = palette.colors[shown[index] as usize];
+            let change = (0..3)
+                .map(|channel| before[channel].abs_diff(bytes[channel]))
+                .max();
+            if wanted[index] == shown[index] || change <= Some(self.tolerance) {
+                continue;
+            }
+            shown[index] = wanted[index];
+            changes[index] = wanted[index];
+            for (axis, place) in [index % width, index / width].into_iter().enumerate() {
+                lo[axis] = lo[axis].min(place);
+                hi[axis] = hi[axis].max(place + 1);
+            }
+        }
+        if lo[0] >= hi[0] {
+            // A frame has at least one pixel.
+            return ([0, 0, 1, 1], vec![TRANSPARENT]);
+        }
+        let rows = changes.chunks_exact(width).take(hi[1]).skip(lo[1]);
+        let pixels = rows.flat_map(|row| &row[lo[0]..hi[0]]).copied().collect();
+        ([lo[0], lo[1], hi[0] - lo[0], hi[1] - lo[1]], pixels)
+    }
+}
+
+/// The colours of an animation.
+struct Palette {
+    colors: Vec<[u8; 3]>,
+    /// What chooses among them, unless the frames have no others.
+    network: Option<NeuQuant>,
+}
+
+impl Palette {
+    fn of(frames: &[Vec<u8>]) -> Self {
+        let all = || frames.iter().flat_map(|frame| frame.chunks_exact(3));
+        let mut few = BTreeSet::new();
+        for color in all() {
+            few.insert([color[0], color[1], color[2]]);
+            if few.len() > COLORS {
+                return Self::learnt(all());
+            }
+        }
+        Self {
+            colors: few.into_iter().collect(),
+            network: None,
+        }
+    }
+
+    fn learnt<'a>(colors: impl Iterator<Item = &'a [u8]> + Clone) -> Self {
+        let pixels = colors.clone().count();
+        // A prime number, so that the samples are not all from a few columns.
+        let step = [
+            1, 2, 3, 5, 7, 11, 17, 29, 53, 101, 211, 401, 809, 1601, 3203, 6397,
+        ]
+        .into_iter()
+        .find(|step| pixels / step <= SAMPLES)
+        .unwrap_or(12799);
+        let samples: Vec<u8> = colors
+            .step_by(step)
+            .flat_map(|color| [color[0], color[1], color[2], 255])
+            .collect();
+        let network = NeuQuant::new(3, COLORS, &samples);
+        let colors = network.color_map_rgb();
+        let colors = colors.chunks_exact(3);
+        Self {
+            colors: colors.map(|color| [color[0], color[1], color[2]]).collect(),
+            network: Some(network),
+        }
+    }
+
+    /// Red, green and blue of each colour; black for the one that is not seen.
+    fn bytes(&self) -> Vec<u8> {
+        let mut bytes: Vec<u8> = self.colors.iter().flatten().copied().collect();
+        bytes.resize(3 * (COLORS + 1), 0);
+        bytes
+    }
+
+    /// The index of the colour next to that of each pixel.
+    fn indices(&self, frame: &[u8]) -> Vec<u8> {
+        let mut known = HashMap::new();
+        frame
+            .chunks_exact(3)
+            .map(|color| {
+                let color = [color[0], color[1], color[2]];
+                *known.entry(color).or_insert_with(|| self.index(color))
+            })
+            .collect()
+    }
+
+    fn index(&self, color: [u8; 3]) -> u8 {
+        let [red, green, blue] = color;
+        let index = match &self.network {
+            Some(network) => network.index_of(&[red, green, blue, 255]),
+            None => self.colors.binary_search(&color).unwrap_or(0),
+        };
+        // There are at most `COLORS` of them.
+        index as u8
+    }
+}

@@ -1,0 +1,65 @@
+//! Pictures of spheres, capsules and boxes, without a window: PNG frames and looping GIFs for documentation.
+//!
+//! A [`Drawing`] is told what there is, a [`Camera`] where it is seen from, and out comes a [`Picture`], which can be
+//! written on, saved, or added to an [`Animation`]. Everything is given as plain numbers: no engine is known here.
+//!
+//! ```
+//! use unisize_pictures::{Animation, Camera, Drawing, Legend, palette};
+//!
+//! let camera = Camera::orbit([0.0, 0.5, 0.0], 6.0).turned(0.7).raised(0.4);
+//! let mut animation = Animation::new(25);
+//! for step in 0..3 {
+//!     let height = 2.0 - 0.4 * step as f32;
+//!     let mut drawing = Drawing::new();
+//!     drawing.ground(0.0);
+//!     drawing.sphere([-1.0, height, 0.0], 0.5, palette::by_index(0));
+//!     drawing.capsule([[0.5, 0.3, 0.0], [1.5, 0.3, 0.0]], 0.3, palette::by_index(1));
+//!     drawing.cuboid([0.0, 0.4, 1.5], [0.4; 3], [0.0, 0.0, 0.0, 1.0], palette::by_index(2));
+//!
+//!     let mut picture = drawing.picture(&camera, [160, 90])?;
+//!     picture.legend(&Legend::new("unisize").fact("bodies", 3));
+//!     animation.push(picture)?;
+//! }
+//! let mut gif = Vec::new();
+//! animation.write_gif_to(&mut gif)?;
+//! assert!(gif.starts_with(b"GIF89a"));
+//! # Ok::<(), unisize_pictures::PictureError>(())
+//! ```
+//!
+//! # How it is drawn
+//!
+//! Each body is cut by the rays through the samples of the rectangle that it may cover, exactly and with a depth for
+//! each sample, so bodies may pierce each other in any way. The sun sees the same bodies first, which gives
+//! the shadows. A picture takes O(bodies + samples covered) time, and memory for one band of rows at a time.
+//!
+//! Nothing panics, whatever the numbers are: bodies that are not finite, or that are inside out, are skipped and
+//! [counted](Drawing::skipped).
+
+mod animation;
+mod band;
+mod camera;
+mod color;
+mod drawing;
+mod error;
+mod ground;
+mod legend;
+mod light;
+mod line;
+pub mod palette;
+mod picture;
+mod shape;
+mod text;
+
+pub use animation::Animation;
+pub use camera::Camera;
+pub use color::Color;
+pub use drawing::Drawing;
+pub use error::PictureError;
+pub use legend::{Legend, thousands};
+pub use picture::Picture;
+pub use text::Weight;
+
+/// The example of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
