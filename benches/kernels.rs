@@ -4,6 +4,8 @@
 //! cargo bench --bench kernels -- GridSweep
 //! ```
 //!
+//! With the feature `baselines` the paper's reference algorithms are measured as well.
+//!
 //! The boxes drift on between any two runs, outside of the timing, as they would between two frames.
 //! Throughput is in boxes a second.
 
@@ -16,6 +18,8 @@ use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder, RankSweep, Real};
+#[cfg(feature = "baselines")]
+use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 use unisize_scenes::DriftingBoxes;
 
 /// The numbers of boxes.
@@ -24,8 +28,8 @@ const COUNTS: [usize; 4] = [1 << 10, 1 << 14, 1 << 17, 1 << 20];
 /// The one number for `f64`.
 const F64_COUNT: usize = 1 << 17;
 
-/// In 3D, most candidates of the paper's kernel fail; beyond this, it takes seconds.
-const RANK_SWEEP_3D_MAX: usize = 1 << 17;
+/// In 3D, most candidates of the paper's kernel and of its reference algorithms fail; beyond this, they take seconds.
+const SWEEPS_3D_MAX: usize = 1 << 17;
 
 /// The largest number in a smoke test.
 const SMOKE_TEST_MAX: usize = 1 << 17;
@@ -36,21 +40,23 @@ fn main() {
         in_dimension::<2>(&mut criterion, density, usize::MAX);
     }
     for density in [0.1, 0.4] {
-        in_dimension::<3>(&mut criterion, density, RANK_SWEEP_3D_MAX);
+        in_dimension::<3>(&mut criterion, density, SWEEPS_3D_MAX);
     }
     criterion.final_summary();
 }
 
 /// Every kernel with every scalar and number of boxes.
-fn in_dimension<const D: usize>(criterion: &mut Criterion, density: f64, rank_sweep_max: usize) {
+fn in_dimension<const D: usize>(criterion: &mut Criterion, density: f64, sweeps_max: usize) {
     let mut group = criterion.benchmark_group(format!("kernels/{D}D/f32/density-{density}"));
     for count in COUNTS {
         if common::is_smoke_test() && count > SMOKE_TEST_MAX {
             continue;
         }
         kernel::<GridSweep<f32, D>, _, D>(&mut group, "GridSweep", count, density);
-        if count <= rank_sweep_max {
+        if count <= sweeps_max {
             kernel::<RankSweep<f32, D>, _, D>(&mut group, "RankSweep", count, density);
+            #[cfg(feature = "baselines")]
+            baselines::<f32, D>(&mut group, count, density);
         }
     }
     group.finish();
@@ -58,7 +64,21 @@ fn in_dimension<const D: usize>(criterion: &mut Criterion, density: f64, rank_sw
     let mut group = criterion.benchmark_group(format!("kernels/{D}D/f64/density-{density}"));
     kernel::<GridSweep<f64, D>, _, D>(&mut group, "GridSweep", F64_COUNT, density);
     kernel::<RankSweep<f64, D>, _, D>(&mut group, "RankSweep", F64_COUNT, density);
+    #[cfg(feature = "baselines")]
+    baselines::<f64, D>(&mut group, F64_COUNT, density);
     group.finish();
+}
+
+/// The paper's reference algorithms on one input.
+#[cfg(feature = "baselines")]
+fn baselines<R: Real, const D: usize>(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    count: usize,
+    density: f64,
+) {
+    kernel::<SweepAndPrune<R, D>, _, D>(group, "SweepAndPrune", count, density);
+    kernel::<CoherentSweepAndPrune<R, D>, _, D>(group, "CoherentSweepAndPrune", count, density);
+    kernel::<DualAxisSweep<R, D>, _, D>(group, "DualAxisSweep", count, density);
 }
 
 /// One kernel on one input.

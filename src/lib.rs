@@ -52,7 +52,9 @@
 mod aabb;
 #[cfg(feature = "baselines")]
 mod baselines;
+mod bit_tree;
 mod brute_force;
+mod endpoints;
 mod grid_sweep;
 mod invalid_box;
 mod lanes;
@@ -74,6 +76,8 @@ pub mod rapier3d;
 pub mod rapier3d_f64;
 
 pub use aabb::Aabb;
+#[cfg(feature = "baselines")]
+pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
 pub use invalid_box::{InvalidBox, InvalidBoxReason};

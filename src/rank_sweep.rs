@@ -1,12 +1,9 @@
 //! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! An axis has `2n` endpoints, the low one of object `i` at `i`, the high one at `i + n`; sorting them is one stable radix
-//! sort of integers (`radix_sort`), which lets low endpoints come before equal high ones, as closed boxes want it, and both
-//! kinds in the order of object ids. The first axis is used for the places that its endpoints get (`ranks`). The second is
-//! swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank that lies between them
-//! there belongs to an object that overlaps on both axes; at a high endpoint they leave.
+//! The endpoints of both axes are sorted (`crate::endpoints`). The first axis is used for the places that its endpoints get
+//! (`ranks`). The second is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every
+//! rank that lies between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
 
-mod radix_sort;
 mod ranks;
 mod succ_tree;
 #[cfg(test)]
@@ -14,15 +11,12 @@ mod tests;
 
 use core::marker::PhantomData;
 
+use crate::endpoints::{Endpoints, SortKey, check_count};
 use crate::pair_finder::{check_boxes, ordered};
 use crate::parallel;
 use crate::stopwatch::Stopwatch;
-use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, PhaseTimes, Real};
-use radix_sort::{RadixSort, SortKey};
+use crate::{Aabb, InvalidBox, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
-
-/// Two endpoints a box, numbered by `u32`, with one number to spare.
-const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
 /// With fewer boxes, a second thread for the second axis is not worth it.
 const WORTH_A_THREAD: usize = 1 << 14;
@@ -52,7 +46,7 @@ const BATCH: usize = 32;
 /// `D` must not be 0.
 ///
 /// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
-/// [`InvalidBoxReason::TooMany`].
+/// [`TooMany`](crate::InvalidBoxReason::TooMany).
 ///
 /// With the feature `parallel`, the endpoints of the two axes are sorted at once, as section 7 of the paper has it; the
 /// sweep goes on alone. The pairs are the same, in the same order.
@@ -67,19 +61,11 @@ pub struct RankSweep<R, const D: usize> {
     real: PhantomData<R>,
 }
 
-/// The endpoints of one axis, or of one axis after the other. All of it scratch memory.
-#[derive(Clone, Debug, Default)]
-struct Endpoints<K> {
-    /// Integers that are ordered as the endpoints are: lows at `i`, highs at `i + n`.
-    keys: Vec<K>,
-    sorter: RadixSort<K>,
-    /// The endpoints in order.
-    order: Vec<u32>,
-}
-
 /// What the sweep works on. All of it scratch memory.
 #[derive(Clone, Debug, Default)]
 struct Sweep {
+    /// The endpoints of each axis in order; or of both, one after the other, in the first.
+    orders: [Vec<u32>; 2],
     /// The objects in the order of their low endpoints on the first axis.
     lows: Vec<u32>,
     /// By object, the ranks of its low and of its high endpoint on the first axis.
@@ -133,27 +119,6 @@ impl<R: Real, const D: usize> RankSweep<R, D> {
     }
 }
 
-fn check_count(count: usize) -> Result<(), InvalidBox> {
-    if count > MAX_BOXES {
-        return Err(InvalidBox {
-            index: MAX_BOXES,
-            reason: InvalidBoxReason::TooMany,
-        });
-    }
-    Ok(())
-}
-
-impl<K: SortKey> Endpoints<K> {
-    /// Sorts the endpoints of an axis.
-    fn sort<R: Real, const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
-        let key = |x: R| K::from_order_key(x.order_key());
-        self.keys.clear();
-        self.keys.extend(boxes.iter().map(|b| key(b.mins[axis])));
-        self.keys.extend(boxes.iter().map(|b| key(b.maxs[axis])));
-        self.sorter.sort(&self.keys, &mut self.order);
-    }
-}
-
 impl Sweep {
     fn find_pairs<R: Real, K: SortKey, const D: usize>(
         &mut self,
@@ -163,47 +128,59 @@ impl Sweep {
         stopwatch: &mut Stopwatch,
     ) {
         let lap = stopwatch.start();
-        let Self { lows, ranks, .. } = self;
-        let mut rank = |endpoints: &mut Endpoints<K>| {
-            endpoints.sort(boxes, 0);
-            ranks::rank_endpoints(&endpoints.keys, &endpoints.order, lows, ranks)
+        let Self {
+            orders: [order, second_order],
+            lows,
+            ranks,
+            ..
+        } = self;
+        let sort_both = D > 1 && boxes.len() >= WORTH_A_THREAD && parallel::threads() > 1;
+        let mut rank_first = || {
+            first.sort(boxes, 0, order);
+            ranks::rank_endpoints(&first.keys, order, lows, ranks)
         };
-        let (exact, order) = if D > 1 && boxes.len() >= WORTH_A_THREAD && parallel::threads() > 1 {
-            let (exact, ()) = parallel::join(|| rank(first), || second.sort(boxes, 1));
-            (exact, &second.order)
+        let exact = if sort_both {
+            let (exact, ()) = parallel::join(rank_first, || second.sort(boxes, 1, second_order));
+            exact
         } else {
-            let exact = rank(first);
+            let exact = rank_first();
             // In the memory of the first axis. With one axis only, that is swept as well.
             if D > 1 {
-                first.sort(boxes, 1);
+                first.sort(boxes, 1, order);
             }
-            (exact, &first.order)
+            exact
         };
+        let swept = usize::from(sort_both);
         let lap = stopwatch.lap(lap, |times| &mut times.sort);
         if exact && D <= 2 {
-            self.sweep(order, pairs, |_, _| true);
+            self.sweep(swept, pairs, |_, _| true);
         } else {
             let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
-            self.sweep(order, pairs, overlap);
+            self.sweep(swept, pairs, overlap);
         }
         stopwatch.lap(lap, |times| &mut times.sweep);
     }
 
-    /// Sweeps the endpoints of the second axis, in order, and appends the pairs of objects that overlap on both axes and
-    /// pass the test.
+    /// Sweeps the endpoints of the second axis, whose order is the first or the second one, and appends the pairs of objects
+    /// that overlap on both axes and pass the test.
     // Not inlined, so that a profiler can tell it from the sorting.
     #[inline(never)]
     fn sweep(
         &mut self,
-        order: &[u32],
+        swept: usize,
         pairs: &mut Vec<[u32; 2]>,
         overlap: impl Fn(u32, u32) -> bool,
     ) {
-        let Self { ranks, active, .. } = self;
+        let Self {
+            orders,
+            ranks,
+            active,
+            ..
+        } = self;
         let n = ranks.len() as u32;
         active.reset(2 * n);
         let mut batch = [[0; 2]; BATCH];
-        for endpoints in order.chunks(BATCH) {
+        for endpoints in orders[swept].chunks(BATCH) {
             for (ranks_of, &endpoint) in batch.iter_mut().zip(endpoints) {
                 let p = if endpoint < n { endpoint } else { endpoint - n };
                 *ranks_of = ranks[p as usize];

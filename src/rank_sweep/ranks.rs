@@ -11,7 +11,7 @@
 //!   is the least widening that will do. It never exceeds that to a common length `s`, since no interval that begins at or
 //!   before `x` reaches beyond `x + s`; and having no arithmetic it cannot round, overflow or meet `∞ - ∞`.
 
-use super::radix_sort::SortKey;
+use crate::endpoints::SortKey;
 
 /// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether that took no widening.
 ///
@@ -78,7 +78,7 @@ fn rank_widened<K: SortKey>(keys: &[K], lows: &[u32], ranks: &mut [[u32; 2]]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rank_sweep::radix_sort::RadixSort;
+    use crate::endpoints::RadixSort;
 
     /// Ranks intervals and checks what is promised of the ranks.
     fn check(intervals: &[[u32; 2]]) -> bool {

@@ -1,15 +1,9 @@
 //! The active set: a set of small integers that knows its order.
 //!
-//! A perfect 64-ary tree of one bit per node (the paper's SuccTree): a bit of the lowest level says that a
-//! value is stored, a bit of a higher one that any is stored among the 64 nodes below it. The 64 are one machine word,
-//! so the neighbour of a value is found with a few shifts and bit scans per level, and levels are few: four for two
-//! million values. The stored values are linked in order as well (section 4 of the paper), so that walking from one to the
-//! next costs one step whatever lies between.
+//! The paper's SuccTree: a tree of bits, which finds the neighbour of a value, and the stored values linked in order as well
+//! (section 4 of the paper), so that walking from one to the next costs one step whatever lies between.
 
-/// Bits of a value that one level decides.
-const LEVEL_BITS: u32 = 6;
-/// Enough for every `u32`.
-const MAX_LEVELS: usize = 6;
+use crate::bit_tree::BitTree;
 
 /// What is known of a stored value.
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,16 +19,10 @@ struct Node {
 /// An ordered set of values below a bound, its *universe*, each with a label.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SuccTree {
-    /// The bits of all levels, the lowest first.
-    words: Vec<u64>,
-    /// Where in `words` each level starts.
-    starts: [usize; MAX_LEVELS],
-    /// How many levels there are; the highest is one word.
-    levels: usize,
+    /// Which values are stored.
+    bits: BitTree,
     /// By value. The last is no value but closes the list to a ring: its `next` is the least value stored.
     nodes: Vec<Node>,
-    /// Values are below this, which also stands for "none".
-    universe: u32,
 }
 
 impl SuccTree {
@@ -42,19 +30,8 @@ impl SuccTree {
     ///
     /// Computes in **O(universe)** time.
     pub(super) fn reset(&mut self, universe: u32) {
-        let mut total = 0;
-        let mut width = universe as usize;
-        self.levels = 0;
-        while self.levels == 0 || width > 1 {
-            width = width.div_ceil(1 << LEVEL_BITS).max(1);
-            self.starts[self.levels] = total;
-            self.levels += 1;
-            total += width;
-        }
-        self.words.clear();
-        self.words.resize(total, 0);
+        self.bits.reset(universe);
         self.nodes.resize(universe as usize + 1, Node::default());
-        self.universe = universe;
         let end = &mut self.nodes[universe as usize];
         (end.next, end.prev) = (universe, universe);
     }
@@ -76,7 +53,7 @@ impl SuccTree {
     /// Computes in **O(log₆₄ universe)** time.
     #[inline]
     pub(super) fn insert(&mut self, value: u32, label: u32) -> u32 {
-        let next = self.successor(value);
+        let next = self.bits.successor(value);
         self.insert_before(next, value, label);
         next
     }
@@ -87,18 +64,10 @@ impl SuccTree {
     #[inline]
     pub(super) fn insert_before(&mut self, next: u32, value: u32, label: u32) {
         let prev = core::mem::replace(&mut self.nodes[next as usize].prev, value);
-        debug_assert!(prev == self.universe || prev < value);
+        debug_assert!(prev == self.bits.universe() || prev < value);
         self.nodes[prev as usize].next = value;
         self.nodes[value as usize] = Node { next, prev, label };
-        let mut at = value as usize;
-        for level in 0..self.levels {
-            let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
-            let others = core::mem::replace(word, *word | 1 << (at & 63));
-            if others != 0 {
-                break;
-            }
-            at >>= LEVEL_BITS;
-        }
+        self.bits.insert(value);
     }
 
     /// Takes out a stored value.
@@ -109,38 +78,7 @@ impl SuccTree {
         let Node { next, prev, .. } = self.nodes[value as usize];
         self.nodes[next as usize].prev = prev;
         self.nodes[prev as usize].next = next;
-        let mut at = value as usize;
-        for level in 0..self.levels {
-            let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
-            *word &= !(1 << (at & 63));
-            if *word != 0 {
-                break;
-            }
-            at >>= LEVEL_BITS;
-        }
-    }
-
-    /// The least stored value greater than `value`, which need not be stored; or the universe's size.
-    ///
-    /// Computes in **O(log₆₄ universe)** time.
-    #[inline]
-    pub(super) fn successor(&self, value: u32) -> u32 {
-        let mut at = value as usize;
-        for level in 0..self.levels {
-            let word = self.words[self.starts[level] + (at >> LEVEL_BITS)];
-            // Shifted in two steps: shifting by 64 is not defined.
-            let above = word & (!0 << (at & 63) << 1);
-            if above != 0 {
-                at = at & !63 | above.trailing_zeros() as usize;
-                for below in (0..level).rev() {
-                    let word = self.words[self.starts[below] + at];
-                    at = at << LEVEL_BITS | word.trailing_zeros() as usize;
-                }
-                return at as u32;
-            }
-            at >>= LEVEL_BITS;
-        }
-        self.universe
+        self.bits.remove(value);
     }
 }
 
@@ -150,56 +88,40 @@ mod tests {
     use std::collections::BTreeSet;
 
     impl SuccTree {
-        fn contains(&self, value: u32) -> bool {
-            self.words[(value >> LEVEL_BITS) as usize] >> (value & 63) & 1 != 0
-        }
-
         /// The greatest stored value less than `value`, or the universe's size: the links spare a search downward.
         fn predecessor(&self, value: u32) -> u32 {
-            if self.contains(value) {
+            if self.bits.contains(value) {
                 self.nodes[value as usize].prev
             } else {
-                self.nodes[self.successor(value) as usize].prev
+                self.nodes[self.bits.successor(value) as usize].prev
             }
         }
 
         /// Compares everything with a set of the standard library.
         fn check(&self, expected: &BTreeSet<u32>) {
             let mut walked = Vec::new();
-            let mut at = self.next(self.universe);
-            while at != self.universe {
+            let universe = self.bits.universe();
+            let mut at = self.next(universe);
+            while at != universe {
                 assert_eq!(self.label(at), !at);
                 walked.push(at);
                 at = self.next(at);
             }
             assert!(walked.iter().eq(expected));
-            let mut at = self.nodes[self.universe as usize].prev;
+            let mut at = self.nodes[universe as usize].prev;
             for &value in walked.iter().rev() {
                 assert_eq!(at, value);
                 at = self.nodes[at as usize].prev;
             }
-            assert_eq!(at, self.universe);
-            let mut present: BTreeSet<usize> = expected.iter().map(|&v| v as usize).collect();
-            for level in 0..self.levels {
-                let end = self.starts[..self.levels].get(level + 1);
-                let words = &self.words[self.starts[level]..*end.unwrap_or(&self.words.len())];
-                let bits =
-                    (0..64 * words.len()).filter(|bit| words[bit / 64] >> (bit % 64) & 1 != 0);
-                assert!(bits.eq(present.iter().copied()), "level {level}");
-                present = present.iter().map(|bit| bit / 64).collect();
-            }
-            assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
+            assert_eq!(at, universe);
+            self.bits.check(expected);
         }
 
         fn check_neighbours(&self, expected: &BTreeSet<u32>, value: u32) {
-            let successor = expected.range(value + 1..).next();
             let predecessor = expected.range(..value).next_back();
-            assert_eq!(self.contains(value), expected.contains(&value));
-            assert_eq!(self.successor(value), *successor.unwrap_or(&self.universe));
-            assert_eq!(
-                self.predecessor(value),
-                *predecessor.unwrap_or(&self.universe)
-            );
+            let universe = self.bits.universe();
+            self.bits.check_neighbour(expected, value);
+            assert_eq!(self.predecessor(value), *predecessor.unwrap_or(&universe));
         }
     }
 

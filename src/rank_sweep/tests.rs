@@ -1,7 +1,8 @@
 //! Every kind of input against the oracle.
 
 use super::*;
-use crate::BruteForce;
+use crate::endpoints::MAX_BOXES;
+use crate::{BruteForce, InvalidBoxReason};
 
 /// Finds the pairs of `boxes` with a kernel that has scratch memory from before, and compares.
 fn check<R: Real, const D: usize>(kernel: &mut RankSweep<R, D>, boxes: &[Aabb<R, D>], what: &str) {
@@ -201,15 +202,15 @@ fn boxes_of_one_size_are_not_tested() {
     }
     let mut kernel = RankSweep::default();
     check(&mut kernel, &boxes, "one size");
-    let Sweep { ranks, lows, .. } = &mut kernel.sweep;
-    let [first, _] = &mut kernel.narrow;
-    first.sort(&boxes, 0);
-    assert!(ranks::rank_endpoints(
-        &first.keys,
-        &first.order,
+    let Sweep {
+        orders: [order, _],
+        ranks,
         lows,
-        ranks
-    ));
+        ..
+    } = &mut kernel.sweep;
+    let [first, _] = &mut kernel.narrow;
+    first.sort(&boxes, 0, order);
+    assert!(ranks::rank_endpoints(&first.keys, order, lows, ranks));
 }
 
 #[cfg(feature = "parallel")]
@@ -233,8 +234,8 @@ fn both_axes_at_once_are_as_one_after_the_other() {
     });
     assert!(few.len() > 1000);
     assert!(few == many, "another answer, or another order");
-    assert!(one.narrow[1].order.is_empty());
-    assert!(!two.narrow[1].order.is_empty());
+    assert!(one.sweep.orders[1].is_empty());
+    assert!(!two.sweep.orders[1].is_empty());
     check(&mut RankSweep::default(), &boxes[..3000], "some of them");
 }
 

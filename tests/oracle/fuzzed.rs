@@ -9,6 +9,8 @@ use std::num::NonZero;
 
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
+#[cfg(feature = "baselines")]
+use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 
 use crate::numbers::{alphabet, stepped};
 
@@ -45,20 +47,42 @@ fn check_in<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
     let lists = [read_list::<R, D>(bytes)?, read_list(bytes)?];
     let mut grid_sweep = GridSweep::<R, D>::default();
     let mut in_slabs = GridSweep::<R, D>::with_slabs(slabs);
-    let mut rank_sweep = RankSweep::<R, D>::default();
+    let mut others = others::<R, D>();
     let mut pairs = [const { Vec::new() }; 4];
     for boxes in [&lists[0], &lists[1], &lists[0]] {
-        let [expected, swept, in_order, ranked] = &mut pairs;
+        let [expected, swept, in_order, found] = &mut pairs;
         let outcome = BruteForce.find_pairs(boxes, expected);
         assert_eq!(grid_sweep.find_pairs(boxes, swept), outcome, "{boxes:?}");
         assert_eq!(in_slabs.find_pairs(boxes, in_order), outcome, "{boxes:?}");
-        assert_eq!(rank_sweep.find_pairs(boxes, ranked), outcome, "{boxes:?}");
         assert!(in_order == swept, "the order in {slabs} slabs: {boxes:?}");
         let mut expected = Expected::new(boxes.len(), expected);
         expected.compare("GridSweep", boxes, swept);
-        expected.compare("RankSweep", boxes, ranked);
+        for (name, kernel) in &mut others {
+            let answer = kernel.find_pairs(boxes, found);
+            assert_eq!(answer, outcome, "{name}: {boxes:?}");
+            expected.compare(name, boxes, found);
+        }
     }
     Ok(())
+}
+
+/// Kernels and what to call them.
+type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>;
+
+/// The kernels of which only the pairs are compared.
+fn others<R: Real, const D: usize>() -> Kernels<R, D> {
+    vec![
+        ("RankSweep", Box::new(RankSweep::default())),
+        #[cfg(feature = "baselines")]
+        ("SweepAndPrune", Box::new(SweepAndPrune::default())),
+        #[cfg(feature = "baselines")]
+        (
+            "CoherentSweepAndPrune",
+            Box::new(CoherentSweepAndPrune::default()),
+        ),
+        #[cfg(feature = "baselines")]
+        ("DualAxisSweep", Box::new(DualAxisSweep::default())),
+    ]
 }
 
 /// The pairs of the oracle, to compare others with, in whatever order, without sorting.

@@ -17,7 +17,7 @@ const SMALL_DIGIT: u32 = 8;
 const FEW: usize = 1 << 10;
 
 /// An unsigned integer that is sorted by.
-pub(super) trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
+pub(crate) trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
     /// How many bits it has.
     const BITS: u32;
     /// The low bits of an [`order_key`](crate::Real::order_key).
@@ -48,7 +48,7 @@ impl_sort_key!(u64);
 
 /// The scratch memory of the sort.
 #[derive(Clone, Debug, Default)]
-pub(super) struct RadixSort<K> {
+pub(crate) struct RadixSort<K> {
     /// What the next pass reads: keys and their indexes.
     from: Vec<(K, u32)>,
     /// What the next pass writes.
@@ -62,7 +62,7 @@ impl<K: SortKey> RadixSort<K> {
     /// equal keys in the order of the indexes.
     ///
     /// Computes in **O(n)** time.
-    pub(super) fn sort(&mut self, keys: &[K], order: &mut Vec<u32>) {
+    pub(crate) fn sort(&mut self, keys: &[K], order: &mut Vec<u32>) {
         if keys.len() < FEW {
             self.sort_by_digits::<SMALL_DIGIT>(keys, order);
         } else {

@@ -1,0 +1,137 @@
+//! The active list: the boxes that the sweep is in the midst of.
+//!
+//! A box enters at its low endpoint and leaves at its high one, and then is tested against all that remain. The list is
+//! dense, in blocks of eight boxes with the eight numbers of each side next to each other, so that a test is of eight boxes
+//! at once; and it knows where each box stands, so that one leaves by the last being moved to its place.
+
+use crate::lanes::{LANES, Lanes};
+use crate::pair_finder::ordered;
+use crate::{Aabb, Real};
+
+/// The boxes that the sweep is in the midst of. All of it scratch memory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ActiveList<R, const D: usize> {
+    /// As many as there were ever needed. Lanes behind the last box hold NaN, which overlaps nothing.
+    blocks: Vec<Block<R, D>>,
+    /// How many boxes are in the list.
+    len: usize,
+    /// By object, where in the list it is, if it is.
+    places: Vec<u32>,
+}
+
+/// Eight boxes.
+#[derive(Clone, Debug)]
+struct Block<R, const D: usize> {
+    mins: [[R; LANES]; D],
+    maxs: [[R; LANES]; D],
+    owners: [u32; LANES],
+}
+
+impl<R: Real, const D: usize> Block<R, D> {
+    const EMPTY: Self = Self {
+        mins: [[R::NAN; LANES]; D],
+        maxs: [[R::NAN; LANES]; D],
+        owners: [0; LANES],
+    };
+
+    #[inline]
+    fn get(&self, lane: usize) -> Aabb<R, D> {
+        Aabb {
+            mins: core::array::from_fn(|k| self.mins[k][lane]),
+            maxs: core::array::from_fn(|k| self.maxs[k][lane]),
+        }
+    }
+
+    #[inline]
+    fn set(&mut self, lane: usize, aabb: &Aabb<R, D>) {
+        for k in 0..D {
+            self.mins[k][lane] = aabb.mins[k];
+            self.maxs[k][lane] = aabb.maxs[k];
+        }
+    }
+}
+
+impl<R: Real, const D: usize> ActiveList<R, D> {
+    /// The axes that are tested begin here: all but the first, which is swept, unless there is no other.
+    const FIRST_TESTED: usize = if D > 1 { 1 } else { 0 };
+
+    /// Sweeps the endpoints of the first axis, lows called `i` and highs `i + n`, and appends every overlapping pair.
+    ///
+    /// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis.
+    pub(super) fn sweep(
+        &mut self,
+        endpoints: impl Iterator<Item = u32>,
+        boxes: &[Aabb<R, D>],
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let n = boxes.len();
+        self.places.resize(n, 0);
+        for endpoint in endpoints {
+            let endpoint = endpoint as usize;
+            if endpoint < n {
+                self.enter(endpoint as u32, &boxes[endpoint]);
+            } else {
+                let owner = (endpoint - n) as u32;
+                let aabb = self.leave(owner);
+                self.test(owner, &aabb, pairs);
+            }
+        }
+    }
+
+    #[inline]
+    fn enter(&mut self, owner: u32, aabb: &Aabb<R, D>) {
+        let (block, lane) = (self.len / LANES, self.len % LANES);
+        if block == self.blocks.len() {
+            self.blocks.push(Block::EMPTY);
+        }
+        let block = &mut self.blocks[block];
+        block.set(lane, aabb);
+        block.owners[lane] = owner;
+        self.places[owner as usize] = self.len as u32;
+        self.len += 1;
+    }
+
+    /// Takes a box out of the list and returns it.
+    #[inline]
+    fn leave(&mut self, owner: u32) -> Aabb<R, D> {
+        self.len -= 1;
+        let last = &mut self.blocks[self.len / LANES];
+        let lane = self.len % LANES;
+        let (moved_owner, moved) = (last.owners[lane], last.get(lane));
+        last.set(lane, &Aabb::new([R::NAN; D], [R::NAN; D]));
+        if moved_owner == owner {
+            return moved;
+        }
+        let place = self.places[owner as usize];
+        self.places[moved_owner as usize] = place;
+        let (block, lane) = (place as usize / LANES, place as usize % LANES);
+        let block = &mut self.blocks[block];
+        let left = block.get(lane);
+        block.set(lane, &moved);
+        block.owners[lane] = moved_owner;
+        left
+    }
+
+    /// Appends the pairs of a box with those in the list that overlap it.
+    #[inline]
+    fn test(&self, owner: u32, aabb: &Aabb<R, D>, pairs: &mut Vec<[u32; 2]>) {
+        let mins = aabb.mins.map(R::Lanes::splat);
+        let maxs = aabb.maxs.map(R::Lanes::splat);
+        for block in &self.blocks[..self.len.div_ceil(LANES)] {
+            let overlap_on = |k: usize| {
+                R::Lanes::load(&block.mins[k]).le(maxs[k])
+                    & R::Lanes::load(&block.maxs[k]).ge(mins[k])
+            };
+            let mut overlap = overlap_on(Self::FIRST_TESTED);
+            for k in Self::FIRST_TESTED + 1..D {
+                overlap = overlap & overlap_on(k);
+            }
+            let mut hits = overlap.bits();
+            while hits != 0 {
+                let other = block.owners[hits.trailing_zeros() as usize];
+                pairs.push(ordered(owner, other));
+                hits &= hits - 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The order of the endpoints of one axis, for boxes of either scalar.
+
+use crate::endpoints::Endpoints;
+use crate::{Aabb, Real};
+
+/// Sorts endpoints. All of it scratch memory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct AxisSort {
+    /// For keys of 32 bits, empty unless boxes are of `f32`.
+    narrow: Endpoints<u32>,
+    /// For keys of 64 bits, empty unless boxes are of `f64`.
+    wide: Endpoints<u64>,
+}
+
+impl AxisSort {
+    /// Replaces `order` by the endpoints of an axis, lows called `i` and highs `i + n`: in the order of their coordinates,
+    /// lows before equal highs, and equal ones of a kind in the order of object ids.
+    ///
+    /// Computes in **O(n)** time.
+    pub(super) fn sort<R: Real, const D: usize>(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        axis: usize,
+        order: &mut Vec<u32>,
+    ) {
+        if size_of::<R>() == size_of::<u32>() {
+            self.narrow.sort(boxes, axis, order);
+        } else {
+            self.wide.sort(boxes, axis, order);
+        }
+    }
+}

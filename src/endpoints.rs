@@ -1,0 +1,60 @@
+//! The endpoints of boxes on one axis, in order.
+//!
+//! An axis has `2n` endpoints, the low one of object `i` at `i`, the high one at `i + n`; sorting them is one stable radix
+//! sort of integers (`radix_sort`), which lets low endpoints come before equal high ones, as closed boxes want it, and both
+//! kinds in the order of object ids.
+
+mod radix_sort;
+
+use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
+pub(crate) use radix_sort::{RadixSort, SortKey};
+
+/// Two endpoints a box, numbered by `u32`, with one number to spare.
+pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
+
+/// Refuses more boxes than have numbers for their endpoints.
+pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
+    if count > MAX_BOXES {
+        return Err(InvalidBox {
+            index: MAX_BOXES,
+            reason: InvalidBoxReason::TooMany,
+        });
+    }
+    Ok(())
+}
+
+/// The endpoints of one axis. All of it scratch memory.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Endpoints<K> {
+    /// Integers that are ordered as the endpoints are: lows at `i`, highs at `i + n`.
+    pub(crate) keys: Vec<K>,
+    sorter: RadixSort<K>,
+}
+
+impl<K: SortKey> Endpoints<K> {
+    /// Sorts the endpoints of an axis.
+    ///
+    /// Computes in **O(n)** time.
+    pub(crate) fn sort<R: Real, const D: usize>(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        axis: usize,
+        order: &mut Vec<u32>,
+    ) {
+        self.read(boxes, axis);
+        self.sort_keys(order);
+    }
+
+    /// Makes the keys of the endpoints of an axis.
+    pub(crate) fn read<R: Real, const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
+        let key = |x: R| K::from_order_key(x.order_key());
+        self.keys.clear();
+        self.keys.extend(boxes.iter().map(|b| key(b.mins[axis])));
+        self.keys.extend(boxes.iter().map(|b| key(b.maxs[axis])));
+    }
+
+    /// Sorts the endpoints that were read.
+    pub(crate) fn sort_keys(&mut self, order: &mut Vec<u32>) {
+        self.sorter.sort(&self.keys, order);
+    }
+}
