@@ -7,8 +7,10 @@ mod axis_sort;
 mod coherent_order;
 mod coherent_sweep_and_prune;
 mod dual_axis_sweep;
+mod streamed_segment_tree;
 mod sweep_and_prune;
 
 pub use coherent_sweep_and_prune::CoherentSweepAndPrune;
 pub use dual_axis_sweep::DualAxisSweep;
+pub use streamed_segment_tree::StreamedSegmentTree;
 pub use sweep_and_prune::SweepAndPrune;

@@ -44,6 +44,7 @@
 //! | [`GridSweep`] | O(n + pairs) for boxes of about one size | always |
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
+//! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare with CGAL's algorithm; feature `baselines` |
 //!
 //! All of them return the same set of pairs, on every input, bit for bit: closed boxes, compared as the
 //! numbers stand ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three
@@ -77,7 +78,7 @@ pub mod rapier3d_f64;
 
 pub use aabb::Aabb;
 #[cfg(feature = "baselines")]
-pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
+pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
 pub use invalid_box::{InvalidBox, InvalidBoxReason};

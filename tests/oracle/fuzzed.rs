@@ -10,7 +10,7 @@ use std::num::NonZero;
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
 #[cfg(feature = "baselines")]
-use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
+use unisize::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 
 use crate::numbers::{alphabet, stepped};
 
@@ -82,6 +82,16 @@ fn others<R: Real, const D: usize>() -> Kernels<R, D> {
         ),
         #[cfg(feature = "baselines")]
         ("DualAxisSweep", Box::new(DualAxisSweep::default())),
+        #[cfg(feature = "baselines")]
+        (
+            "StreamedSegmentTree",
+            Box::new(StreamedSegmentTree::default()),
+        ),
+        #[cfg(feature = "baselines")]
+        (
+            "StreamedSegmentTree that splits as far as it goes",
+            Box::new(StreamedSegmentTree::with_cutoff(0)),
+        ),
     ]
 }
 

@@ -2,8 +2,8 @@
 //!
 //! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of
 //! scene went wrong, and shows the fewest boxes found that still go wrong. `check` lists what must hold for
-//! every input; `coherence` does so for inputs that hardly change from one to the next; `errors` does so for inputs that must be refused; `arbitrary` looks for inputs that nobody
-//! thought of. Raise `PROPTEST_CASES` to let it look for longer. `fuzzed` is what the fuzzer runs, and `replay`
+//! every input; `coherence` does so for inputs that hardly change from one to the next, and `errors` for inputs that must
+//! be refused; `arbitrary` looks for inputs that nobody thought of. Raise `PROPTEST_CASES` to let it look for longer. `fuzzed` is what the fuzzer runs, and `replay`
 //! runs it on the inputs that the fuzzer has kept.
 
 mod arbitrary;
@@ -11,6 +11,8 @@ mod census;
 mod check;
 #[cfg(feature = "baselines")]
 mod coherence;
+#[cfg(feature = "baselines")]
+mod cutoffs;
 mod errors;
 mod fuzzed;
 mod guard;
@@ -27,8 +29,6 @@ mod slabs;
 
 use slabs::InSlabs;
 use unisize::{BruteForce, GridSweep, RankSweep};
-#[cfg(feature = "baselines")]
-use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 
 /// Instantiates the suite for one kernel: the module's name, the kernel, its scalar and its dimension.
 macro_rules! oracle_suite {
@@ -93,42 +93,48 @@ oracle_suite!(rank_sweep_f64_2, RankSweep<f64, 2>, f64, 2);
 oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);
 
 #[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);
-#[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f64_2, SweepAndPrune<f64, 2>, f64, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f64_3, SweepAndPrune<f64, 3>, f64, 3);
+mod baselines {
+    use super::*;
+    use cutoffs::WithCutoff;
+    use unisize::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f32_2, CoherentSweepAndPrune<f32, 2>, f32, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f32_3, CoherentSweepAndPrune<f32, 3>, f32, 3);
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f64_2, CoherentSweepAndPrune<f64, 2>, f64, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f64_3, CoherentSweepAndPrune<f64, 3>, f64, 3);
+    oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
+    oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);
+    oracle_suite!(sweep_and_prune_f64_2, SweepAndPrune<f64, 2>, f64, 2);
+    oracle_suite!(sweep_and_prune_f64_3, SweepAndPrune<f64, 3>, f64, 3);
 
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f32_2, DualAxisSweep<f32, 2>, f32, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f32_3, DualAxisSweep<f32, 3>, f32, 3);
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f64_2, DualAxisSweep<f64, 2>, f64, 2);
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f64_3, DualAxisSweep<f64, 3>, f64, 3);
+    oracle_suite!(coherent_sweep_and_prune_f32_2, CoherentSweepAndPrune<f32, 2>, f32, 2);
+    oracle_suite!(coherent_sweep_and_prune_f32_3, CoherentSweepAndPrune<f32, 3>, f32, 3);
+    oracle_suite!(coherent_sweep_and_prune_f64_2, CoherentSweepAndPrune<f64, 2>, f64, 2);
+    oracle_suite!(coherent_sweep_and_prune_f64_3, CoherentSweepAndPrune<f64, 3>, f64, 3);
 
-// Nor are these made for it.
-#[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f64_1, CoherentSweepAndPrune<f64, 1>, f64, 1);
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f32_1, DualAxisSweep<f32, 1>, f32, 1);
-#[cfg(feature = "baselines")]
-oracle_suite!(sweep_and_prune_f64_4, SweepAndPrune<f64, 4>, f64, 4);
-#[cfg(feature = "baselines")]
-oracle_suite!(coherent_sweep_and_prune_f32_4, CoherentSweepAndPrune<f32, 4>, f32, 4);
-#[cfg(feature = "baselines")]
-oracle_suite!(dual_axis_sweep_f64_4, DualAxisSweep<f64, 4>, f64, 4);
+    oracle_suite!(dual_axis_sweep_f32_2, DualAxisSweep<f32, 2>, f32, 2);
+    oracle_suite!(dual_axis_sweep_f32_3, DualAxisSweep<f32, 3>, f32, 3);
+    oracle_suite!(dual_axis_sweep_f64_2, DualAxisSweep<f64, 2>, f64, 2);
+    oracle_suite!(dual_axis_sweep_f64_3, DualAxisSweep<f64, 3>, f64, 3);
+
+    // Nor are these made for it.
+    oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
+    oracle_suite!(coherent_sweep_and_prune_f64_1, CoherentSweepAndPrune<f64, 1>, f64, 1);
+    oracle_suite!(dual_axis_sweep_f32_1, DualAxisSweep<f32, 1>, f32, 1);
+    oracle_suite!(sweep_and_prune_f64_4, SweepAndPrune<f64, 4>, f64, 4);
+    oracle_suite!(coherent_sweep_and_prune_f32_4, CoherentSweepAndPrune<f32, 4>, f32, 4);
+    oracle_suite!(dual_axis_sweep_f64_4, DualAxisSweep<f64, 4>, f64, 4);
+
+    oracle_suite!(streamed_segment_tree_f32_1, StreamedSegmentTree<f32, 1>, f32, 1);
+    oracle_suite!(streamed_segment_tree_f32_2, StreamedSegmentTree<f32, 2>, f32, 2);
+    oracle_suite!(streamed_segment_tree_f32_3, StreamedSegmentTree<f32, 3>, f32, 3);
+    oracle_suite!(streamed_segment_tree_f64_2, StreamedSegmentTree<f64, 2>, f64, 2);
+    oracle_suite!(streamed_segment_tree_f64_3, StreamedSegmentTree<f64, 3>, f64, 3);
+    oracle_suite!(streamed_segment_tree_f64_4, StreamedSegmentTree<f64, 4>, f64, 4);
+
+    // Split as far as it goes, and hardly ever.
+    oracle_suite!(streamed_segment_tree_cutoff_0_f32_2, WithCutoff<f32, 2, 0>, f32, 2);
+    oracle_suite!(streamed_segment_tree_cutoff_0_f32_3, WithCutoff<f32, 3, 0>, f32, 3);
+    oracle_suite!(streamed_segment_tree_cutoff_0_f64_2, WithCutoff<f64, 2, 0>, f64, 2);
+    oracle_suite!(streamed_segment_tree_cutoff_0_f64_3, WithCutoff<f64, 3, 0>, f64, 3);
+    oracle_suite!(streamed_segment_tree_cutoff_2000_f32_2, WithCutoff<f32, 2, 2000>, f32, 2);
+    oracle_suite!(streamed_segment_tree_cutoff_2000_f32_3, WithCutoff<f32, 3, 2000>, f32, 3);
+    oracle_suite!(streamed_segment_tree_cutoff_2000_f64_2, WithCutoff<f64, 2, 2000>, f64, 2);
+    oracle_suite!(streamed_segment_tree_cutoff_2000_f64_3, WithCutoff<f64, 3, 2000>, f64, 3);
+}

@@ -1,0 +1,79 @@
+//! What the lists hold, and how places on an axis are ordered.
+
+use crate::{Aabb, Real};
+use core::ops::Range;
+
+/// A box, with its index in the caller's list.
+///
+/// Of an even number of words: 28 bytes would be moved as two overlapping halves, and wait for each other wherever an
+/// entry is moved twice in a row. In 3D, partitions take twice as long then.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(8))]
+pub(super) struct Entry<R, const D: usize> {
+    pub(super) aabb: Aabb<R, D>,
+    pub(super) index: u32,
+}
+
+/// Where a box begins on an axis. Of boxes that begin at one number, the one with the smaller index begins first, so
+/// that no two begin in one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Border<R> {
+    at: R,
+    index: u32,
+}
+
+impl<R: Real> Border<R> {
+    /// Nothing begins before this.
+    pub(super) const LEAST: Self = Self {
+        at: R::NEG_INFINITY,
+        index: 0,
+    };
+    /// Everything begins before this: indices are smaller.
+    pub(super) const GREATEST: Self = Self {
+        at: R::INFINITY,
+        index: u32::MAX,
+    };
+
+    /// Whether this comes before the other one.
+    #[inline(always)]
+    pub(super) fn precedes(self, other: Self) -> bool {
+        // No branch: which of the two comes first is anyone's guess.
+        (self.at < other.at) | ((self.at == other.at) & (self.index < other.index))
+    }
+}
+
+impl<R: Real, const D: usize> Entry<R, D> {
+    /// Where the box begins.
+    #[inline(always)]
+    pub(super) fn low(&self, axis: usize) -> Border<R> {
+        Border {
+            at: self.aabb.mins[axis],
+            index: self.index,
+        }
+    }
+
+    /// Whether the box does not end before that place. Boxes are closed, so only the number counts.
+    #[inline(always)]
+    pub(super) fn reaches(&self, place: Border<R>, axis: usize) -> bool {
+        self.aabb.maxs[axis] >= place.at
+    }
+
+    /// Whether the box, as an interval, holds the low side of the other one. Of two that overlap exactly one does; no box
+    /// holds its own.
+    #[inline(always)]
+    pub(super) fn holds_low_of(&self, point: &Self, axis: usize) -> bool {
+        let low = point.low(axis);
+        self.low(axis).precedes(low) & self.reaches(low, axis)
+    }
+
+    /// Whether the two overlap on these axes.
+    #[inline(always)]
+    pub(super) fn overlaps_on(&self, other: &Self, axes: Range<usize>) -> bool {
+        let (a, b) = (&self.aabb, &other.aabb);
+        let mut overlaps = true;
+        for k in axes {
+            overlaps &= (a.mins[k] <= b.maxs[k]) & (b.mins[k] <= a.maxs[k]);
+        }
+        overlaps
+    }
+}
