@@ -44,9 +44,12 @@
 //! | [`GridSweep`] | O(n + pairs) for boxes of about one size | always |
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
-//! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare with CGAL's algorithm; feature `baselines` |
+//! | `SweepAndPrune` | O(n k), with k boxes at once on the first axis | to compare: Baraff's original |
+//! | `CoherentSweepAndPrune` | the same, with less for sorting what hardly moves | to compare: I-COLLIDE's form of it |
+//! | `DualAxisSweep` | O((n log n + pairs) log n) for boxes of any sizes in 2D | to compare: the paper's forerunner |
+//! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare: the algorithm of CGAL |
 //!
-//! All of them return the same set of pairs, on every input, bit for bit: closed boxes, compared as the
+//! The last four, the paper's reference algorithms, take the feature `baselines`. All of them return the same set of pairs, on every input, bit for bit: closed boxes, compared as the
 //! numbers stand ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three
 //! dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
 

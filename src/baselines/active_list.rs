@@ -8,6 +8,10 @@ use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
+/// The boxes of so many endpoints are fetched before these are swept. They lie all over the place, and fetching them at
+/// once takes little longer than fetching one.
+const BATCH: usize = 32;
+
 /// The boxes that the sweep is in the midst of. All of it scratch memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ActiveList<R, const D: usize> {
@@ -60,20 +64,30 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
     /// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis.
     pub(super) fn sweep(
         &mut self,
-        endpoints: impl Iterator<Item = u32>,
+        mut endpoints: impl Iterator<Item = u32>,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
     ) {
-        let n = boxes.len();
-        self.places.resize(n, 0);
-        for endpoint in endpoints {
-            let endpoint = endpoint as usize;
-            if endpoint < n {
-                self.enter(endpoint as u32, &boxes[endpoint]);
-            } else {
-                let owner = (endpoint - n) as u32;
-                let aabb = self.leave(owner);
-                self.test(owner, &aabb, pairs);
+        let n = boxes.len() as u32;
+        self.places.resize(boxes.len(), 0);
+        let mut batch = [(0, Aabb::new([R::ZERO; D], [R::ZERO; D])); BATCH];
+        loop {
+            let mut count = 0;
+            for (fetched, endpoint) in batch.iter_mut().zip(&mut endpoints) {
+                let owner = if endpoint < n { endpoint } else { endpoint - n };
+                *fetched = (endpoint, boxes[owner as usize]);
+                count += 1;
+            }
+            for (endpoint, aabb) in &batch[..count] {
+                if *endpoint < n {
+                    self.enter(*endpoint, aabb);
+                } else {
+                    self.leave(endpoint - n);
+                    self.test(endpoint - n, aabb, pairs);
+                }
+            }
+            if count < BATCH {
+                return;
             }
         }
     }
@@ -91,25 +105,20 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
         self.len += 1;
     }
 
-    /// Takes a box out of the list and returns it.
     #[inline]
-    fn leave(&mut self, owner: u32) -> Aabb<R, D> {
+    fn leave(&mut self, owner: u32) {
         self.len -= 1;
         let last = &mut self.blocks[self.len / LANES];
         let lane = self.len % LANES;
         let (moved_owner, moved) = (last.owners[lane], last.get(lane));
         last.set(lane, &Aabb::new([R::NAN; D], [R::NAN; D]));
-        if moved_owner == owner {
-            return moved;
+        if moved_owner != owner {
+            let place = self.places[owner as usize];
+            self.places[moved_owner as usize] = place;
+            let block = &mut self.blocks[place as usize / LANES];
+            block.set(place as usize % LANES, &moved);
+            block.owners[place as usize % LANES] = moved_owner;
         }
-        let place = self.places[owner as usize];
-        self.places[moved_owner as usize] = place;
-        let (block, lane) = (place as usize / LANES, place as usize % LANES);
-        let block = &mut self.blocks[block];
-        let left = block.get(lane);
-        block.set(lane, &moved);
-        block.owners[lane] = moved_owner;
-        left
     }
 
     /// Appends the pairs of a box with those in the list that overlap it.

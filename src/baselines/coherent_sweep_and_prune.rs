@@ -15,8 +15,9 @@ use crate::{Aabb, InvalidBox, PairFinder, Real};
 ///
 /// Computes in **O(n k + m)** time, where k is how many boxes overlap at once on the first axis and m how many pairs of
 /// endpoints have changed places on it since the last call, and **O(n)** memory beside the pairs. Insertion sort is given
-/// up after `2n log₂ 2n` moves, and all is sorted afresh; and so it is if the number of boxes is another than in the last
-/// call. So m counts for no more than that, wherever boxes jump.
+/// up, and all is sorted afresh in **O(n)**, as soon as it has taken more than 16384 moves and eight for each endpoint that
+/// it has passed; and so it is if the number of boxes is another than in the last call. So m counts for no more than n,
+/// wherever boxes jump.
 ///
 /// The axes are taken as they come: let the first be one along which boxes are spread out. `D` must not be 0.
 ///
