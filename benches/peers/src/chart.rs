@@ -17,6 +17,9 @@ const PANEL_SIZE: (u32, u32) = (420, 380);
 const TITLE_HEIGHT: u32 = 40;
 const LEGEND_ROW_HEIGHT: u32 = 22;
 
+/// The reference algorithms, which are in the table only: CGAL's is drawn as CGAL.
+const NOT_DRAWN: [&str; 1] = ["unisize StreamedSegmentTree"];
+
 /// Draws a chart of each subject that there are rows of, and returns their files.
 pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
@@ -33,7 +36,11 @@ pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
         ),
     ];
     for (subject, name, title) in charts {
-        let rows: Vec<_> = rows.iter().filter(|row| row.subject == subject).collect();
+        let is_drawn = |row: &&Row| {
+            let mut left_out = NOT_DRAWN.iter();
+            row.subject == subject && !left_out.any(|name| row.contender.starts_with(name))
+        };
+        let rows: Vec<_> = rows.iter().filter(is_drawn).collect();
         let panels = panel::of_rows(&rows);
         if !panels.is_empty() {
             let file = folder.join(name);

@@ -15,6 +15,7 @@ mod parry3;
 #[cfg(feature = "physx")]
 mod physx;
 mod rstar;
+mod streamed;
 mod zelll;
 
 use crate::pair_set::PairSet;
@@ -23,6 +24,7 @@ use crate::row::{self, Row};
 use anyhow::{Context, Result};
 use contender::{Contender, Family};
 use frame::Frame;
+pub(crate) use streamed::check as check_streamed;
 use unisize_scenes::DriftingBoxes;
 
 /// How long one number of boxes is measured.
@@ -93,6 +95,7 @@ fn measure_in<const D: usize>(
 /// Every library in two dimensions, that of this repository first.
 fn families_2d() -> Vec<Family<2>> {
     let mut families = ours::families(usize::MAX);
+    families.extend(ours::streamed_families());
     families.extend(cgal::families());
     families.extend(parry2::families());
     families.push(broccoli::family());
@@ -103,6 +106,7 @@ fn families_2d() -> Vec<Family<2>> {
 /// Every library in three dimensions, that of this repository first.
 fn families_3d() -> Vec<Family<3>> {
     let mut families = ours::families(1 << 17);
+    families.extend(ours::streamed_families());
     families.extend(cgal::families());
     families.extend(parry3::families());
     families.extend(others());

@@ -57,7 +57,9 @@ fn main() -> Result<()> {
     }
     row::write_csv(&rows, &file).with_context(|| format!("cannot write {}", file.display()))?;
     println!("Written: {}", file.display());
-    draw(&rows, &figures)
+    draw(&rows, &figures)?;
+    println!();
+    kernels::check_streamed(&rows)
 }
 
 fn draw(rows: &[Row], figures: &Path) -> Result<()> {

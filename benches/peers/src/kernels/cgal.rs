@@ -12,16 +12,20 @@ use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
 use std::ptr::NonNull;
 
-const DEFAULT_CUTOFF: isize = 10;
+pub(super) const DEFAULT_CUTOFF: usize = 10;
 
-const CUTOFFS: [isize; 8] = [10, 50, 100, 200, 500, 1000, 2000, 5000];
+pub(super) const CUTOFFS: [usize; 8] = [10, 50, 100, 200, 500, 1000, 2000, 5000];
+
+pub(super) const AT_DEFAULT_CUTOFF: &str = "CGAL, default cutoff";
+
+pub(super) const AT_BEST_CUTOFF: &str = "CGAL, best cutoff";
 
 /// CGAL as it comes, and with the best of some cutoffs.
 pub(crate) fn families<const D: usize>() -> Vec<Family<D>> {
     let setting = |cutoff| Setting::new(format!("cutoff {cutoff}"), move || Cgal::new(cutoff));
     vec![
-        Family::new("CGAL, default cutoff", [setting(DEFAULT_CUTOFF)]),
-        Family::new("CGAL, best cutoff", CUTOFFS.map(setting)),
+        Family::new(AT_DEFAULT_CUTOFF, [setting(DEFAULT_CUTOFF)]),
+        Family::new(AT_BEST_CUTOFF, CUTOFFS.map(setting)),
     ]
 }
 
@@ -47,14 +51,14 @@ unsafe extern "C" {
 
 struct Cgal {
     finder: NonNull<Finder>,
-    cutoff: isize,
+    cutoff: usize,
     /// The list of the last call, in the memory of `finder`.
     pairs: *const [u32; 2],
     pair_count: usize,
 }
 
 impl Cgal {
-    fn new(cutoff: isize) -> Result<Self> {
+    fn new(cutoff: usize) -> Result<Self> {
         // SAFETY: takes nothing, and returns a new finder or null.
         let finder = NonNull::new(unsafe { peers_cgal_new() });
         Ok(Self {
@@ -77,7 +81,7 @@ impl<const D: usize> Kernel<D> for Cgal {
                 D,
                 frame.corners.as_ptr().cast(),
                 frame.corners.len(),
-                self.cutoff,
+                self.cutoff as isize,
                 &mut self.pairs,
                 &mut self.pair_count,
             )
