@@ -49,9 +49,9 @@
 //! | `DualAxisSweep` | O((n log n + pairs) log n) for boxes of any sizes in 2D | to compare: the paper's forerunner |
 //! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare: the algorithm of CGAL |
 //!
-//! The last four, the paper's reference algorithms, take the feature `baselines`. All of them return the same set of pairs, on every input, bit for bit: closed boxes, compared as the
-//! numbers stand ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three
-//! dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
+//! The last four, the paper's reference algorithms, take the feature `baselines`. All kernels return the same set of pairs,
+//! on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are generic over `f32`
+//! and `f64` and over two and three dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
 
 mod aabb;
 #[cfg(feature = "baselines")]

@@ -1,0 +1,138 @@
+//! All methods on the same frames, in turns.
+
+use crate::method::Method;
+use anyhow::{Result, ensure};
+use std::time::Duration;
+use unisize::Aabb;
+
+/// What one method took.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Times(Vec<f64>);
+
+impl Times {
+    pub(crate) fn push(&mut self, time: Duration) {
+        self.0.push(time.as_secs_f64() * 1e3);
+    }
+
+    /// Milliseconds, frame by frame.
+    pub(crate) fn frames(&self) -> &[f64] {
+        &self.0
+    }
+
+    pub(crate) fn mean(&self) -> f64 {
+        self.0.iter().sum::<f64>() / self.0.len() as f64
+    }
+
+    pub(crate) fn worst(&self) -> f64 {
+        self.0.iter().copied().fold(0.0, f64::max)
+    }
+
+    pub(crate) fn median(&self) -> f64 {
+        let mut sorted = self.0.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// What a race came to: times in the order of the methods.
+pub(crate) struct Outcome {
+    pub(crate) times: Vec<Times>,
+    /// The pairs of every frame, by the last method.
+    pub(crate) pairs: Vec<usize>,
+}
+
+impl Outcome {
+    pub(crate) fn mean_pairs(&self) -> f64 {
+        self.pairs.iter().sum::<usize>() as f64 / self.pairs.len() as f64
+    }
+}
+
+/// Has every method find the pairs of every frame. The first frame, for which memory is made, does not count.
+///
+/// `next` replaces the boxes by those of the next frame. Methods with exact pairs must have the same ones.
+pub(crate) fn race<const D: usize>(
+    methods: &mut [Box<dyn Method<D>>],
+    frames: usize,
+    mut next: impl FnMut(&mut Vec<Aabb<f32, D>>),
+    mut on_frame: impl FnMut(usize),
+) -> Result<Outcome> {
+    let mut boxes = Vec::new();
+    let mut times = vec![Times::default(); methods.len()];
+    let mut pairs = Vec::new();
+    for frame in 0..=frames {
+        next(&mut boxes);
+        let mut expected = None;
+        for (method, times) in methods.iter_mut().zip(&mut times) {
+            let time = method.run(&boxes)?;
+            if frame > 0 {
+                times.push(time);
+            }
+            let Some(found) = method.exact_pairs() else {
+                continue;
+            };
+            let found = fingerprint(found);
+            let (first, expected) = expected.get_or_insert((method.name(), found));
+            ensure!(
+                found == *expected,
+                "frame {frame}: {} finds other pairs than {first}",
+                method.name()
+            );
+        }
+        if frame > 0 {
+            pairs.push(methods.last().map_or(0, |method| method.pair_count()));
+        }
+        on_frame(frame);
+    }
+    Ok(Outcome { times, pairs })
+}
+
+/// A number that is the same for the same pairs in whatever order, and in all likelihood another for others.
+fn fingerprint(pairs: &[[u32; 2]]) -> (usize, u64) {
+    let mix = |&[a, b]: &[u32; 2]| {
+        // The finalizer of SplitMix64.
+        let mut x = u64::from(a) << 32 | u64::from(b);
+        x = (x ^ x >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        x = (x ^ x >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        x ^ x >> 31
+    };
+    let sum = pairs.iter().map(mix).fold(0, u64::wrapping_add);
+    (pairs.len(), sum)
+}
+
+/// Replaces boxes by those of side 1 at these lower corners.
+pub(crate) fn unit_boxes<const D: usize>(mins: &[[f32; D]], boxes: &mut Vec<Aabb<f32, D>>) {
+    boxes.clear();
+    let unit = |mins: &[f32; D]| Aabb::new(*mins, mins.map(|x| x + 1.0));
+    boxes.extend(mins.iter().map(unit));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method;
+    use unisize_scenes::DriftingBoxes;
+
+    #[test]
+    fn all_methods_find_the_same() {
+        let mut drifting = DriftingBoxes::<3>::new(500, 0.5, 7);
+        let mut methods = method::all();
+        let count = methods.len();
+        let next = |boxes: &mut Vec<_>| {
+            drifting.advance();
+            unit_boxes(drifting.mins(), boxes);
+        };
+        let outcome = race(&mut methods, 3, next, |_| {}).unwrap();
+        assert_eq!(outcome.times.len(), count);
+        assert!(outcome.times.iter().all(|times| times.frames().len() == 3));
+        assert!(outcome.mean_pairs() > 100.0);
+    }
+
+    #[test]
+    fn fingerprints_tell_sets_apart_and_not_orders() {
+        let pairs = [[1, 2], [3, 4], [1, 4]];
+        let other_order = [[1, 4], [1, 2], [3, 4]];
+        assert_eq!(fingerprint(&pairs), fingerprint(&other_order));
+        assert_ne!(fingerprint(&pairs), fingerprint(&[[1, 2], [3, 4], [2, 4]]));
+        assert_ne!(fingerprint(&pairs), fingerprint(&pairs[..2]));
+    }
+}
