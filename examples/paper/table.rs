@@ -33,15 +33,18 @@ impl Display for Table {
     }
 }
 
-/// A number with three digits that mean something, or none at all.
+/// A number with three digits that mean something.
 pub(crate) fn digits(x: f64) -> String {
-    match x.abs() {
-        _ if !x.is_finite() => "–".to_owned(),
-        x if x == 0.0 => "0".to_owned(),
-        size if size >= 99.95 => format!("{x:.0}"),
-        size if size >= 9.995 => format!("{x:.1}"),
-        size if size >= 0.0995 => format!("{x:.2}"),
-        size if size >= 0.00995 => format!("{x:.3}"),
+    if !x.is_finite() {
+        return "–".to_owned();
+    }
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    // A little more, so that what is rounded up to a power of ten counts as one.
+    let magnitude = (x.abs() * 1.0005).log10().floor() as i32;
+    match magnitude {
+        -3.. => format!("{x:.*}", (2 - magnitude).max(0) as usize),
         _ => format!("{x:.1e}"),
     }
 }
@@ -70,7 +73,7 @@ mod tests {
 
     #[test]
     fn numbers_have_three_digits() {
-        let expected = ["1234", "100", "12.3", "1.00", "0.0123", "1.2e-3", "–", "0"];
+        let expected = ["1234", "100", "12.3", "1.00", "0.0123", "0.00123", "–", "0"];
         let numbers = [1234.4, 99.96, 12.34, 1.0, 0.0123, 0.00123, f64::NAN, 0.0];
         for (x, text) in numbers.iter().zip(expected) {
             assert_eq!(digits(*x), text);
