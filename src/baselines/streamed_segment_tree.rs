@@ -32,7 +32,8 @@ const MAX_SPLITS: u32 = 96;
 /// CGAL's `box_self_intersection_d`, which the paper compares itself with as \[KMZ13\].
 ///
 /// Computes in **O(n logᴰ n + pairs)** time for a fixed cutoff and boxes of any sizes anywhere, unless the medians, which
-/// are estimated from random samples, are bad again and again: then O(n²). **O(n)** memory beside the pairs: the boxes, twice.
+/// are estimated from random samples, are bad again and again: then O(n²). **O(n)** memory beside the pairs: the boxes,
+/// twice.
 ///
 /// Where there are fewer points or fewer intervals than the *cutoff*, they are scanned instead of being split further. The
 /// default is 10, as in CGAL. For boxes of one size another one is better: about 100 for 1,000 of them, 500 for 10,000, and
