@@ -94,3 +94,8 @@ pub use stopwatch::PhaseTimes;
 #[cfg(all(doctest, feature = "rapier3d"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The examples of the page for those who come from Rapier's own broad phase.
+#[cfg(all(doctest, feature = "rapier3d"))]
+#[doc = include_str!("../docs/migrating.md")]
+struct Migrating;
