@@ -15,8 +15,8 @@ use std::path::Path;
 /// The index that lets what was there before shine through: the last one.
 const TRANSPARENT: u8 = 255;
 
-/// How many colours there are beside it.
-const COLORS: usize = TRANSPARENT as usize;
+/// The least and the most colours there may be beside it.
+const COLORS: [usize; 2] = [16, TRANSPARENT as usize];
 
 /// About how many pixels the palette is made from.
 const SAMPLES: usize = 400_000;
@@ -25,6 +25,7 @@ const SAMPLES: usize = 400_000;
 #[derive(Clone, Debug)]
 pub struct Animation {
     frames_per_second: u32,
+    colors: usize,
     tolerance: u8,
     hold: f32,
     size: [usize; 2],
@@ -38,6 +39,7 @@ impl Animation {
     pub fn new(frames_per_second: u32) -> Self {
         Self {
             frames_per_second,
+            colors: COLORS[1],
             tolerance: 6,
             hold: 0.0,
             size: [0; 2],
@@ -45,7 +47,14 @@ impl Animation {
         }
     }
 
-    /// A pixel keeps its colour while no channel should change by more than this, in steps of 255. Default: 6; 0 to 20 are of
+    /// With a palette of at most so many colours, 16 to 255. Default: 255. With fewer, files are smaller.
+    pub fn colors(mut self, colors: usize) -> Self {
+        self.colors = colors.clamp(COLORS[0], COLORS[1]);
+        self
+    }
+
+    /// A pixel keeps its colour while no channel should change by more than this, of 255, and takes that of its left
+    /// neighbour if that is twice as near. Default: 6; 0 to 20 are of
     /// use. Much of the size of a file is in small changes of shadows.
     pub fn tolerance(mut self, tolerance: u8) -> Self {
         self.tolerance = tolerance;
@@ -125,7 +134,7 @@ impl Animation {
         }
         // Sides are at most `Picture::MAX_SIDE`.
         let [width, height] = self.size.map(|side| side as u16);
-        let palette = Palette::of(&self.frames);
+        let palette = Palette::of(&self.frames, self.colors);
         let mut encoder = Encoder::new(writer, width, height, &palette.bytes())?;
         encoder.set_repeat(Repeat::Infinite)?;
         let mut shown: Option<Vec<u8>> = None;
@@ -168,6 +177,12 @@ impl Animation {
         (delay + hold) as u16
     }
 
+    /// Whether a colour passes for another, with this tolerance.
+    fn is_near(color: [u8; 3], other: &[u8], tolerance: u8) -> bool {
+        let mut channels = color.iter().zip(other);
+        channels.all(|(&channel, &other)| channel.abs_diff(other) <= tolerance)
+    }
+
     /// What of a frame differs from what is shown, which is brought up to date: the area as left, top, width and height, and its
     /// pixels.
     fn difference(
@@ -182,14 +197,19 @@ impl Animation {
         let (mut lo, mut hi) = ([usize::MAX; 2], [0; 2]);
         for (index, bytes) in frame.chunks_exact(3).enumerate() {
             let before = palette.colors[shown[index] as usize];
-            let change = (0..3)
-                .map(|channel| before[channel].abs_diff(bytes[channel]))
-                .max();
-            if wanted[index] == shown[index] || change <= Some(self.tolerance) {
+            if wanted[index] == shown[index] || Self::is_near(before, bytes, self.tolerance) {
                 continue;
             }
-            shown[index] = wanted[index];
-            changes[index] = wanted[index];
+            let mut new = wanted[index];
+            // Runs of one colour are stored in few bytes.
+            if index % width > 0 && changes[index - 1] != TRANSPARENT {
+                let left = changes[index - 1];
+                if Self::is_near(palette.colors[left as usize], bytes, self.tolerance / 2) {
+                    new = left;
+                }
+            }
+            shown[index] = new;
+            changes[index] = new;
             for (axis, place) in [index % width, index / width].into_iter().enumerate() {
                 lo[axis] = lo[axis].min(place);
                 hi[axis] = hi[axis].max(place + 1);
@@ -213,13 +233,13 @@ struct Palette {
 }
 
 impl Palette {
-    fn of(frames: &[Vec<u8>]) -> Self {
+    fn of(frames: &[Vec<u8>], colors: usize) -> Self {
         let all = || frames.iter().flat_map(|frame| frame.chunks_exact(3));
         let mut few = BTreeSet::new();
         for color in all() {
             few.insert([color[0], color[1], color[2]]);
-            if few.len() > COLORS {
-                return Self::learnt(all());
+            if few.len() > colors {
+                return Self::learnt(all(), colors);
             }
         }
         Self {
@@ -228,8 +248,8 @@ impl Palette {
         }
     }
 
-    fn learnt<'a>(colors: impl Iterator<Item = &'a [u8]> + Clone) -> Self {
-        let pixels = colors.clone().count();
+    fn learnt<'a>(all: impl Iterator<Item = &'a [u8]> + Clone, colors: usize) -> Self {
+        let pixels = all.clone().count();
         // A prime number, so that the samples are not all from a few columns.
         let step = [
             1, 2, 3, 5, 7, 11, 17, 29, 53, 101, 211, 401, 809, 1601, 3203, 6397,
@@ -237,11 +257,11 @@ impl Palette {
         .into_iter()
         .find(|step| pixels / step <= SAMPLES)
         .unwrap_or(12799);
-        let samples: Vec<u8> = colors
+        let samples: Vec<u8> = all
             .step_by(step)
             .flat_map(|color| [color[0], color[1], color[2], 255])
             .collect();
-        let network = NeuQuant::new(3, COLORS, &samples);
+        let network = NeuQuant::new(3, colors, &samples);
         let colors = network.color_map_rgb();
         let colors = colors.chunks_exact(3);
         Self {
@@ -253,7 +273,7 @@ impl Palette {
     /// Red, green and blue of each colour; black for the one that is not seen.
     fn bytes(&self) -> Vec<u8> {
         let mut bytes: Vec<u8> = self.colors.iter().flatten().copied().collect();
-        bytes.resize(3 * (COLORS + 1), 0);
+        bytes.resize(3 * (usize::from(TRANSPARENT) + 1), 0);
         bytes
     }
 
@@ -275,7 +295,7 @@ impl Palette {
             Some(network) => network.index_of(&[red, green, blue, 255]),
             None => self.colors.binary_search(&color).unwrap_or(0),
         };
-        // There are at most `COLORS` of them.
+        // There are at most 255 of them.
         index as u8
     }
 }

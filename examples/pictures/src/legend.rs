@@ -4,7 +4,7 @@ use crate::{Picture, Weight, palette};
 use std::fmt::Display;
 
 /// The opacity of the panel.
-const OPACITY: f32 = 0.72;
+const OPACITY: f32 = 0.86;
 
 /// The least number of letters of a value, so that the panel keeps its width while values grow.
 const VALUE: usize = 9;

@@ -85,6 +85,17 @@ fn a_gif_file_holds_the_frames() {
 }
 
 #[test]
+fn fewer_colours_take_less_room() {
+    let shares = [0.0, 0.3, 0.6, 0.9];
+    let many = written(&animation(&shares));
+    let few = written(&animation(&shares).colors(32));
+    assert!(few.len() < many.len() * 4 / 5);
+    let (frames, _) = shown(&few);
+    let colors: std::collections::BTreeSet<_> = frames.iter().flat_map(|frame| &frame.0).collect();
+    assert!((8..=32).contains(&colors.len()), "{}", colors.len());
+}
+
+#[test]
 fn what_does_not_move_takes_no_room() {
     let one = written(&animation(&[0.5])).len();
     let same = written(&animation(&[0.5; 10])).len();
