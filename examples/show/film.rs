@@ -1,0 +1,101 @@
+//! What is drawn, and where it goes.
+
+use super::options::Options;
+use super::{Show, Watched};
+use std::error::Error;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+use unisize_pictures::{Animation, Drawing, Legend, Picture, PictureError, thousands};
+
+/// How many frames a second there are in an animation.
+const FRAMES_PER_SECOND: u32 = 20;
+
+/// For how many seconds its end is shown, and in how many frames it turns into its beginning.
+const HOLD: f32 = 0.8;
+const FADE: usize = 5;
+
+/// Where pictures go.
+pub(super) struct Film {
+    size: [usize; 2],
+    filmed_from: usize,
+    steps_per_frame: usize,
+    format: Format,
+}
+
+enum Format {
+    Nothing,
+    Gif(Animation, BufWriter<File>),
+    Pngs(PathBuf, usize),
+}
+
+impl Film {
+    pub(super) fn new<S: Show>(options: &Options) -> Result<Self, Box<dyn Error>> {
+        let format = match &options.out {
+            None => Format::Nothing,
+            Some(path) => match path.extension().and_then(|extension| extension.to_str()) {
+                Some("gif") => {
+                    // Opened before the long run, which would be lost if this failed.
+                    let file = File::create(path)
+                        .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+                    let animation = Animation::new(FRAMES_PER_SECOND).hold(HOLD);
+                    Format::Gif(
+                        animation.colors(S::COLORS).tolerance(S::TOLERANCE),
+                        BufWriter::new(file),
+                    )
+                }
+                Some("png") => Format::Pngs(path.clone(), 0),
+                _ => return Err(format!("{} ends in neither .gif nor .png", path.display()).into()),
+            },
+        };
+        Ok(Self {
+            size: options.size(),
+            filmed_from: S::FILMED_FROM.min(options.steps::<S>().saturating_sub(1)),
+            steps_per_frame: S::STEPS_PER_FRAME,
+            format,
+        })
+    }
+
+    /// Whether the world is drawn after so many steps.
+    pub(super) fn wants(&self, step: usize) -> bool {
+        !matches!(self.format, Format::Nothing)
+            && step > self.filmed_from
+            && (step - self.filmed_from - 1) % self.steps_per_frame == 0
+    }
+
+    /// Draws the world.
+    pub(super) fn add(
+        &mut self,
+        show: &impl Show,
+        broad_phase: &Watched,
+        milliseconds: f64,
+    ) -> Result<(), PictureError> {
+        let mut drawing = Drawing::new();
+        show.draw(&mut drawing, broad_phase);
+        let mut picture = drawing.picture(&show.camera(), self.size)?;
+        picture.legend(
+            &Legend::new(broad_phase.name())
+                .fact("bodies", thousands(show.bodies()))
+                .fact("pairs", thousands(broad_phase.pair_count()))
+                .fact("broad phase", format!("{milliseconds:.2} ms")),
+        );
+        match &mut self.format {
+            Format::Nothing => Ok(()),
+            Format::Gif(animation, _) => animation.push(picture),
+            Format::Pngs(path, number) => {
+                *number += 1;
+                picture.write_png(&Picture::numbered(path, *number))
+            }
+        }
+    }
+
+    /// Writes what is not written yet.
+    pub(super) fn finish(self) -> Result<(), Box<dyn Error>> {
+        if let Format::Gif(mut animation, mut file) = self.format {
+            animation.fade_to_start(FADE);
+            animation.write_gif_to(&mut file)?;
+            file.flush()?;
+        }
+        Ok(())
+    }
+}

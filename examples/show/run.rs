@@ -1,0 +1,72 @@
+//! The course of an example.
+
+use super::film::Film;
+use super::options::Options;
+use super::progress::progress_bar;
+use super::{Show, Watched};
+use std::error::Error;
+use std::process::ExitCode;
+
+/// The milliseconds in a legend are the mean of so many steps.
+const MEAN_OF: usize = 30;
+
+/// Reads the command line, simulates, and prints one line: the time in the broad phase, its pairs, and the line of code that
+/// chooses it. Ends with 1 if pairs differ, and with 2 if anything else is wrong.
+pub(crate) fn run<S: Show>() -> ExitCode {
+    let options = Options::read::<S>();
+    match simulate::<S>(&options) {
+        Ok(None) => ExitCode::SUCCESS,
+        Ok(Some(difference)) => {
+            eprintln!("DIFFERENCE: {difference}");
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Simulates, and returns the first difference of pairs, which ends the simulation.
+fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>> {
+    let mut film = Film::new::<S>(options)?;
+    let steps = options.steps::<S>();
+    let mut show = S::build(options.bodies::<S>());
+    let mut broad_phase = Watched::new::<S>(options);
+    let bar = progress_bar(steps as u64);
+    bar.set_message(S::NAME);
+    // The time taken until each step.
+    let mut clock = vec![broad_phase.elapsed()];
+    for step in 1..=steps {
+        show.prepare(step, &broad_phase);
+        show.world().step(&mut broad_phase, &(), &());
+        clock.push(broad_phase.elapsed());
+        if let Some(difference) = broad_phase.difference() {
+            return Ok(Some(format!("{}, step {step}: {difference}", S::NAME)));
+        }
+        if film.wants(step) {
+            let since = step.saturating_sub(MEAN_OF);
+            let elapsed = clock[step] - clock[since];
+            let milliseconds = elapsed.as_secs_f64() * 1e3 / (step - since) as f64;
+            film.add(&show, &broad_phase, milliseconds)?;
+        }
+        bar.inc(1);
+    }
+    film.finish()?;
+    bar.finish_and_clear();
+    println!(
+        "{}: {} bodies, {steps} steps: {:.3} ms a step in the broad phase, {} pairs at the end{}; \
+         the line that chooses it: {}",
+        S::NAME,
+        show.bodies(),
+        broad_phase.elapsed().as_secs_f64() * 1e3 / steps as f64,
+        broad_phase.pair_count(),
+        if options.verify_pairs {
+            ", the same as Rapier's at every step"
+        } else {
+            ""
+        },
+        options.broad_phase.line(),
+    );
+    Ok(None)
+}

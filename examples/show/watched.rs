@@ -1,0 +1,194 @@
+//! The broad phase that was chosen, timed, and compared with the other one if that is asked for.
+
+use super::Show;
+use super::options::{Choice, Options};
+use crate::ours::UnisizeBroadPhase;
+use crate::rapier::prelude::*;
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+
+/// A pair of colliders as indices and generations, the smaller first.
+type Pair = [(u32, u32); 2];
+
+/// A broad phase with the pairs that it holds by its own account.
+struct Side<B> {
+    broad_phase: B,
+    /// Kept up by events, where they are of interest.
+    held: Option<BTreeSet<Pair>>,
+    events: Vec<BroadPhasePairEvent>,
+    elapsed: Duration,
+}
+
+/// The broad phase that drives a simulation, and the other one if pairs are compared.
+pub(crate) struct Watched {
+    unisize: Option<Side<UnisizeBroadPhase>>,
+    default: Option<Side<DefaultBroadPhase>>,
+    choice: Choice,
+    /// Whether Rapier hears of pairs.
+    has_contacts: bool,
+}
+
+impl Watched {
+    pub(crate) fn new<S: Show>(options: &Options) -> Self {
+        let choice = options.broad_phase;
+        let takes_part = |side| options.verify_pairs || side == choice;
+        Self {
+            unisize: takes_part(Choice::Unisize)
+                .then(|| Side::new(UnisizeBroadPhase::new(), options.verify_pairs)),
+            // It does not tell which pairs it holds.
+            default: takes_part(Choice::Default).then(|| Side::new(DefaultBroadPhase::new(), true)),
+            choice,
+            has_contacts: S::CONTACTS,
+        }
+    }
+
+    /// The name of the broad phase that was chosen.
+    pub(crate) fn name(&self) -> &'static str {
+        self.choice.name()
+    }
+
+    /// The pairs that are held, in the same order in each run.
+    pub(crate) fn pairs(&self) -> Vec<ColliderPair> {
+        match (&self.unisize, &self.default) {
+            (Some(unisize), _) => unisize.broad_phase.pairs().collect(),
+            (None, Some(default)) => default.pairs(),
+            (None, None) => Vec::new(),
+        }
+    }
+
+    /// How many pairs are held.
+    pub(crate) fn pair_count(&self) -> usize {
+        match (&self.unisize, &self.default) {
+            (Some(unisize), _) => unisize.broad_phase.stats().pairs,
+            (None, default) => default
+                .iter()
+                .flat_map(|side| &side.held)
+                .map(BTreeSet::len)
+                .sum(),
+        }
+    }
+
+    /// The time taken by the updates of the broad phase that was chosen.
+    pub(crate) fn elapsed(&self) -> Duration {
+        let elapsed = match self.choice {
+            Choice::Unisize => self.unisize.as_ref().map(|side| side.elapsed),
+            Choice::Default => self.default.as_ref().map(|side| side.elapsed),
+        };
+        elapsed.unwrap_or_default()
+    }
+
+    /// How the pairs of the two broad phases differ, if both are here and they do.
+    pub(crate) fn difference(&self) -> Option<String> {
+        let (unisize, default) = (self.unisize.as_ref()?, self.default.as_ref()?);
+        let listed: Vec<_> = self.pairs().into_iter().map(pair).collect();
+        let (told, rapier) = (unisize.held.as_ref()?, default.held.as_ref()?);
+        let ours: BTreeSet<_> = listed.iter().copied().collect();
+        if ours.len() != listed.len() {
+            return Some("unisize lists a pair twice".to_owned());
+        }
+        if ours != *told {
+            return Some("the pairs that unisize lists are not those of its events".to_owned());
+        }
+        let (missing, spurious) = (rapier.difference(&ours), ours.difference(rapier));
+        let (missing, spurious): (Vec<_>, Vec<_>) = (missing.collect(), spurious.collect());
+        let first = missing.first().or(spurious.first())?;
+        Some(format!(
+            "unisize misses {} pairs and has {} others; the first is {first:?}",
+            missing.len(),
+            spurious.len(),
+        ))
+    }
+}
+
+impl<B: BroadPhase> Side<B> {
+    fn new(broad_phase: B, keeps_book: bool) -> Self {
+        Self {
+            broad_phase,
+            held: keeps_book.then(BTreeSet::new),
+            events: Vec::new(),
+            elapsed: Duration::ZERO,
+        }
+    }
+
+    fn pairs(&self) -> Vec<ColliderPair> {
+        let held = self.held.iter().flatten();
+        held.map(|pair| {
+            let [first, second] =
+                pair.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
+            ColliderPair::new(first, second)
+        })
+        .collect()
+    }
+
+    /// Updates it, and leaves what it reports in `events`.
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+    ) {
+        self.events.clear();
+        let start = Instant::now();
+        self.broad_phase.update(
+            params,
+            colliders,
+            bodies,
+            modified,
+            removed,
+            &mut self.events,
+        );
+        self.elapsed += start.elapsed();
+        let Some(held) = &mut self.held else {
+            return;
+        };
+        if !removed.is_empty() {
+            let removed: BTreeSet<_> = removed
+                .iter()
+                .map(|handle| handle.into_raw_parts())
+                .collect();
+            held.retain(|pair| !pair.iter().any(|collider| removed.contains(collider)));
+        }
+        for event in &self.events {
+            match *event {
+                BroadPhasePairEvent::AddPair(added) => held.insert(pair(added)),
+                BroadPhasePairEvent::DeletePair(deleted) => held.remove(&pair(deleted)),
+            };
+        }
+    }
+}
+
+impl BroadPhase for Watched {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        if let Some(side) = &mut self.unisize {
+            side.update(params, colliders, bodies, modified, removed);
+        }
+        if let Some(side) = &mut self.default {
+            side.update(params, colliders, bodies, modified, removed);
+        }
+        let reported = match self.choice {
+            Choice::Unisize => self.unisize.as_mut().map(|side| &mut side.events),
+            Choice::Default => self.default.as_mut().map(|side| &mut side.events),
+        };
+        if let Some(reported) = reported.filter(|_| self.has_contacts) {
+            events.append(reported);
+        }
+    }
+}
+
+fn pair(pair: ColliderPair) -> Pair {
+    let (first, second) = (
+        pair.collider1.into_raw_parts(),
+        pair.collider2.into_raw_parts(),
+    );
+    [first.min(second), first.max(second)]
+}
