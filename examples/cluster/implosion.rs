@@ -1,0 +1,104 @@
+//! Boxes of one size that start evenly spread over a square, each with a velocity towards its centre, and pass through each
+//! other: first a cluster, then a ring.
+
+use crate::rapier::prelude::*;
+use crate::scenes::World;
+use crate::show::{Show, Watched};
+use unisize_pictures::{Camera, Drawing, palette};
+
+/// Half the side of a box.
+const HALF: Real = 0.5;
+
+/// The distance between boxes at the start, with which they fill a fifth of the square.
+const SPACING: Real = 2.236;
+
+/// The share of the steps after which a box from the middle of a side is at the centre.
+const ARRIVED: Real = 0.5;
+
+/// From this number of pairs on, a box has the last colour.
+const MANY: f32 = 120.0;
+
+/// Where on the way through the colours a box without pairs is.
+const ALONE: f32 = 0.28;
+
+/// The boxes.
+pub(crate) struct Implosion {
+    world: World,
+    boxes: Vec<ColliderHandle>,
+    /// Half the side of the square.
+    half_width: Real,
+}
+
+impl Show for Implosion {
+    const NAME: &'static str = "cluster";
+    const ABOUT: &'static str =
+        "Boxes in a plane that all fly through its centre, without contact response";
+    const BODIES: usize = 100_000;
+    const STEPS: usize = 500;
+    const STEPS_PER_FRAME: usize = 10;
+    const COLORS: usize = 48;
+    const TOLERANCE: u8 = 26;
+    const CONTACTS: bool = false;
+
+    fn build(bodies: usize) -> Self {
+        let side = (bodies as Real).sqrt().ceil() as usize;
+        let half_width = side as Real * SPACING / 2.0;
+        let mut world = World::new(Vector::zeros());
+        let speed = half_width / (ARRIVED * Self::STEPS as Real * world.params.dt);
+        let mut random = oorandom::Rand32::new(5);
+        let mut within = |half: Real| (2.0 * random.rand_float() - 1.0) * half;
+        let boxes = (0..bodies)
+            .map(|index| {
+                let place = [index % side, index / side].map(|cell| {
+                    (cell as Real + 0.5) * SPACING - half_width + within(0.4 * SPACING)
+                });
+                let place = vector![place[0], 0.0, place[1]];
+                let inward = (-place).try_normalize(1e-6).unwrap_or_else(Vector::zeros);
+                let velocity = inward * speed * (1.0 + within(0.15));
+                let body = RigidBodyBuilder::kinematic_velocity_based()
+                    .translation(place)
+                    .linvel(velocity);
+                let body = world.insert(body, ColliderBuilder::cuboid(HALF, HALF, HALF));
+                world.bodies[body].colliders()[0]
+            })
+            .collect();
+        Self {
+            world,
+            boxes,
+            half_width,
+        }
+    }
+
+    fn world(&mut self) -> &mut World {
+        &mut self.world
+    }
+
+    fn bodies(&self) -> usize {
+        self.boxes.len()
+    }
+
+    fn camera(&self) -> Camera {
+        let forward = 0.12 * self.half_width;
+        Camera::orbit([0.5 * forward, 0.0, forward], 3.45 * self.half_width)
+            .raised(0.85)
+            .turned(0.5)
+    }
+
+    fn draw(&self, drawing: &mut Drawing, broad_phase: &Watched) {
+        drawing.background(palette::HORIZON, palette::PANEL);
+        let mut counts = vec![0_u32; self.world.colliders.len()];
+        for pair in broad_phase.pairs() {
+            for collider in [pair.collider1, pair.collider2] {
+                counts[collider.into_raw_parts().0 as usize] += 1;
+            }
+        }
+        for &handle in &self.boxes {
+            let collider = &self.world.colliders[handle];
+            let count = counts[handle.into_raw_parts().0 as usize] as f32;
+            let share = (1.0 + count).ln() / MANY.ln();
+            let color = palette::by_share(ALONE + (1.0 - ALONE) * share);
+            let center: [f32; 3] = (*collider.translation()).into();
+            drawing.cuboid(center, [HALF; 3], [0.0, 0.0, 0.0, 1.0], color);
+        }
+    }
+}
