@@ -39,6 +39,9 @@ use options::{Options, Part};
 use page::Page;
 use std::process::ExitCode;
 
+/// Remakes a part of the page, with few boxes and frames if it is to be quick.
+type Remake = fn(&Page, bool) -> Result<()>;
+
 fn main() -> ExitCode {
     let options = Options::parse();
     match run(&options) {
@@ -66,7 +69,7 @@ fn run(options: &Options) -> Result<()> {
             std::process::exit(2);
         }
     };
-    let parts: [(Part, fn(&Page, bool) -> Result<()>); 8] = [
+    let parts: [(Part, Remake); 8] = [
         (Part::Table1, table1::run),
         (Part::Figure3, figure3::run),
         (Part::Figure4, figure4::run),
