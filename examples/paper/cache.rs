@@ -119,10 +119,7 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         }
     }
     bar.finish_and_clear();
-    for (which, name) in ["RankSweep, pairing phase", "GridSweep, all of it"]
-        .iter()
-        .enumerate()
-    {
+    for (which, name) in ["pairing phase", "GridSweep, all"].iter().enumerate() {
         for (i, density) in DENSITIES.iter().enumerate() {
             let (r, g, b) = colors[which][i];
             let name = format!("{name}, d = {density}");
