@@ -5,15 +5,10 @@ use crate::rapier::prelude::*;
 use crate::scenes::World;
 use crate::show::{Show, Watched};
 use unisize_pictures::{Camera, Drawing, palette};
+use unisize_scenes::ConvergingBoxes;
 
 /// Half the side of a box.
 const HALF: Real = 0.5;
-
-/// The distance between boxes at the start, with which they fill a fifth of the square.
-const SPACING: Real = 2.236;
-
-/// The share of the steps after which a box from the middle of a side is at the centre.
-const ARRIVED: Real = 0.5;
 
 /// From this number of pairs on, a box has the last colour.
 const MANY: f32 = 120.0;
@@ -34,30 +29,26 @@ impl Show for Implosion {
     const ABOUT: &'static str =
         "Boxes in a plane that all fly through its centre, without contact response";
     const BODIES: usize = 100_000;
-    const STEPS: usize = 500;
+    const STEPS: usize = 2 * ConvergingBoxes::HALF_WAY;
     const STEPS_PER_FRAME: usize = 10;
     const COLORS: usize = 48;
     const TOLERANCE: u8 = 26;
     const CONTACTS: bool = false;
 
     fn build(bodies: usize) -> Self {
-        let side = (bodies as Real).sqrt().ceil() as usize;
-        let half_width = side as Real * SPACING / 2.0;
+        let start = ConvergingBoxes::new(bodies, 5);
         let mut world = World::new(Vector::zeros());
-        let speed = half_width / (ARRIVED * Self::STEPS as Real * world.params.dt);
-        let mut random = oorandom::Rand32::new(5);
-        let mut within = |half: Real| (2.0 * random.rand_float() - 1.0) * half;
-        let boxes = (0..bodies)
-            .map(|index| {
-                let place = [index % side, index / side].map(|cell| {
-                    (cell as Real + 0.5) * SPACING - half_width + within(0.4 * SPACING)
-                });
-                let place = vector![place[0], 0.0, place[1]];
-                let inward = (-place).try_normalize(1e-6).unwrap_or_else(Vector::zeros);
-                let velocity = inward * speed * (1.0 + within(0.15));
+        let frames_a_second = world.params.dt.recip();
+        let boxes = start
+            .mins()
+            .iter()
+            .zip(start.velocities())
+            .map(|(mins, velocity)| {
+                let [x, z] = mins.map(|x| x + HALF);
+                let [vx, vz] = velocity.map(|v| v * frames_a_second);
                 let body = RigidBodyBuilder::kinematic_velocity_based()
-                    .translation(place)
-                    .linvel(velocity);
+                    .translation(vector![x, 0.0, z])
+                    .linvel(vector![vx, 0.0, vz]);
                 let body = world.insert(body, ColliderBuilder::cuboid(HALF, HALF, HALF));
                 world.bodies[body].colliders()[0]
             })
@@ -65,7 +56,7 @@ impl Show for Implosion {
         Self {
             world,
             boxes,
-            half_width,
+            half_width: start.half_side(),
         }
     }
 

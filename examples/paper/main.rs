@@ -11,8 +11,8 @@
 //! cargo run --release --features rapier2d,rapier3d,parallel,baselines --example paper -- table1
 //! ```
 //!
-//! All methods get the same boxes in the same frames, in turns, and all must find the same pairs, or the run ends with 1. It
-//! ends with 2 if it was called wrongly or cannot write.
+//! All methods get the same boxes in the same frames, in turns, and all must find the same pairs, or the run ends with 1,
+//! as it does if it cannot write; with 2 if it was called wrongly.
 
 mod applications;
 mod cache;
@@ -62,13 +62,7 @@ fn run(options: &Options) -> Result<()> {
     {
         return cache::probe(method, count, density);
     }
-    let page = match Page::open(&options.out) {
-        Ok(page) => page,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            std::process::exit(2);
-        }
-    };
+    let page = Page::open(&options.out)?;
     let parts: [(Part, Remake); 8] = [
         (Part::Table1, table1::run),
         (Part::Figure3, figure3::run),

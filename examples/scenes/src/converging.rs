@@ -67,6 +67,11 @@ impl ConvergingBoxes {
         &self.mins
     }
 
+    /// How far each square goes in a frame.
+    pub fn velocities(&self) -> &[[f32; 2]] {
+        &self.velocities
+    }
+
     /// Half the side of the square in which they lie at first.
     pub fn half_side(&self) -> f32 {
         self.half_side
