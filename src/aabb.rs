@@ -94,6 +94,13 @@ mod tests {
     }
 
     #[test]
+    fn a_loosened_box_reaches_farther_on_every_side() {
+        let aabb = Aabb::new([1.0_f32, -2.0], [4.0, f32::INFINITY]);
+        let loosened = Aabb::new([0.5, -2.5], [4.5, f32::INFINITY]);
+        assert_eq!(aabb.loosened(0.5), loosened);
+    }
+
+    #[test]
     fn nan_and_inverted_boxes_are_invalid_and_infinite_ones_are_not() {
         assert!(!Aabb::new([f32::NAN], [1.0]).is_valid());
         assert!(!Aabb::new([0.0], [f64::NAN]).is_valid());

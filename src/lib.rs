@@ -18,6 +18,9 @@
 //! +let mut broad_phase = unisize::rapier3d::UnisizeBroadPhase::new();
 //! ```
 //!
+//! Rapier 0.36 has no such trait any more. Programs that drive collision detection by themselves can use the features
+//! `rapier2d_0_36` and `rapier3d_0_36`, whose `UnisizeBroadPhase::update` has the arguments of Rapier's own.
+//!
 //! # Without an engine
 //!
 //! The core has no features and knows no engine. A [`PairFinder`] takes boxes and returns the pairs that
@@ -72,10 +75,14 @@ mod stopwatch;
 mod pair_tracker;
 #[cfg(feature = "rapier2d")]
 pub mod rapier2d;
+#[cfg(feature = "rapier2d_0_36")]
+pub mod rapier2d_0_36;
 #[cfg(feature = "rapier2d-f64")]
 pub mod rapier2d_f64;
 #[cfg(feature = "rapier3d")]
 pub mod rapier3d;
+#[cfg(feature = "rapier3d_0_36")]
+pub mod rapier3d_0_36;
 #[cfg(feature = "rapier3d-f64")]
 pub mod rapier3d_f64;
 
@@ -99,3 +106,8 @@ struct Readme;
 #[cfg(all(doctest, feature = "rapier3d"))]
 #[doc = include_str!("../docs/migrating.md")]
 struct Migrating;
+
+/// The example of the page about the newest Rapier.
+#[cfg(all(doctest, feature = "rapier3d_0_36"))]
+#[doc = include_str!("../docs/newest-rapier.md")]
+struct NewestRapier;

@@ -7,7 +7,11 @@ use ::rapier2d as rapier;
 #[path = "adapter/mod.rs"]
 mod adapter;
 
+#[cfg(test)]
 #[path = "adapter/dim2.rs"]
 mod dimension;
+
+#[path = "adapter/rapier_0_27/mod.rs"]
+mod version;
 
 pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};

@@ -6,12 +6,13 @@ use super::collider_box::Prediction;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
-    BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderPair, ColliderSet,
+    BroadPhasePairEvent, Collider, ColliderHandle, ColliderPair, ColliderSet,
 };
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::Bvh;
 use super::reading_order::{self, ReadingOrder};
 use super::reading_part::{self, Findings, ReadingPart};
+use super::version::PairFilter;
 use super::world::World;
 use super::{Settings, Stats};
 use crate::pair_tracker::{Layers, PairChange, PairTracker};
@@ -38,6 +39,7 @@ pub struct UnisizeBroadPhase {
     /// The outline of the collider in each slot, as many as generations.
     pub(super) outlines: Vec<Outline>,
     pub(super) layers: Layers<Real, DIM>,
+    pub(super) filter: PairFilter,
     reading_order: ReadingOrder,
     /// Scratch: listed colliders that are not known, what has come of reading the parts, and how pairs have changed.
     strangers: Vec<ColliderHandle>,
@@ -81,6 +83,7 @@ impl UnisizeBroadPhase {
             generations: Vec::new(),
             outlines: Vec::new(),
             layers: settings.kernel.layers(settings.layers),
+            filter: PairFilter::default(),
             reading_order: ReadingOrder::default(),
             strangers: Vec::new(),
             findings: Vec::new(),
@@ -100,7 +103,8 @@ impl UnisizeBroadPhase {
     /// What it holds, and what the last update did. **O(1)**.
     pub fn stats(&self) -> Stats {
         Stats {
-            pairs: self.tracker.pair_count(),
+            pairs: self.tracker.pair_count() - self.filter.withheld(),
+            withheld: self.filter.withheld(),
             candidates: self.tracker.candidate_count(),
             moving: self.layers.moving(),
             foresight: self.tracker.foresight(),
@@ -116,6 +120,7 @@ impl UnisizeBroadPhase {
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.tracker.pairs();
+        let pairs = pairs.filter(|&pair| !self.filter.withholds(pair));
         pairs.map(|pair| collider_pair(&self.generations, pair))
     }
 
@@ -132,6 +137,7 @@ impl UnisizeBroadPhase {
         for (slot, _) in self.tracker.proxies() {
             assert!(self.generations[slot as usize].is_some());
         }
+        self.filter.validate(self.tracker.pairs());
         // Another kernel than the one in use, so that one checks the other.
         let kernel = match self.settings.kernel {
             super::Kernel::RankSweep => super::Kernel::GridSweep,
@@ -155,6 +161,7 @@ impl UnisizeBroadPhase {
                 self.stats.refused -= 1;
             }
             self.tracker.remove(slot);
+            self.filter.forget(slot);
         }
     }
 
@@ -310,13 +317,19 @@ impl UnisizeBroadPhase {
     }
 
     /// Turns the changes of the pair set into events.
-    fn report(&mut self, events: &mut Vec<BroadPhasePairEvent>) {
+    fn report(
+        &mut self,
+        world: &World,
+        listed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
         if self.tracker.is_touched() {
             self.tree = OnceLock::new();
         }
         let Self {
             tracker,
             layers,
+            filter,
             generations,
             changes,
             stats,
@@ -324,6 +337,7 @@ impl UnisizeBroadPhase {
         } = self;
         tracker.finish(layers, |change| changes.push(change));
         let lap = tracker.stopwatch.start();
+        filter.sift(changes, listed, generations, world.colliders, world.bodies);
         events.extend(changes.drain(..).map(|change| match change {
             PairChange::Added(pair) => {
                 stats.added += 1;
@@ -336,16 +350,14 @@ impl UnisizeBroadPhase {
         }));
         tracker.stopwatch.lap(lap, |times| &mut times.events);
     }
-}
 
-impl BroadPhase for UnisizeBroadPhase {
-    fn update(
+    /// One update, with the modified and the removed colliders in this order.
+    pub(crate) fn bring_up_to_date(
         &mut self,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
+        [modified_colliders, removed_colliders]: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         if modified_colliders.is_empty() && removed_colliders.is_empty() {
@@ -383,7 +395,7 @@ impl BroadPhase for UnisizeBroadPhase {
             self.read_in_order(modified_colliders, &world, is_shared);
         }
         self.tracker.stopwatch.lap(lap, |times| &mut times.read);
-        self.report(events);
+        self.report(&world, modified_colliders, events);
     }
 }
 

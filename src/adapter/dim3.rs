@@ -1,14 +1,9 @@
-//! What the adapter needs and Rapier spells differently in three dimensions.
+//! What the tests of the adapter need and Rapier spells differently in three dimensions.
 
-use super::rapier::math::{AngVector, Real, Rotation};
-
-/// The rotation as an axis times an angle.
-pub(super) fn scaled_axis(rotation: &Rotation<Real>) -> AngVector<Real> {
-    rotation.scaled_axis()
-}
+use super::rapier::math::Real;
+use super::version::AngVector;
 
 /// A rotation vector.
-#[cfg(test)]
-pub(super) fn angular(x: Real, y: Real, z: Real) -> AngVector<Real> {
+pub(super) fn angular(x: Real, y: Real, z: Real) -> AngVector {
     AngVector::new(x, y, z)
 }

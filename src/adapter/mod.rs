@@ -1,10 +1,13 @@
 //! The adapter to Rapier: one source for every flavour, compiled once in each.
 //!
 //! It turns colliders into boxes, and changes of the pair set into Rapier's events; how pairs are
-//! found is none of its business. The module that includes it names the engine as `rapier`,
-//! and what depends on the dimension as `dimension`.
+//! found is none of its business. The module that includes it names the engine as `rapier`, and as `version` what
+//! depends on the engine's version: `rapier_0_27` or `rapier_0_36`. What the tests need for a dimension is in
+//! `dimension`.
 
-use super::{dimension, rapier};
+#[cfg(test)]
+use super::dimension;
+use super::{rapier, version};
 
 mod broad_phase;
 mod collider_box;

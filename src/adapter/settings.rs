@@ -1,6 +1,7 @@
 //! What a user may choose.
 
 use super::rapier::math::{DIM, Real};
+use super::version;
 use crate::pair_tracker::{GridLayers, Layers, Unlayered};
 
 /// How an [`UnisizeBroadPhase`](super::UnisizeBroadPhase) works. The default suits every scene.
@@ -19,8 +20,9 @@ pub struct Settings {
     /// [`IntegrationParameters::length_unit`](super::rapier::dynamics::IntegrationParameters::length_unit).
     ///
     /// A new box has no margin, until its collider first moves. The larger, the less often boxes change and the more pairs are reported that do not touch. Usual
-    /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default,
-    /// 0.01, is the margin of Rapier's own broad phase, and makes the boxes the same as there.
+    /// values are between 0 and a tenth of a collider's size; negative and NaN ones count as 0. The default
+    /// is the margin of Rapier's own broad phase, 0.01 in version 0.27 and 0.04 in 0.36, and makes the boxes the same as
+    /// there.
     pub margin: Real,
     /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
     /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
@@ -39,7 +41,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             kernel: Kernel::default(),
-            margin: 0.01,
+            margin: version::MARGIN,
             foresight: None,
             layers: true,
             timed: false,

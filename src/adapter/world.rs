@@ -11,7 +11,7 @@ use crate::Aabb;
 pub(super) struct World<'a> {
     pub(super) colliders: &'a ColliderSet,
     pub(super) bodies: &'a RigidBodySet,
-    pub(super) prediction: Prediction,
+    pub(super) prediction: Prediction<'a>,
     /// How far a box that is renewed reaches beyond the collider, in length units of the scene.
     pub(super) margin: Real,
 }

@@ -47,7 +47,7 @@ fn refuses<F, R, const D: usize>(
         .find_pairs(boxes, &mut pairs)
         .expect_err("an invalid box was accepted");
     let bad = boxes[index];
-    assert_eq!((error.index, error.reason), (index, reason), "{bad:?}");
+    assert_eq!((error.index(), error.reason), (index, reason), "{bad:?}");
     assert!(pairs.is_empty(), "pairs were left after an error: {bad:?}");
 }
 
@@ -79,6 +79,11 @@ fn invalid_versions<R: Real, const D: usize>(
             let mut version = valid;
             version.mins[axis] = low;
             version.maxs[axis] = high;
+            versions.push((version, reason));
+            // There is nothing wrong with being flat on the others.
+            for other in (0..D).filter(|&other| other != axis) {
+                version.maxs[other] = version.mins[other];
+            }
             versions.push((version, reason));
         }
     }

@@ -6,4 +6,7 @@ use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
 #[path = "suite/mod.rs"]
 mod suite;
 
+#[path = "rapier_0_27/mod.rs"]
+mod version;
+
 pub(crate) use suite::play;

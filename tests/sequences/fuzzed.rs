@@ -10,7 +10,7 @@ use crate::ops::{
     BodyKind, FAR, FAR_INDICES, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List, MARGINS,
     NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple, Types,
 };
-use crate::{dim2, dim2_f64, dim3, dim3_f64};
+use crate::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 
 /// How many colliders there may be; the model looks at every pair of them.
 const MOST: usize = 80;
@@ -28,12 +28,14 @@ pub(crate) fn play(bytes: &[u8]) {
     let Ok((way, sequence)) = bytes.way_and_sequence() else {
         return;
     };
-    let kernel = way / 4;
-    match way % 4 {
+    let kernel = way / 6;
+    match way % 6 {
         0 => dim2::play(&sequence, kernel),
         1 => dim3::play(&sequence, kernel),
         2 => dim2_f64::play(&sequence, kernel),
-        _ => dim3_f64::play(&sequence, kernel),
+        3 => dim3_f64::play(&sequence, kernel),
+        4 => dim2_0_36::play(&sequence, kernel),
+        _ => dim3_0_36::play(&sequence, kernel),
     }
 }
 
@@ -42,7 +44,7 @@ struct Bytes<'a>(Unstructured<'a>);
 impl Bytes<'_> {
     /// How to play it, and what.
     fn way_and_sequence(&mut self) -> Result<(usize, Sequence)> {
-        let way = self.0.int_in_range(0..=11)?;
+        let way = self.0.int_in_range(0..=17)?;
         let mut sequence = Sequence {
             length_unit: self.one_of(&LENGTH_UNITS)?,
             margin: self.one_of(&MARGINS)?,
@@ -211,7 +213,7 @@ impl Bytes<'_> {
     }
 
     fn parent(&mut self) -> Result<Parent> {
-        Ok(match self.0.int_in_range(0..=11)? {
+        Ok(match self.0.int_in_range(0..=17)? {
             0 | 1 => Parent::None,
             2..=4 => Parent::New(self.body_kind()?),
             _ => Parent::Existing(self.pick()?),

@@ -10,8 +10,10 @@
 //! what the fuzzer plays, and `replay` plays it with the inputs that the fuzzer has kept.
 
 mod dim2;
+mod dim2_0_36;
 mod dim2_f64;
 mod dim3;
+mod dim3_0_36;
 mod dim3_f64;
 mod fuzzed;
 mod ops;

@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::model::{Changes, Model, Pair};
-use super::rapier::parry::query;
 use super::rapier::prelude::*;
-use super::{Kernel, Settings, UnisizeBroadPhase};
+use super::{Kernel, Settings, UnisizeBroadPhase, version};
 use crate::ops::Sequence;
 
-pub(super) struct CheckedBroadPhase {
+pub(crate) struct CheckedBroadPhase {
     inner: UnisizeBroadPhase,
     model: Model,
     updates: u64,
@@ -17,7 +16,7 @@ pub(super) struct CheckedBroadPhase {
 }
 
 impl CheckedBroadPhase {
-    pub(super) fn new(kernel: Kernel, sequence: &Sequence) -> Self {
+    pub(crate) fn new(kernel: Kernel, sequence: &Sequence) -> Self {
         Self {
             inner: UnisizeBroadPhase::with_settings(Settings {
                 kernel,
@@ -41,31 +40,28 @@ impl CheckedBroadPhase {
         let pairs: Vec<_> = self.inner.pairs().map(|p| raw(&p)).collect();
         let stats = self.inner.stats();
         assert_eq!(stats.pairs, pairs.len());
+        assert_eq!(stats.withheld, self.model.withheld(), "withheld pairs");
         assert_eq!(&as_set(&pairs), self.model.held(), "held pairs");
         assert_eq!(stats.proxies, self.model.proxies(), "proxies");
         assert_eq!(stats.refused, self.model.refused(), "refused");
         assert_eq!(stats.updates, self.updates, "updates");
         self.inner.validate();
     }
-}
 
-impl BroadPhase for CheckedBroadPhase {
-    fn update(
+    pub(crate) fn check_update(
         &mut self,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
+        lists: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
+        let [modified, removed] = lists;
         let mut sent = Vec::new();
         self.inner
             .update(params, colliders, bodies, modified, removed, &mut sent);
         let margin = self.inner.settings().margin;
-        let expected = self
-            .model
-            .update(margin, params, colliders, modified, removed);
+        let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");
         // A box is renewed only when its collider is listed, so it may be of an earlier prediction.
@@ -118,13 +114,15 @@ fn assert_far_apart(pair: &Pair, prediction: Real, colliders: &ColliderSet) {
         let handle = ColliderHandle::from_raw_parts(index, generation);
         colliders.get(handle).expect("no deletion is due for it")
     });
-    let coordinates = [a.translation(), b.translation()].map(|x| x.amax());
-    let magnitude = coordinates[0].max(coordinates[1]);
+    let coordinates = [a, b].map(version::coordinates).concat();
+    let magnitude = coordinates
+        .iter()
+        .fold(0.0, |most: Real, x| most.max(x.abs()));
     // A pose that is not a number is nowhere, and very far out the distance itself is not exact.
     if coordinates.iter().any(|x| x.is_nan()) || magnitude > 1.0e3 {
         return;
     }
-    if let Ok(distance) = query::distance(a.position(), a.shape(), b.position(), b.shape()) {
+    if let Some(distance) = version::distance(a, b) {
         let reach = prediction + a.contact_skin() + b.contact_skin();
         let rounding = 1.0e-5 * (1.0 + magnitude);
         assert!(

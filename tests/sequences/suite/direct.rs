@@ -2,7 +2,6 @@
 
 use super::Kernel;
 use super::checked::CheckedBroadPhase;
-use super::rapier::prelude::*;
 use super::world::World;
 use crate::ops::Sequence;
 
@@ -14,12 +13,11 @@ pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
             world.apply(op);
         }
         list_silent_removals(&mut world, &broad_phase);
-        broad_phase.update(
+        broad_phase.check_update(
             &world.params,
             &world.colliders,
             &world.bodies,
-            &world.modified,
-            &world.removed,
+            [&world.modified, &world.removed],
             &mut Vec::new(),
         );
         world.modified.clear();

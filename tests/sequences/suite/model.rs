@@ -4,14 +4,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
+use super::version;
 
 /// Two colliders, by index and generation, the smaller index first.
 pub(super) type Pair = [(u32, u32); 2];
 
-/// What is known of every collider in the game, and which pairs are held.
+/// What is known of every collider in the game, which pairs overlap, and which of them are held.
 #[derive(Default)]
 pub(super) struct Model {
     proxies: BTreeMap<u32, Proxy>,
+    overlapping: BTreeSet<Pair>,
     held: BTreeSet<Pair>,
 }
 
@@ -31,6 +33,11 @@ pub(super) struct Changes {
 impl Model {
     pub(super) fn held(&self) -> &BTreeSet<Pair> {
         &self.held
+    }
+
+    /// The number of pairs that overlap and are not held.
+    pub(super) fn withheld(&self) -> usize {
+        self.overlapping.len() - self.held.len()
     }
 
     /// The number of colliders with a sound box.
@@ -62,8 +69,8 @@ impl Model {
         margin: Real,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
+        bodies: &RigidBodySet,
+        [modified, removed]: [&[ColliderHandle]; 2],
     ) -> Changes {
         for &handle in removed {
             self.forget(handle);
@@ -80,7 +87,23 @@ impl Model {
         }
 
         let before = std::mem::take(&mut self.held);
-        self.held = self.overlapping_pairs();
+        let overlapping = self.overlapping_pairs();
+        let met_before = std::mem::replace(&mut self.overlapping, overlapping);
+        let is_asked_for = |pair: &Pair| {
+            let is_listed = |handle: &ColliderHandle| pair.contains(&handle.into_raw_parts());
+            !met_before.contains(pair) || modified.iter().any(is_listed)
+        };
+        let may_meet = |pair: &Pair| {
+            let pair = pair.map(|(index, generation)| {
+                &colliders[ColliderHandle::from_raw_parts(index, generation)]
+            });
+            version::may_meet(pair, bodies)
+        };
+        let held = self
+            .overlapping
+            .iter()
+            .filter(|&pair| before.contains(pair) || is_asked_for(pair) && may_meet(pair));
+        self.held = held.copied().collect();
         Changes {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
@@ -93,6 +116,7 @@ impl Model {
             let gone = handle.into_raw_parts();
             self.proxies.remove(&gone.0);
             self.held.retain(|pair| !pair.contains(&gone));
+            self.overlapping.retain(|pair| !pair.contains(&gone));
         }
     }
 

@@ -8,7 +8,7 @@ use crate::strategies::sequences;
 /// Sequences per test, unless `PROPTEST_CASES` says otherwise.
 const CASES: u32 = 64;
 
-pub(super) fn check(play: impl Fn(&Sequence)) {
+pub(crate) fn check(play: impl Fn(&Sequence)) {
     let mut config = Config {
         failure_persistence: None,
         ..Config::default()

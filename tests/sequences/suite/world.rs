@@ -1,34 +1,35 @@
 //! The colliders and bodies of a sequence, and how each operation changes them.
 
 use super::rapier::prelude::*;
-use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Triple, Types};
+use super::version::{self, Pose, translation, vector};
+use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Types};
 
 /// Rapier's sets and parameters, with the lists of what changed since the last update.
 #[derive(Default)]
-pub(super) struct World {
-    pub(super) islands: IslandManager,
-    pub(super) bodies: RigidBodySet,
-    pub(super) colliders: ColliderSet,
-    pub(super) joints: ImpulseJointSet,
-    pub(super) multibody_joints: MultibodyJointSet,
-    pub(super) params: IntegrationParameters,
-    pub(super) modified: Vec<ColliderHandle>,
-    pub(super) removed: Vec<ColliderHandle>,
+pub(crate) struct World {
+    pub(crate) islands: IslandManager,
+    pub(crate) bodies: RigidBodySet,
+    pub(crate) colliders: ColliderSet,
+    pub(crate) joints: ImpulseJointSet,
+    pub(crate) multibody_joints: MultibodyJointSet,
+    pub(crate) params: IntegrationParameters,
+    pub(crate) modified: Vec<ColliderHandle>,
+    pub(crate) removed: Vec<ColliderHandle>,
     /// Whether an engine's pipeline carries out what a change of a body means to its colliders.
-    pub(super) engine_follows_bodies: bool,
+    pub(crate) engine_follows_bodies: bool,
     live: Vec<ColliderHandle>,
     live_bodies: Vec<RigidBodyHandle>,
     gone: Vec<ColliderHandle>,
 }
 
 impl World {
-    pub(super) fn new(length_unit: Real) -> Self {
+    pub(crate) fn new(length_unit: Real) -> Self {
         let mut world = Self::default();
         world.params.length_unit = length_unit;
         world
     }
 
-    pub(super) fn apply(&mut self, op: Op) {
+    pub(crate) fn apply(&mut self, op: Op) {
         match op {
             Op::Insert(new, parent) => self.insert(new, parent),
             Op::Push(pick, velocity) => {
@@ -108,8 +109,7 @@ impl World {
         }
         match op {
             Op::Move(_, by) => {
-                let mut pose = self.pose(handle);
-                pose.translation.vector += vector(by);
+                let pose = version::moved(self.pose(handle), by);
                 self.place(handle, pose);
             }
             Op::Teleport(_, to) => self.place(handle, translation(to)),
@@ -152,7 +152,7 @@ impl World {
     }
 
     /// The pose of a collider's body, or its own if it has none.
-    fn pose(&self, handle: ColliderHandle) -> Isometry<Real> {
+    fn pose(&self, handle: ColliderHandle) -> Pose {
         let collider = &self.colliders[handle];
         match collider.parent() {
             Some(body) => *self.bodies[body].position(),
@@ -161,7 +161,7 @@ impl World {
     }
 
     /// Puts a collider there, or its body with all that is on it.
-    fn place(&mut self, handle: ColliderHandle, pose: Isometry<Real>) {
+    fn place(&mut self, handle: ColliderHandle, pose: Pose) {
         let Some(parent) = self.colliders[handle].parent() else {
             self.colliders[handle].set_position(pose);
             return;
@@ -172,7 +172,7 @@ impl World {
         for &handle in self.bodies[parent].colliders() {
             let collider = &mut self.colliders[handle];
             let local = collider.position_wrt_parent().expect("it is on a body");
-            let pose = pose * local;
+            let pose = pose * *local;
             collider.set_position(pose);
         }
         self.list_colliders_of(parent);
@@ -204,9 +204,7 @@ impl World {
     }
 
     fn remove(&mut self, handle: ColliderHandle) {
-        // Waking a body whose type has just changed would upset the engine's list of active bodies.
-        self.colliders
-            .remove(handle, &mut self.islands, &mut self.bodies, false);
+        version::remove_collider(self, handle);
         self.bury(handle);
     }
 
@@ -241,27 +239,12 @@ impl World {
                 self.modified.push(handle);
             }
         }
-        self.bodies.remove(
-            body,
-            &mut self.islands,
-            &mut self.colliders,
-            &mut self.joints,
-            &mut self.multibody_joints,
-            with_colliders,
-        );
+        version::remove_body(self, body, with_colliders);
     }
 }
 
 fn nth<T: Copy>(items: &[T], pick: usize) -> Option<T> {
     items.get(pick % items.len().max(1)).copied()
-}
-
-fn vector(triple: Triple) -> Vector<Real> {
-    Vector::from_fn(|i, _| Real::from(triple[i]))
-}
-
-fn translation(triple: Triple) -> Isometry<Real> {
-    Isometry::from_parts(vector(triple).into(), Rotation::identity())
 }
 
 fn body_type(kind: BodyKind) -> RigidBodyType {
@@ -279,19 +262,16 @@ fn shared_shape(shape: Shape) -> SharedShape {
         Shape::Cuboid(half) => SharedShape::new(Cuboid::new(vector(half))),
         Shape::Capsule(half, radius) => SharedShape::capsule_y(half.into(), radius.into()),
         Shape::Compound(radius, gap) => SharedShape::compound(vec![
-            (Isometry::identity(), SharedShape::ball(radius.into())),
+            (translation([0.0; 3]), SharedShape::ball(radius.into())),
             (translation([gap; 3]), SharedShape::ball(radius.into())),
         ]),
-        Shape::HalfSpace(normal) => {
-            let normal = UnitVector::try_new(vector(normal), 0.0);
-            SharedShape::halfspace(normal.unwrap_or(Vector::y_axis()))
-        }
+        Shape::HalfSpace(normal) => version::half_space(normal),
     }
 }
 
 fn interaction_groups(groups: Groups) -> InteractionGroups {
     let bits = [groups.memberships, groups.filter].map(Group::from_bits_truncate);
-    InteractionGroups::new(bits[0], bits[1])
+    version::groups(bits[0], bits[1])
 }
 
 fn collision_types(types: Types) -> ActiveCollisionTypes {

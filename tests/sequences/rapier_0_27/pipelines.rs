@@ -1,10 +1,32 @@
 //! Sequences in the steps of Rapier's own pipelines, which make the lists.
 
-use super::Kernel;
-use super::checked::CheckedBroadPhase;
-use super::rapier::prelude::*;
-use super::world::World;
+use super::super::Kernel;
+use super::super::rapier::prelude::*;
+use super::super::suite::checked::CheckedBroadPhase;
+use super::super::suite::{World, runner};
 use crate::ops::Sequence;
+
+/// Instantiates the tests for one kernel.
+macro_rules! steps_with {
+    ($name:ident, $kernel:expr) => {
+        mod $name {
+            use super::*;
+
+            #[test]
+            fn steps_of_the_collision_pipeline() {
+                runner::check(|sequence| play_collisions(sequence, $kernel));
+            }
+
+            #[test]
+            fn steps_of_the_physics_pipeline() {
+                runner::check(|sequence| play_physics(sequence, $kernel));
+            }
+        }
+    };
+}
+
+steps_with!(grid_sweep, Kernel::GridSweep);
+steps_with!(rank_sweep, Kernel::RankSweep);
 
 /// Plays a sequence with one step for each of its updates, and one more that nothing precedes.
 fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)) {
@@ -17,7 +39,7 @@ fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)
     step(world);
 }
 
-pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
+fn play_collisions(sequence: &Sequence, kernel: Kernel) {
     let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = CollisionPipeline::new();
@@ -35,7 +57,7 @@ pub(super) fn play_collisions(sequence: &Sequence, kernel: Kernel) {
     });
 }
 
-pub(super) fn play_physics(sequence: &Sequence, kernel: Kernel) {
+fn play_physics(sequence: &Sequence, kernel: Kernel) {
     let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = PhysicsPipeline::new();

@@ -1,0 +1,90 @@
+//! Rapier 0.36 without its pipelines: beads with dynamics of their own, whose contacts are found by Parry among the
+//! pairs of `UnisizeBroadPhase` and told as Rapier's `CollisionEvent`s.
+//!
+//! `cargo run --release --features rapier3d_0_36 --example collision_events`
+//!
+//! The beads fly about in a box and bounce off each other; in its middle is a zone that only notices them. With
+//! `--verify` Rapier's own `CollisionPipeline` looks at the same beads, and must tell the same events in every step.
+
+mod beads;
+mod engine;
+mod touching;
+
+use std::time::{Duration, Instant};
+
+use anyhow::ensure;
+use beads::Beads;
+use clap::Parser;
+use engine::Engine;
+use rapier3d_0_36::prelude::*;
+use touching::Touching;
+use unisize::rapier3d_0_36::UnisizeBroadPhase;
+
+#[derive(Parser)]
+#[command(about = "Rapier 0.36's collision events without its pipelines")]
+struct Options {
+    /// How many beads there are.
+    #[arg(long, default_value_t = 5000)]
+    bodies: usize,
+    /// How many steps of a sixtieth of a second are made.
+    #[arg(long, default_value_t = 300)]
+    steps: usize,
+    /// Compare the events of each step with those of Rapier's own pipeline.
+    #[arg(long)]
+    verify: bool,
+}
+
+fn main() -> anyhow::Result<()> {
+    let options = Options::parse();
+    let params = IntegrationParameters::default();
+    let mut beads = Beads::new(options.bodies);
+    let mut broad_phase = UnisizeBroadPhase::new();
+    let mut touching = Touching::default();
+    let mut engine = options.verify.then(|| Engine::new(&beads));
+    // No bodies: the colliders are all there is.
+    let bodies = RigidBodySet::new();
+    let mut changes = Vec::new();
+    let [mut started, mut stopped] = [0; 2];
+    let [mut searching, mut testing] = [Duration::ZERO; 2];
+    for step in 0..options.steps {
+        beads.fly(params.dt);
+        let begin = Instant::now();
+        // All of them have moved, and none is ever removed.
+        broad_phase.update(
+            &params,
+            &beads.colliders,
+            &bodies,
+            &beads.handles,
+            &[],
+            &mut changes,
+        );
+        searching += begin.elapsed();
+        let begin = Instant::now();
+        let events = touching.renew(&mut changes, &beads.colliders);
+        testing += begin.elapsed();
+        if let Some(engine) = &mut engine {
+            let expected = engine.step(&beads, &params);
+            ensure!(
+                touching::sorted(&events) == touching::sorted(&expected),
+                "step {step}: {events:?} instead of {expected:?}"
+            );
+        }
+        started += events.iter().filter(|event| event.started()).count();
+        stopped += events.iter().filter(|event| event.stopped()).count();
+        beads.bounce(touching.pairs());
+    }
+    let per_step = |time: Duration| 1e3 * time.as_secs_f64() / options.steps.max(1) as f64;
+    println!(
+        "{} beads, {} steps: {started} contacts began and {stopped} ended; {} pairs at the end; \
+         {:.3} ms a step for the broad phase, {:.3} ms for the contacts",
+        options.bodies,
+        options.steps,
+        broad_phase.stats().pairs,
+        per_step(searching),
+        per_step(testing),
+    );
+    if engine.is_some() {
+        println!("in every step the same events as those of Rapier's own pipeline");
+    }
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! What the adapter needs of Rapier 0.27 in particular, where [`BroadPhase`] is a trait.
+
+use super::adapter::UnisizeBroadPhase;
+use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+use super::rapier::geometry::{BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet};
+use super::rapier::math::{Isometry, Point, Real};
+use super::rapier::parry::utils::IsometryOps;
+
+mod pair_filter;
+mod unusual_box;
+
+pub(super) use pair_filter::PairFilter;
+pub(super) use unusual_box::unusual_box;
+
+pub(super) type Vector = super::rapier::math::Vector<Real>;
+#[cfg(test)]
+pub(super) type AngVector = super::rapier::math::AngVector<Real>;
+
+/// The margin of Rapier's own broad phase, in multiples of the length unit.
+pub(super) const MARGIN: Real = 0.01;
+
+/// The origin of a pose.
+#[inline(always)]
+pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
+    pose.translation.vector
+}
+
+/// How far the corners of a box with these half extents reach when it is turned.
+#[inline(always)]
+pub(super) fn turned(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
+    pose.absolute_transform_vector(half_extents)
+}
+
+/// A vector to a point.
+pub(super) fn coordinates(point: Point<Real>) -> Vector {
+    point.coords
+}
+
+impl BroadPhase for UnisizeBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let lists = [modified_colliders, removed_colliders];
+        self.bring_up_to_date(params, colliders, bodies, lists, events);
+    }
+}

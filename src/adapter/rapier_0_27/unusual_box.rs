@@ -1,0 +1,50 @@
+//! The box of a collider that is not just that of a simple shape where it is.
+
+use super::super::rapier::dynamics::{
+    IntegrationParameters, RigidBody, RigidBodyPosition, RigidBodySet, RigidBodyVelocity,
+};
+use super::super::rapier::geometry::Collider;
+use super::super::rapier::math::{DIM, Isometry, Real};
+use super::super::rapier::parry::bounding_volume::BoundingVolume;
+use crate::Aabb;
+
+/// The box of a collider that soft CCD has expect its body elsewhere at the end of the step, or whose shape is not simple,
+/// loosened by this distance.
+#[inline(never)]
+pub(in super::super) fn unusual_box(
+    collider: &Collider,
+    bodies: &RigidBodySet,
+    params: &IntegrationParameters,
+    distance: Real,
+) -> Aabb<Real, DIM> {
+    let mut swept = collider.compute_aabb();
+    let body = collider.parent().and_then(|parent| bodies.get(parent));
+    if let (Some(body), Some(local_pose)) = (body, collider.position_wrt_parent()) {
+        if body.soft_ccd_prediction() > 0.0 {
+            let pose = predicted_pose(body, params.dt, body.soft_ccd_prediction()) * local_pose;
+            swept.merge(&collider.shape().compute_aabb(&pose));
+        }
+    }
+    Aabb::new(swept.mins.into(), swept.maxs.into()).loosened(distance)
+}
+
+/// Where the body will be after `dt` seconds, or after its centre of mass has gone `reach` length units.
+///
+/// Rapier keeps its own version of this private, so the velocity that it would use is read off the motion
+/// that it does predict. A body that turns more than half a circle a step, and moves farther than its
+/// `reach`, is predicted at another angle than there.
+fn predicted_pose(body: &RigidBody, dt: Real, reach: Real) -> Isometry<Real> {
+    let (start, center) = (body.position(), body.local_center_of_mass());
+    let end = body.predict_position_using_velocity_and_forces(dt);
+    let travel = (end * center) - (start * center);
+    let distance = travel.norm();
+    if distance <= reach {
+        return end;
+    }
+    let motion = RigidBodyPosition {
+        position: *start,
+        next_position: end,
+    };
+    let turn = motion.interpolate_velocity(1.0, center).angvel;
+    RigidBodyVelocity::new(travel, turn).integrate(reach / distance, start, center)
+}

@@ -1,0 +1,77 @@
+//! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases.
+
+use super::adapter::UnisizeBroadPhase;
+use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+use super::rapier::geometry::{BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet};
+use super::rapier::math::{DIM, Pose, Real};
+use super::rapier::parry::utils::PoseOps;
+use crate::Aabb;
+
+mod pair_filter;
+
+#[cfg(test)]
+pub(super) use super::rapier::math::AngVector;
+pub(super) use super::rapier::math::Vector;
+pub(super) use pair_filter::PairFilter;
+
+/// The margin of Rapier's own broad phase, in multiples of the length unit.
+pub(super) const MARGIN: Real = 0.04;
+
+/// The origin of a pose.
+#[inline(always)]
+pub(super) fn origin(pose: &Pose) -> Vector {
+    pose.translation
+}
+
+/// How far the corners of a box with these half extents reach when it is turned.
+#[inline(always)]
+pub(super) fn turned(pose: &Pose, half_extents: &Vector) -> Vector {
+    pose.absolute_transform_vector(*half_extents)
+}
+
+/// A vector to a point.
+pub(super) fn coordinates(point: Vector) -> Vector {
+    point
+}
+
+/// The box of a collider whose body soft CCD expects elsewhere at the end of the step, or whose shape is not simple,
+/// loosened by this distance.
+#[inline(never)]
+pub(super) fn unusual_box(
+    collider: &Collider,
+    bodies: &RigidBodySet,
+    params: &IntegrationParameters,
+    distance: Real,
+) -> Aabb<Real, DIM> {
+    if collider.contact_skin() + params.prediction_distance() / 2.0 >= 0.0 {
+        let aabb = collider.compute_broad_phase_aabb(params, bodies);
+        return Aabb::new(aabb.mins.into(), aabb.maxs.into());
+    }
+    // Rapier would panic.
+    let aabb = collider.compute_aabb();
+    Aabb::new(aabb.mins.into(), aabb.maxs.into()).loosened(distance)
+}
+
+impl UnisizeBroadPhase {
+    /// Brings boxes and pairs up to date, and reports how the pairs have changed. The counterpart of
+    /// `BroadPhaseBvh::update`, with its arguments.
+    ///
+    /// `modified_colliders` are those that are new, or whose pose, shape, parent, groups, active collision types, or being enabled may have changed
+    /// since the last call; `removed_colliders` are those that are gone, whose pairs end without an event. Like Rapier's
+    /// own, it does not report pairs that the narrow phase would drop: two colliders of one body, those whose
+    /// collision groups forbid it, and those of two types of bodies of which neither has it among its active
+    /// collision types. Once such a pair is allowed, it is reported by the next update in which one of the two is listed as modified.
+    /// Once reported, a pair stays until the boxes part.
+    pub fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let lists = [modified_colliders, removed_colliders];
+        self.bring_up_to_date(params, colliders, bodies, lists, events);
+    }
+}

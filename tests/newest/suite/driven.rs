@@ -1,0 +1,201 @@
+//! Both broad phases called with the same lists, without a pipeline.
+//!
+//! From outside, Rapier's takes every listed collider for new, and keeps no margin. Without a margin, ours must
+//! report the same. Only where one collider is removed and another gets its index in the same update are they not
+//! compared: there Rapier's may keep pairs of the removed one, and report their end later.
+
+use super::*;
+
+struct Driven {
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    islands: IslandManager,
+    ours: UnisizeBroadPhase,
+    theirs: BroadPhaseBvh,
+    live: Vec<ColliderHandle>,
+    modified: Vec<ColliderHandle>,
+    removed: Vec<ColliderHandle>,
+    reported: usize,
+}
+
+impl Driven {
+    fn new() -> Self {
+        let settings = Settings {
+            margin: 0.0,
+            ..Settings::default()
+        };
+        Self {
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            islands: IslandManager::new(),
+            ours: UnisizeBroadPhase::with_settings(settings),
+            theirs: BroadPhaseBvh::new(),
+            live: Vec::new(),
+            modified: Vec::new(),
+            removed: Vec::new(),
+            reported: 0,
+        }
+    }
+
+    fn insert(&mut self, random: &mut Rand32) {
+        let collider = collider(random).translation(within(random, 4.0));
+        let handle = match random.rand_range(0..4) {
+            0 => self.colliders.insert(collider),
+            1 if !self.bodies.is_empty() => {
+                let count = self.bodies.len() as u32;
+                let nth = random.rand_range(0..count) as usize;
+                let (body, _) = self.bodies.iter().nth(nth).unwrap();
+                self.colliders
+                    .insert_with_parent(collider, body, &mut self.bodies)
+            }
+            _ => {
+                let body = self.bodies.insert(body(random));
+                self.colliders
+                    .insert_with_parent(collider, body, &mut self.bodies)
+            }
+        };
+        self.live.push(handle);
+        self.modified.push(handle);
+    }
+
+    fn change(&mut self, random: &mut Rand32, may_remove: bool) {
+        let nth = random.rand_range(0..self.live.len() as u32) as usize;
+        let handle = self.live[nth];
+        self.modified.push(handle);
+        let other = collider(random).build();
+        let mine = &mut self.colliders[handle];
+        match random.rand_range(0..8) {
+            0 => mine.set_collision_groups(other.collision_groups()),
+            1 => mine.set_active_collision_types(other.active_collision_types()),
+            2 => mine.set_sensor(other.is_sensor()),
+            3 if may_remove => {
+                self.live.swap_remove(nth);
+                self.modified.retain(|&modified| modified != handle);
+                self.removed.push(handle);
+                let soft_bodies = &mut SoftBodySet::new();
+                let (islands, bodies) = (&mut self.islands, &mut self.bodies);
+                self.colliders
+                    .remove(handle, islands, bodies, soft_bodies, false);
+            }
+            _ => {
+                let there = mine.translation() + within(random, 1.0);
+                mine.set_translation(there);
+            }
+        }
+    }
+
+    /// One update of each, and the same events of both.
+    fn update(&mut self) {
+        self.modified
+            .sort_unstable_by_key(|handle| handle.into_raw_parts());
+        self.modified.dedup();
+        let params = IntegrationParameters::default();
+        let [mut ours, mut theirs] = [(); 2].map(|()| Vec::new());
+        let (colliders, bodies) = (&self.colliders, &self.bodies);
+        let (modified, removed) = (&self.modified, &self.removed);
+        self.ours
+            .update(&params, colliders, bodies, modified, removed, &mut ours);
+        self.theirs
+            .update(&params, colliders, bodies, modified, removed, &mut theirs);
+        assert_eq!(sorted(&ours), sorted(&theirs));
+        self.reported += ours.len();
+        self.ours.validate();
+        self.modified.clear();
+        self.removed.clear();
+    }
+}
+
+/// Whether they are additions, and of which pairs.
+fn sorted(events: &[BroadPhasePairEvent]) -> Vec<(bool, Pair)> {
+    let mut sorted: Vec<_> = events
+        .iter()
+        .map(|event| match event {
+            BroadPhasePairEvent::AddPair(pair) => (true, raw(pair.collider1, pair.collider2)),
+            BroadPhasePairEvent::DeletePair(pair) => (false, raw(pair.collider1, pair.collider2)),
+        })
+        .collect();
+    sorted.sort_unstable();
+    sorted
+}
+
+#[test]
+fn the_same_events() {
+    let mut reported = 0;
+    for seed in 0..40 {
+        let mut random = Rand32::new(seed);
+        let mut driven = Driven::new();
+        for _ in 0..60 {
+            driven.insert(&mut random);
+        }
+        driven.update();
+        for round in 0..40 {
+            let may_remove = round % 2 == 0;
+            for _ in 0..random.rand_range(0..20) {
+                driven.change(&mut random, may_remove);
+            }
+            if !may_remove {
+                for _ in 0..random.rand_range(0..4) {
+                    driven.insert(&mut random);
+                }
+            }
+            driven.update();
+        }
+        reported += driven.reported;
+    }
+    assert!(reported > 1000, "only {reported} events");
+}
+
+#[test]
+fn what_is_taken_as_modified_is_listed_once_in_its_life() {
+    let mut colliders = ColliderSet::new();
+    let handle = colliders.insert(ColliderBuilder::ball(0.5));
+    assert_eq!(colliders.take_modified().len(), 1);
+    colliders[handle].set_translation(Vector::X);
+    assert!(colliders.take_modified().is_empty());
+}
+
+#[test]
+fn a_withheld_pair_is_reported_once_it_is_allowed_and_its_collider_listed() {
+    let mut colliders = ColliderSet::new();
+    let bodies = RigidBodySet::new();
+    let handles = [(); 2].map(|()| colliders.insert(ColliderBuilder::ball(0.5)));
+    let mut broad_phase = UnisizeBroadPhase::new();
+    let mut update = |colliders: &ColliderSet, modified: &[ColliderHandle]| {
+        let mut events = Vec::new();
+        let params = IntegrationParameters::default();
+        broad_phase.update(&params, colliders, &bodies, modified, &[], &mut events);
+        let stats = broad_phase.stats();
+        assert_eq!(broad_phase.pairs().count(), stats.pairs);
+        (events.len(), stats.pairs, stats.withheld)
+    };
+    // Without bodies they count as fixed.
+    assert_eq!(update(&colliders, &handles), (0, 0, 1));
+    colliders[handles[1]].set_active_collision_types(ActiveCollisionTypes::all());
+    assert_eq!(update(&colliders, &[]), (0, 0, 1));
+    assert_eq!(update(&colliders, &handles[1..]), (1, 1, 0));
+    // Rapier too leaves it to the narrow phase to drop what it once was told of.
+    colliders[handles[1]].set_active_collision_types(ActiveCollisionTypes::empty());
+    assert_eq!(update(&colliders, &handles), (0, 1, 0));
+    colliders[handles[0]].set_translation(Vector::X * 9.0);
+    assert_eq!(update(&colliders, &handles), (1, 0, 0));
+    colliders[handles[0]].set_translation(Vector::ZERO);
+    assert_eq!(update(&colliders, &handles), (0, 0, 1));
+}
+
+#[test]
+fn boxes_that_rapier_would_panic_at_have_no_loosening() {
+    let mut colliders = ColliderSet::new();
+    let bodies = RigidBodySet::new();
+    let mut random = Rand32::new(1);
+    let handles: Vec<_> = (0..40)
+        .map(|i| {
+            let skin = [-1.0, Real::NAN, Real::INFINITY, 0.0][i % 4];
+            colliders.insert(collider(&mut random).contact_skin(skin))
+        })
+        .collect();
+    let mut broad_phase = UnisizeBroadPhase::new();
+    let params = IntegrationParameters::default();
+    broad_phase.update(&params, &colliders, &bodies, &handles, &[], &mut Vec::new());
+    broad_phase.validate();
+    assert_eq!(broad_phase.stats().proxies, handles.len());
+}

@@ -1,0 +1,108 @@
+//! Beside Rapier's own `PhysicsPipeline`: before each step ours is told what has moved, and after it, its pairs must be
+//! those that the narrow phase holds.
+
+use super::*;
+
+struct Stepped {
+    world: PhysicsWorld,
+    ours: UnisizeBroadPhase,
+    removed: Vec<ColliderHandle>,
+    /// The most pairs so far, and the most that were withheld.
+    most: [usize; 2],
+}
+
+impl Stepped {
+    fn new() -> Self {
+        let mut world = PhysicsWorld::default();
+        let floor = SharedShape::new(Cuboid::new(Vector::ONE * 20.0));
+        world.insert(
+            RigidBodyBuilder::fixed().translation(Vector::Y * -20.0),
+            ColliderBuilder::new(floor),
+        );
+        Self {
+            world,
+            ours: UnisizeBroadPhase::new(),
+            removed: Vec::new(),
+            most: [0; 2],
+        }
+    }
+
+    fn insert(&mut self, random: &mut Rand32) {
+        let place = within(random, 3.0) + Vector::Y * 4.0;
+        let (body, _) = self
+            .world
+            .insert(body(random).translation(place), collider(random));
+        for _ in 0..random.rand_range(0..2) {
+            let second = collider(random).translation(within(random, 0.5));
+            let PhysicsWorld {
+                bodies, colliders, ..
+            } = &mut self.world;
+            colliders.insert_with_parent(second, body, bodies);
+        }
+    }
+
+    fn remove(&mut self, random: &mut Rand32) {
+        let count = self.world.bodies.len() as u32;
+        let nth = random.rand_range(1..count) as usize;
+        let Some((body, data)) = self.world.bodies.iter().nth(nth) else {
+            return;
+        };
+        self.removed.extend_from_slice(data.colliders());
+        self.world.remove_body(body);
+    }
+
+    fn step(&mut self) {
+        let PhysicsWorld {
+            bodies, colliders, ..
+        } = &self.world;
+        // Those that have not moved have not left their box.
+        let all: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
+        let params = self.world.integration_parameters;
+        self.ours.update(
+            &params,
+            colliders,
+            bodies,
+            &all,
+            &self.removed,
+            &mut Vec::new(),
+        );
+        self.removed.clear();
+        self.world.step();
+
+        let narrow_phase = &self.world.narrow_phase;
+        let contacts = narrow_phase.contact_pairs();
+        let contacts = contacts.map(|pair| raw(pair.collider1, pair.collider2));
+        let meetings = narrow_phase.intersection_pairs();
+        let meetings = meetings.map(|(first, second, _)| raw(first, second));
+        let theirs: BTreeSet<_> = contacts.chain(meetings).collect();
+        let ours = pairs(&self.ours);
+        assert_eq!(ours, theirs);
+        self.ours.validate();
+        let stats = self.ours.stats();
+        self.most[0] = self.most[0].max(stats.pairs);
+        self.most[1] = self.most[1].max(stats.withheld);
+    }
+}
+
+#[test]
+fn the_same_pairs() {
+    for seed in 0..6 {
+        let mut random = Rand32::new(seed);
+        let mut stepped = Stepped::new();
+        for _ in 0..60 {
+            stepped.insert(&mut random);
+        }
+        for step in 0..200 {
+            if step % 10 == 9 {
+                stepped.insert(&mut random);
+                stepped.remove(&mut random);
+            }
+            stepped.step();
+        }
+        let [held, withheld] = stepped.most;
+        assert!(
+            held > 60 && withheld > 20,
+            "{held} pairs, {withheld} withheld"
+        );
+    }
+}

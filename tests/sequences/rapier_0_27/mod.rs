@@ -1,0 +1,85 @@
+//! What the suite needs of Rapier 0.27 in particular.
+
+use super::rapier::parry::query;
+use super::rapier::prelude::*;
+use super::suite::World;
+use super::suite::checked::CheckedBroadPhase;
+use crate::ops::Triple;
+
+#[cfg(test)]
+mod pipelines;
+
+pub(super) type Pose = Isometry<Real>;
+
+pub(super) fn vector(triple: Triple) -> Vector<Real> {
+    Vector::from_fn(|i, _| Real::from(triple[i]))
+}
+
+pub(super) fn translation(triple: Triple) -> Pose {
+    Isometry::from_parts(vector(triple).into(), Rotation::identity())
+}
+
+/// The pose moved along the axes of the world.
+pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
+    pose.translation.vector += vector(by);
+    pose
+}
+
+pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
+    (*collider.translation()).into()
+}
+
+/// How far apart two colliders are, where there is an answer.
+pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
+    query::distance(a.position(), a.shape(), b.position(), b.shape()).ok()
+}
+
+pub(super) fn half_space(normal: Triple) -> SharedShape {
+    let normal = UnitVector::try_new(vector(normal), 0.0);
+    SharedShape::halfspace(normal.unwrap_or(Vector::y_axis()))
+}
+
+pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter)
+}
+
+/// Without waking anything: waking a body whose type has just changed would upset the engine's list of active bodies.
+pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {
+    let World {
+        islands,
+        bodies,
+        colliders,
+        ..
+    } = world;
+    colliders.remove(handle, islands, bodies, false);
+}
+
+pub(super) fn remove_body(world: &mut World, body: RigidBodyHandle, with_colliders: bool) {
+    world.bodies.remove(
+        body,
+        &mut world.islands,
+        &mut world.colliders,
+        &mut world.joints,
+        &mut world.multibody_joints,
+        with_colliders,
+    );
+}
+
+/// Whether a pair whose boxes overlap is one to report: the narrow phase filters.
+pub(super) fn may_meet(_: [&Collider; 2], _: &RigidBodySet) -> bool {
+    true
+}
+
+impl BroadPhase for CheckedBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.check_update(params, colliders, bodies, [modified, removed], events);
+    }
+}

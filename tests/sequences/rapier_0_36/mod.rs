@@ -1,0 +1,78 @@
+//! What the suite needs of Rapier 0.36 in particular.
+
+use super::rapier::math::Vector;
+use super::rapier::parry::query;
+use super::rapier::prelude::*;
+use super::suite::World;
+use crate::ops::Triple;
+
+pub(super) use super::rapier::math::Pose;
+
+pub(super) fn vector(triple: Triple) -> Vector {
+    Vector::from(std::array::from_fn(|i| triple[i]))
+}
+
+pub(super) fn translation(triple: Triple) -> Pose {
+    Pose::from_translation(vector(triple))
+}
+
+/// The pose moved along the axes of the world.
+pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
+    pose.translation += vector(by);
+    pose
+}
+
+pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
+    collider.translation().into()
+}
+
+/// How far apart two colliders are, where there is an answer.
+pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
+    let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
+    Some(distance.ok()?.distance)
+}
+
+pub(super) fn half_space(normal: Triple) -> SharedShape {
+    SharedShape::halfspace(vector(normal).try_normalize().unwrap_or(Vector::Y))
+}
+
+pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter, InteractionTestMode::And)
+}
+
+pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {
+    let World {
+        islands,
+        bodies,
+        colliders,
+        ..
+    } = world;
+    colliders.remove(handle, islands, bodies, &mut SoftBodySet::new(), false);
+}
+
+pub(super) fn remove_body(world: &mut World, body: RigidBodyHandle, with_colliders: bool) {
+    world.bodies.remove(
+        body,
+        &mut world.islands,
+        &mut world.colliders,
+        &mut world.joints,
+        &mut world.multibody_joints,
+        &mut SoftBodySet::new(),
+        with_colliders,
+    );
+}
+
+/// Whether a pair whose boxes overlap is one to report: not if the narrow phase is sure to drop it.
+pub(super) fn may_meet(pair: [&Collider; 2], bodies: &RigidBodySet) -> bool {
+    let [first, second] = pair;
+    let are_on_one_body = first.parent().is_some() && first.parent() == second.parent();
+    let [one, other] = pair.map(|collider| match collider.parent() {
+        Some(body) => bodies[body].body_type(),
+        None => RigidBodyType::Fixed,
+    });
+    let one_has_the_types = pair
+        .iter()
+        .any(|collider| collider.active_collision_types().test(one, other));
+    let groups = first.collision_groups().test(second.collision_groups());
+    !are_on_one_body && one_has_the_types && groups
+}
