@@ -39,6 +39,14 @@ impl<R: Real, const D: usize> Aabb<R, D> {
     /// The comparison is made on the given numbers, without any arithmetic, so it is exact. It is the
     /// definition that every [`PairFinder`](crate::PairFinder) answers to. An invalid box (see
     /// [`Aabb::is_valid`]) whose sides are NaN on some axis overlaps nothing.
+    ///
+    /// ```
+    /// use unisize::Aabb;
+    ///
+    /// let square = Aabb::new([0.0, 0.0], [1.0, 1.0]);
+    /// assert!(square.overlaps(&Aabb::new([1.0, 1.0], [2.0, 2.0]))); // In a corner.
+    /// assert!(!square.overlaps(&Aabb::new([1.0, 1.1], [2.0, 2.0])));
+    /// ```
     #[inline]
     pub fn overlaps(&self, other: &Self) -> bool {
         let mut overlaps = true;
@@ -60,7 +68,17 @@ impl<R: Real, const D: usize> Aabb<R, D> {
 
     /// The box with every side moved outward by `margin` (a length, at least 0).
     ///
-    /// In floating point the margin rounds away where coordinates are large.
+    /// In floating point the margin rounds away where coordinates are large. A box with such a margin holds the box that it
+    /// was made of for as long as that moves by less, so that its pairs need not be found anew:
+    ///
+    /// ```
+    /// use unisize::Aabb;
+    ///
+    /// let held = Aabb::new([0.0, 0.0], [1.0, 1.0]).loosened(0.25);
+    /// assert_eq!(held, Aabb::new([-0.25, -0.25], [1.25, 1.25]));
+    /// assert!(held.contains(&Aabb::new([0.2, 0.0], [1.2, 1.0])));
+    /// assert!(!held.contains(&Aabb::new([0.3, 0.0], [1.3, 1.0])));
+    /// ```
     #[inline]
     pub fn loosened(&self, margin: R) -> Self {
         Self {
@@ -69,7 +87,17 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
     }
 
-    /// Whether no coordinate is NaN and `mins <= maxs` on every axis.
+    /// Whether no coordinate is NaN and `mins <= maxs` on every axis. All others are an
+    /// [`InvalidBox`](crate::InvalidBox) to a kernel.
+    ///
+    /// ```
+    /// use unisize::Aabb;
+    ///
+    /// let ground = Aabb::new([f32::NEG_INFINITY, f32::NEG_INFINITY], [f32::INFINITY, 0.0]);
+    /// assert!(ground.is_valid());
+    /// assert!(!Aabb::new([0.0, f32::NAN], [1.0, 1.0]).is_valid());
+    /// assert!(!Aabb::new([0.0, 1.0], [1.0, 0.0]).is_valid());
+    /// ```
     #[inline]
     pub fn is_valid(&self) -> bool {
         let mut valid = true;

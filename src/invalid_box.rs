@@ -3,6 +3,17 @@
 use thiserror::Error;
 
 /// An input that a [`PairFinder`](crate::PairFinder) refuses, with the index of the offending box.
+///
+/// ```
+/// use unisize::{Aabb, GridSweep, InvalidBoxReason, PairFinder};
+///
+/// let boxes = [Aabb::new([0.0, 0.0], [1.0, 1.0]), Aabb::new([0.0, f32::NAN], [1.0, 1.0])];
+/// let mut pairs = vec![[3, 4]];
+/// let error = GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap_err();
+/// assert_eq!((error.index(), error.reason), (1, InvalidBoxReason::NotANumber { axis: 1 }));
+/// assert_eq!(error.to_string(), "box 1 has a NaN on axis 1");
+/// assert!(pairs.is_empty());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("box {index} {reason}")]
 #[non_exhaustive]

@@ -56,6 +56,8 @@
 //! on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are generic over `f32`
 //! and `f64` and over two and three dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod aabb;
 #[cfg(feature = "baselines")]
 mod baselines;

@@ -5,7 +5,30 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 /// A kernel: something that finds all overlapping pairs among boxes.
 ///
 /// A finder owns nothing but scratch memory, kept between calls to spare allocations; the answer depends
-/// on the arguments alone.
+/// on the arguments alone. It may be implemented for others, say to compare them; should it ever get another method, that
+/// will have a default.
+///
+/// ```
+/// use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder, RankSweep, Real};
+///
+/// /// The pairs by any kernel, of any scalar, in any dimension, in an order of their own.
+/// fn sorted_pairs<R: Real, const D: usize>(
+///     mut finder: impl PairFinder<R, D>,
+///     boxes: &[Aabb<R, D>],
+/// ) -> Result<Vec<[u32; 2]>, InvalidBox> {
+///     let mut pairs = Vec::new();
+///     finder.find_pairs(boxes, &mut pairs)?;
+///     pairs.sort_unstable();
+///     Ok(pairs)
+/// }
+///
+/// let boxes = [0.0, 0.5, 1.0, 7.0].map(|x: f64| Aabb::new([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]));
+/// let expected = sorted_pairs(BruteForce, &boxes)?;
+/// assert_eq!(expected, [[0, 1], [0, 2], [1, 2]]);
+/// assert_eq!(sorted_pairs(GridSweep::default(), &boxes)?, expected);
+/// assert_eq!(sorted_pairs(RankSweep::default(), &boxes)?, expected);
+/// # Ok::<(), InvalidBox>(())
+/// ```
 pub trait PairFinder<R, const D: usize> {
     /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
     ///

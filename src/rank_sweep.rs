@@ -50,6 +50,20 @@ const BATCH: usize = 32;
 ///
 /// With the feature `parallel`, the endpoints of the two axes are sorted at once, as section 7 of the paper has it; the
 /// sweep goes on alone. The pairs are the same, in the same order.
+///
+/// ```
+/// use unisize::{Aabb, PairFinder, RankSweep};
+///
+/// let square = |x: f32, y: f32| Aabb::new([x, y], [x + 1.0, y + 1.0]);
+/// let boxes = [square(0.0, 0.0), square(0.5, 0.5), square(3.0, 0.0)];
+/// let mut finder = RankSweep::default().timed();
+/// let mut pairs = Vec::new();
+/// finder.find_pairs(&boxes, &mut pairs)?;
+/// assert_eq!(pairs, [[0, 1]]);
+/// let times = finder.phase_times();
+/// println!("sorting took {:?}, pairing {:?}", times.sort, times.sweep);
+/// # Ok::<(), unisize::InvalidBox>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R, const D: usize> {
     /// Scratch memory for keys of 32 bits, empty unless `R` is `f32`.

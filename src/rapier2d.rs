@@ -1,6 +1,38 @@
 //! The broad phase for rapier2d 0.27.
 //!
-//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it. It answers queries
+//! about the scene as of the last update, with the words of Rapier's:
+//!
+//! ```
+//! use rapier2d::parry::query::DefaultQueryDispatcher;
+//! use rapier2d::prelude::*;
+//! use unisize::rapier2d::UnisizeBroadPhase;
+//!
+//! let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
+//! let wall = colliders.insert(ColliderBuilder::cuboid(0.5, 5.0).translation(vector![4.0, 0.0]));
+//! let sensor = ColliderBuilder::ball(1.0).sensor(true);
+//! let sensor = colliders.insert(sensor.translation(vector![2.0, 0.0]));
+//!
+//! let mut broad_phase = UnisizeBroadPhase::new();
+//! CollisionPipeline::new().step(
+//!     IntegrationParameters::default().prediction_distance(),
+//!     &mut broad_phase,
+//!     &mut NarrowPhase::new(),
+//!     &mut bodies,
+//!     &mut colliders,
+//!     &(),
+//!     &(),
+//! );
+//!
+//! let ray = Ray::new(Point::origin(), vector![1.0, 0.0]);
+//! let scene = |filter| {
+//!     broad_phase.as_query_pipeline(&DefaultQueryDispatcher, &bodies, &colliders, filter)
+//! };
+//! let everything = scene(QueryFilter::default()); // Builds the tree; further ones have it.
+//! assert_eq!(everything.cast_ray(&ray, 100.0, true), Some((sensor, 1.0)));
+//! let solids = scene(QueryFilter::default().exclude_sensors());
+//! assert_eq!(solids.cast_ray(&ray, 100.0, true), Some((wall, 3.5)));
+//! ```
 
 use ::rapier2d as rapier;
 

@@ -10,6 +10,7 @@ mod handles;
 #[path = "../../examples/soak/memory.rs"]
 mod memory;
 mod soak;
+mod trees;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

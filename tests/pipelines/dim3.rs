@@ -6,6 +6,7 @@ use unisize::rapier3d::{Settings, UnisizeBroadPhase};
 use unisize_scenes::dim3::World;
 
 mod flavour;
+mod vehicles;
 
 #[path = "suite/mod.rs"]
 mod suite;

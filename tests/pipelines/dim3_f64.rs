@@ -10,3 +10,6 @@ mod flavour;
 
 #[path = "suite/mod.rs"]
 mod suite;
+
+#[path = "dim3/vehicles.rs"]
+mod vehicles;

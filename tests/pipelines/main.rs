@@ -9,3 +9,5 @@ mod dim2;
 mod dim2_f64;
 mod dim3;
 mod dim3_f64;
+mod questions;
+mod strategies;

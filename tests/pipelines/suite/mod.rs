@@ -3,17 +3,22 @@
 use super::rapier;
 use super::{Settings, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
 
+mod answers;
 mod bullets;
 mod changes;
+mod characters;
 mod choices;
 mod collisions;
+mod debug_render;
 mod filters;
 mod floors;
 mod hostile;
+mod inquiries;
 mod odd_updates;
 mod piles;
 mod queries;
 mod removals;
 mod snapshot;
-mod twins;
+pub(super) mod twins;
 mod wake_ups;
+mod watched;

@@ -1,12 +1,14 @@
 //! Scene queries: the same answers as from Rapier's own tree.
 
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 
-use super::World;
-use super::rapier::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
+use super::rapier::parry::partitioning::BvhNode;
+use super::rapier::parry::query::{DefaultQueryDispatcher, NonlinearRigidMotion, ShapeCastOptions};
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, dynamic, fixed, triple};
+use super::{World, spin};
 
 /// Balls and cubes in a wide grid, some of them moving.
 fn scattered() -> Twins {
@@ -102,6 +104,14 @@ fn compare_queries(twins: &Twins) -> usize {
             hit.map(|(_, hit)| hit.time_of_impact)
         });
         hits += cast.map_or(0, |_| 1);
+        let cast = same(twins, |scene| {
+            let (start, spin) = (pose, spin(0.5));
+            let center = Point::origin();
+            let motion = NonlinearRigidMotion::new(start, center, at(-1.0, -0.3), spin);
+            let hit = scene.cast_shape_nonlinear(&motion, &probe, 0.0, 10.0, false);
+            hit.map(|(_, hit)| hit.time_of_impact)
+        });
+        hits += cast.map_or(0, |_| 1);
     }
     hits
 }
@@ -160,6 +170,39 @@ fn with_the_sets_borrowed_mutably() {
         .parent()
         .expect("every collider has a body");
     assert!(scene.bodies[parent].is_dynamic());
+}
+
+/// Where the first node of the tree is in memory.
+fn first_node(scene: &QueryPipeline<'_>) -> *const BvhNode {
+    let first = Cell::new(std::ptr::null::<BvhNode>());
+    let mut leaves = scene.bvh.leaves(|node| {
+        if first.get().is_null() {
+            first.set(node);
+        }
+        true
+    });
+    assert!(leaves.next().is_some());
+    first.get()
+}
+
+/// That it is kept over updates in which no box changes is seen by `tests/memory`.
+#[test]
+fn one_tree_for_all_queries_between_two_updates() {
+    let mut twins = scattered();
+    twins.step();
+    let dispatcher = &DefaultQueryDispatcher;
+    let filter = QueryFilter::default();
+    let (unisize, mut world) = (&twins.unisize, World::new(Vector::zeros()));
+    world.bodies = twins.ours.bodies.clone();
+    world.colliders = twins.ours.colliders.clone();
+    let (bodies, colliders) = (&twins.ours.bodies, &twins.ours.colliders);
+    // The first borrows its tree until the end, so that no other could be in the same memory.
+    let first = unisize.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    let second = unisize.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    assert_eq!(first_node(&first), first_node(&second));
+    let (bodies, colliders) = (&mut world.bodies, &mut world.colliders);
+    let third = unisize.as_query_pipeline_mut(dispatcher, bodies, colliders, filter);
+    assert_eq!(first_node(&first), first_node(&third.as_ref()));
 }
 
 #[test]

@@ -7,9 +7,9 @@ use super::World;
 use super::rapier::prelude::*;
 
 /// Two colliders, the smaller handle first.
-pub(super) type Pair = [(u32, u32); 2];
+pub(crate) type Pair = [(u32, u32); 2];
 
-pub(super) fn pair(a: ColliderHandle, b: ColliderHandle) -> Pair {
+pub(crate) fn pair(a: ColliderHandle, b: ColliderHandle) -> Pair {
     let mut pair = [a.into_raw_parts(), b.into_raw_parts()];
     pair.sort_unstable();
     pair
@@ -17,7 +17,7 @@ pub(super) fn pair(a: ColliderHandle, b: ColliderHandle) -> Pair {
 
 /// A collision or contact-force event.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Event {
+pub(crate) enum Event {
     Started(Pair, u32),
     Stopped(Pair, u32),
     /// With the bits of the total force.
@@ -26,7 +26,7 @@ pub(super) enum Event {
 
 /// An event handler that keeps the events.
 #[derive(Default)]
-pub(super) struct EventLog(Mutex<Vec<Event>>);
+pub(crate) struct EventLog(Mutex<Vec<Event>>);
 
 impl EventLog {
     fn push(&self, event: Event) {
@@ -62,21 +62,21 @@ impl EventHandler for EventLog {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Snapshot {
+pub(crate) struct Snapshot {
     /// The pairs with an active contact.
-    pub(super) contacts: BTreeSet<Pair>,
+    pub(crate) contacts: BTreeSet<Pair>,
     /// The pairs with a sensor that intersect.
-    pub(super) intersections: BTreeSet<Pair>,
+    pub(crate) intersections: BTreeSet<Pair>,
     /// The events of the step, sorted.
-    pub(super) events: Vec<Event>,
+    pub(crate) events: Vec<Event>,
     /// The bodies that sleep.
-    pub(super) asleep: BTreeSet<u32>,
+    pub(crate) asleep: BTreeSet<u32>,
     /// Every body's pose.
-    pub(super) poses: BTreeMap<u32, Isometry<Real>>,
+    pub(crate) poses: BTreeMap<u32, Isometry<Real>>,
 }
 
 impl Snapshot {
-    pub(super) fn of(world: &World, log: EventLog) -> Self {
+    pub(crate) fn of(world: &World, log: EventLog) -> Self {
         let contacts = world.narrow_phase.contact_pairs();
         let contacts = contacts.filter(|contact| contact.has_any_active_contact);
         let intersections = world.narrow_phase.intersection_pairs();
@@ -99,28 +99,28 @@ impl Snapshot {
         }
     }
 
-    pub(super) fn touches(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+    pub(crate) fn touches(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
         self.contacts.contains(&pair(a, b))
     }
 
-    pub(super) fn intersects(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+    pub(crate) fn intersects(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
         self.intersections.contains(&pair(a, b))
     }
 
-    pub(super) fn sleeps(&self, body: RigidBodyHandle) -> bool {
+    pub(crate) fn sleeps(&self, body: RigidBodyHandle) -> bool {
         self.asleep.contains(&body.into_raw_parts().0)
     }
 
-    pub(super) fn height(&self, body: RigidBodyHandle) -> Real {
+    pub(crate) fn height(&self, body: RigidBodyHandle) -> Real {
         self.poses[&body.into_raw_parts().0].translation.y
     }
 
-    pub(super) fn started(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
+    pub(crate) fn started(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
         self.events.contains(&Event::Started(pair(a, b), 0))
     }
 
     /// Whether the two stopped touching, because of a removal or not.
-    pub(super) fn stopped(&self, a: ColliderHandle, b: ColliderHandle, removed: bool) -> bool {
+    pub(crate) fn stopped(&self, a: ColliderHandle, b: ColliderHandle, removed: bool) -> bool {
         let flags = match removed {
             true => CollisionEventFlags::REMOVED,
             false => CollisionEventFlags::empty(),

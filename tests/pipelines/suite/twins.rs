@@ -2,26 +2,27 @@
 
 use std::fmt::Debug;
 
+use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
 use super::snapshot::{EventLog, Snapshot};
 use super::{UnisizeBroadPhase, World};
 
-pub(super) struct Twins {
-    pub(super) ours: World,
-    pub(super) theirs: World,
-    pub(super) unisize: UnisizeBroadPhase,
-    pub(super) default: DefaultBroadPhase,
+pub(crate) struct Twins {
+    pub(crate) ours: World,
+    pub(crate) theirs: World,
+    pub(crate) unisize: UnisizeBroadPhase,
+    pub(crate) default: DefaultBroadPhase,
     /// The hooks of both.
-    pub(super) hooks: Box<dyn PhysicsHooks>,
+    pub(crate) hooks: Box<dyn PhysicsHooks>,
 }
 
 impl Twins {
     /// Without gravity.
-    pub(super) fn weightless() -> Self {
+    pub(crate) fn weightless() -> Self {
         Self::with_gravity(Vector::zeros())
     }
 
-    pub(super) fn heavy() -> Self {
+    pub(crate) fn heavy() -> Self {
         Self::with_gravity(at(0.0, -9.81))
     }
 
@@ -36,14 +37,14 @@ impl Twins {
     }
 
     /// Does the same to both worlds; the results must be equal.
-    pub(super) fn both<T: PartialEq + Debug>(&mut self, change: impl Fn(&mut World) -> T) -> T {
+    pub(crate) fn both<T: PartialEq + Debug>(&mut self, change: impl Fn(&mut World) -> T) -> T {
         let result = change(&mut self.ours);
         assert_eq!(result, change(&mut self.theirs));
         result
     }
 
     /// Inserts a body with one collider that reports its collisions.
-    pub(super) fn insert(
+    pub(crate) fn insert(
         &mut self,
         body: RigidBodyBuilder,
         collider: ColliderBuilder,
@@ -56,23 +57,46 @@ impl Twins {
     }
 
     /// Inserts a wide fixed floor with its top at height 0.
-    pub(super) fn insert_floor(&mut self) -> (RigidBodyHandle, ColliderHandle) {
+    pub(crate) fn insert_floor(&mut self) -> (RigidBodyHandle, ColliderHandle) {
         let floor = cuboid([100.0, 1.0, 100.0]).translation(at(0.0, -1.0));
         self.insert(RigidBodyBuilder::fixed(), floor)
     }
 
     /// Changes a collider in both worlds.
-    pub(super) fn change(&mut self, collider: ColliderHandle, change: impl Fn(&mut Collider)) {
+    pub(crate) fn change(&mut self, collider: ColliderHandle, change: impl Fn(&mut Collider)) {
         self.both(|world| change(&mut world.colliders[collider]));
     }
 
     /// Changes a body in both worlds.
-    pub(super) fn change_body(&mut self, body: RigidBodyHandle, change: impl Fn(&mut RigidBody)) {
+    pub(crate) fn change_body(&mut self, body: RigidBodyHandle, change: impl Fn(&mut RigidBody)) {
         self.both(|world| change(&mut world.bodies[body]));
     }
 
+    /// Asks both worlds the same, ours first, and changes them alike; all that comes of it must be equal, to the last bit.
+    pub(crate) fn both_scenes<T: Debug>(
+        &mut self,
+        filter: QueryFilter<'_>,
+        mut ask: impl FnMut(QueryPipelineMut<'_>) -> T,
+    ) -> T {
+        let dispatcher = &DefaultQueryDispatcher;
+        let Self { ours, theirs, .. } = self;
+        let World {
+            bodies, colliders, ..
+        } = ours;
+        let scene = &self.unisize;
+        let answer = ask(scene.as_query_pipeline_mut(dispatcher, bodies, colliders, filter));
+        let World {
+            bodies, colliders, ..
+        } = theirs;
+        let scene = &self.default;
+        let expected = ask(scene.as_query_pipeline_mut(dispatcher, bodies, colliders, filter));
+        // Numbers are written such that they read back the same.
+        assert_eq!(format!("{answer:?}"), format!("{expected:?}"));
+        answer
+    }
+
     /// One step; what is seen of both worlds must be equal.
-    pub(super) fn step(&mut self) -> Snapshot {
+    pub(crate) fn step(&mut self) -> Snapshot {
         let (our_log, their_log) = (EventLog::default(), EventLog::default());
         let hooks = &*self.hooks;
         self.ours.step(&mut self.unisize, hooks, &our_log);
@@ -81,7 +105,7 @@ impl Twins {
     }
 
     /// One step of a collision pipeline, without dynamics.
-    pub(super) fn collide(&mut self) -> Snapshot {
+    pub(crate) fn collide(&mut self) -> Snapshot {
         let (our_log, their_log) = (EventLog::default(), EventLog::default());
         let hooks = &*self.hooks;
         collide(&mut self.ours, &mut self.unisize, hooks, &our_log);
@@ -98,7 +122,7 @@ impl Twins {
     }
 
     /// The last of so many steps.
-    pub(super) fn steps(&mut self, count: usize) -> Snapshot {
+    pub(crate) fn steps(&mut self, count: usize) -> Snapshot {
         for _ in 1..count {
             self.step();
         }
@@ -106,7 +130,7 @@ impl Twins {
     }
 
     /// Steps until something is seen, and returns that step.
-    pub(super) fn step_until(&mut self, seen: impl Fn(&Snapshot) -> bool) -> Snapshot {
+    pub(crate) fn step_until(&mut self, seen: impl Fn(&Snapshot) -> bool) -> Snapshot {
         for _ in 0..600 {
             let snapshot = self.step();
             if seen(&snapshot) {
@@ -135,28 +159,28 @@ fn collide(
 }
 
 /// The point or direction in the plane of the first two axes.
-pub(super) fn at(x: Real, y: Real) -> Vector<Real> {
+pub(crate) fn at(x: Real, y: Real) -> Vector<Real> {
     triple([x, y, 0.0])
 }
 
 /// The last coordinate is unused in two dimensions.
-pub(super) fn triple(xyz: [Real; 3]) -> Vector<Real> {
+pub(crate) fn triple(xyz: [Real; 3]) -> Vector<Real> {
     Vector::from_fn(|i, _| xyz[i])
 }
 
-pub(super) fn cuboid(half: [Real; 3]) -> ColliderBuilder {
+pub(crate) fn cuboid(half: [Real; 3]) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(Cuboid::new(triple(half))))
 }
 
 /// A cube of side 1.
-pub(super) fn cube() -> ColliderBuilder {
+pub(crate) fn cube() -> ColliderBuilder {
     cuboid([0.5; 3])
 }
 
-pub(super) fn dynamic(x: Real, y: Real) -> RigidBodyBuilder {
+pub(crate) fn dynamic(x: Real, y: Real) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic().translation(at(x, y))
 }
 
-pub(super) fn fixed(x: Real, y: Real) -> RigidBodyBuilder {
+pub(crate) fn fixed(x: Real, y: Real) -> RigidBodyBuilder {
     RigidBodyBuilder::fixed().translation(at(x, y))
 }
