@@ -1,9 +1,9 @@
 //! Boxes of one size that start evenly spread over a square, each with a velocity towards its centre, and pass through each
 //! other: first a cluster, then a ring.
 
-use crate::rapier::prelude::*;
-use crate::scenes::World;
-use crate::show::{Show, Watched};
+use super::rapier::prelude::*;
+use super::scenes::World;
+use super::show::{Show, Watched};
 use unisize_pictures::{Camera, Drawing, palette};
 use unisize_scenes::ConvergingBoxes;
 

@@ -1,8 +1,8 @@
 //! Animals that run through a gorge with rocks in it, come back at its beginning, and make room for each other.
 
-use crate::rapier::prelude::*;
-use crate::scenes::World;
-use crate::show::{Show, Watched};
+use super::rapier::prelude::*;
+use super::scenes::World;
+use super::show::{Show, Watched};
 use unisize_pictures::{Camera, Color, Drawing, palette};
 
 /// Half the length and half the width of an animal.

@@ -1,9 +1,9 @@
 //! A container with glass walls, and a jet of grains that goes round above it.
 
-use crate::rapier::prelude::*;
-use crate::scenes::World;
-use crate::show::{Show, Watched};
-use crate::solids;
+use super::rapier::prelude::*;
+use super::scenes::World;
+use super::show::{Show, Watched};
+use super::solids;
 use std::f32::consts::TAU;
 use unisize_pictures::{Camera, Color, Drawing, palette};
 

@@ -1,9 +1,9 @@
 //! Layers of ropes, one crosswise over the other, that fall over bars, turning in opposite directions.
 
-use crate::rapier::prelude::*;
-use crate::scenes::World;
-use crate::show::{Show, Watched};
-use crate::solids;
+use super::rapier::prelude::*;
+use super::scenes::World;
+use super::show::{Show, Watched};
+use super::solids;
 use unisize_pictures::{Camera, Drawing, palette};
 
 /// How many capsules there are in a rope.

@@ -1,8 +1,9 @@
 //! The command line.
 
 use super::Show;
+use super::choice::Choice;
 use clap::builder::RangedU64ValueParser;
-use clap::{CommandFactory, FromArgMatches, Parser, ValueEnum};
+use clap::{CommandFactory, FromArgMatches, Parser};
 use std::path::PathBuf;
 
 /// The switches of every example that shows something.
@@ -29,33 +30,6 @@ pub(crate) struct Options {
     /// Width and height of what is drawn, in pixels
     #[arg(long, num_args = 2, value_names = ["WIDTH", "HEIGHT"], default_values_t = [640, 360], value_parser = between(1, 8192))]
     size: Vec<usize>,
-}
-
-/// The broad phase that drives the simulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Choice {
-    /// This library
-    Unisize,
-    /// Rapier's own
-    Default,
-}
-
-impl Choice {
-    /// Its name in a legend.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Unisize => "unisize",
-            Self::Default => "Rapier's default",
-        }
-    }
-
-    /// The line of code that chooses it.
-    pub(crate) fn line(self) -> &'static str {
-        match self {
-            Self::Unisize => "let mut broad_phase = UnisizeBroadPhase::new();",
-            Self::Default => "let mut broad_phase = DefaultBroadPhase::new();",
-        }
-    }
 }
 
 impl Options {

@@ -1,6 +1,6 @@
 //! The colliders of a world in three dimensions, as they are drawn.
 
-use crate::rapier::prelude::*;
+use super::rapier::prelude::*;
 use unisize_pictures::{Color, Drawing};
 
 /// Draws a collider, if it is a ball, a capsule or a cuboid.

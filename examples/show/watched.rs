@@ -1,23 +1,13 @@
 //! The broad phase that was chosen, timed, and compared with the other one if that is asked for.
 
 use super::Show;
-use super::options::{Choice, Options};
-use crate::ours::UnisizeBroadPhase;
-use crate::rapier::prelude::*;
+use super::choice::Choice;
+use super::options::Options;
+use super::ours::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+use super::side::{Side, pair};
 use std::collections::BTreeSet;
-use std::time::{Duration, Instant};
-
-/// A pair of colliders as indices and generations, the smaller first.
-type Pair = [(u32, u32); 2];
-
-/// A broad phase with the pairs that it holds by its own account.
-struct Side<B> {
-    broad_phase: B,
-    /// Kept up by events, where they are of interest.
-    held: Option<BTreeSet<Pair>>,
-    events: Vec<BroadPhasePairEvent>,
-    elapsed: Duration,
-}
+use std::time::Duration;
 
 /// The broad phase that drives a simulation, and the other one if pairs are compared.
 pub(crate) struct Watched {
@@ -100,65 +90,6 @@ impl Watched {
     }
 }
 
-impl<B: BroadPhase> Side<B> {
-    fn new(broad_phase: B, keeps_book: bool) -> Self {
-        Self {
-            broad_phase,
-            held: keeps_book.then(BTreeSet::new),
-            events: Vec::new(),
-            elapsed: Duration::ZERO,
-        }
-    }
-
-    fn pairs(&self) -> Vec<ColliderPair> {
-        let held = self.held.iter().flatten();
-        held.map(|pair| {
-            let [first, second] =
-                pair.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
-            ColliderPair::new(first, second)
-        })
-        .collect()
-    }
-
-    /// Updates it, and leaves what it reports in `events`.
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-    ) {
-        self.events.clear();
-        let start = Instant::now();
-        self.broad_phase.update(
-            params,
-            colliders,
-            bodies,
-            modified,
-            removed,
-            &mut self.events,
-        );
-        self.elapsed += start.elapsed();
-        let Some(held) = &mut self.held else {
-            return;
-        };
-        if !removed.is_empty() {
-            let removed: BTreeSet<_> = removed
-                .iter()
-                .map(|handle| handle.into_raw_parts())
-                .collect();
-            held.retain(|pair| !pair.iter().any(|collider| removed.contains(collider)));
-        }
-        for event in &self.events {
-            match *event {
-                BroadPhasePairEvent::AddPair(added) => held.insert(pair(added)),
-                BroadPhasePairEvent::DeletePair(deleted) => held.remove(&pair(deleted)),
-            };
-        }
-    }
-}
-
 impl BroadPhase for Watched {
     fn update(
         &mut self,
@@ -183,12 +114,4 @@ impl BroadPhase for Watched {
             events.append(reported);
         }
     }
-}
-
-fn pair(pair: ColliderPair) -> Pair {
-    let (first, second) = (
-        pair.collider1.into_raw_parts(),
-        pair.collider2.into_raw_parts(),
-    );
-    [first.min(second), first.max(second)]
 }

@@ -66,6 +66,30 @@ impl Camera {
         self
     }
 
+    /// What it is, in plain numbers.
+    pub fn sight(&self) -> Sight {
+        match self.lens {
+            CameraLens::Orbit {
+                distance,
+                field_of_view,
+            } => Sight::Orbit {
+                eye: (self.target + self.back() * distance).into(),
+                target: self.target.into(),
+                field_of_view,
+            },
+            CameraLens::TopDown { height } => Sight::TopDown {
+                center: [self.target.x, self.target.y],
+                height,
+            },
+        }
+    }
+
+    /// The direction from its target to itself.
+    fn back(&self) -> Vec3 {
+        let (sine, cosine) = self.pitch.sin_cos();
+        Vec3::new(self.yaw.sin() * cosine, sine, self.yaw.cos() * cosine)
+    }
+
     /// What it looks at.
     pub(crate) fn target(&self) -> Vec3 {
         self.target
@@ -83,8 +107,7 @@ impl Camera {
     }
 
     pub(crate) fn view(&self) -> View {
-        let (sine, cosine) = self.pitch.sin_cos();
-        let back = Vec3::new(self.yaw.sin() * cosine, sine, self.yaw.cos() * cosine);
+        let back = self.back();
         match self.lens {
             CameraLens::Orbit {
                 distance,
@@ -99,6 +122,27 @@ impl Camera {
             }
         }
     }
+}
+
+/// Where a [`Camera`] is and what it shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sight {
+    /// In perspective.
+    Orbit {
+        /// The place of the camera.
+        eye: [f32; 3],
+        /// The point that it looks at.
+        target: [f32; 3],
+        /// The vertical angle that it sees.
+        field_of_view: f32,
+    },
+    /// The plane of the first two axes, without perspective.
+    TopDown {
+        /// The point in the middle.
+        center: [f32; 2],
+        /// What is between the lower and the upper edge.
+        height: f32,
+    },
 }
 
 /// How wide a view is: half the height of what it shows, for each unit of depth or at any depth.
@@ -224,7 +268,7 @@ impl Raster {
 
 #[cfg(test)]
 mod tests {
-    use super::{Camera, Raster};
+    use super::{Camera, Raster, Sight};
     use glam::Vec3;
 
     fn place(camera: &Camera, point: [f32; 3]) -> Option<[f32; 2]> {
@@ -256,6 +300,25 @@ mod tests {
         let camera = Camera::top_down([10.0, 20.0], 4.0);
         assert_eq!(place(&camera, [10.0, 20.0, 7.0]), Some([100.0, 50.0]));
         assert_eq!(place(&camera, [12.0, 22.0, 0.0]), Some([150.0, 0.0]));
+    }
+
+    #[test]
+    fn a_sight_says_where_it_is() {
+        let level = Camera::orbit([1.0, 2.0, 3.0], 5.0).field_of_view(0.5);
+        let expected = Sight::Orbit {
+            eye: [1.0, 2.0, 8.0],
+            target: [1.0, 2.0, 3.0],
+            field_of_view: 0.5,
+        };
+        assert_eq!(level.sight(), expected);
+        let Sight::Orbit { eye, .. } = level.raised(0.5).sight() else {
+            panic!("it is still in perspective");
+        };
+        assert!(eye[1] > 2.0, "it is raised");
+        let center = [10.0, 20.0];
+        let height = 4.0;
+        let plane = Camera::top_down(center, height).sight();
+        assert_eq!(plane, Sight::TopDown { center, height });
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use crate::band::{Band, NOTHING, covers};
 use crate::camera::{Camera, Lens, Raster, View};
+use crate::figure::Figure;
 use crate::ground::Ground;
 use crate::light::Light;
 use crate::line::Line;
@@ -145,6 +146,25 @@ impl Drawing {
     /// How many bodies, lines and grounds were left out because their numbers are not finite or not positive.
     pub fn skipped(&self) -> usize {
         self.skipped
+    }
+
+    /// The bodies, in the order in which they were added; those that were skipped are not among them.
+    pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
+        self.bodies.iter().map(|body| Figure {
+            solid: body.shape.into(),
+            color: Color::from_light(body.color),
+            is_lit: body.is_lit,
+        })
+    }
+
+    /// The height of the ground and the distance between the lines of its grid, if there is one.
+    pub fn ground_and_pitch(&self) -> Option<[f32; 2]> {
+        self.ground.map(Into::into)
+    }
+
+    /// The colours of the background, at the upper and at the lower edge.
+    pub fn background_colors(&self) -> [Color; 2] {
+        self.background.map(Color::from_light)
     }
 
     fn add(&mut self, shape: Shape, color: Color, is_lit: bool) {

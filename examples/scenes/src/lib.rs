@@ -30,8 +30,10 @@ mod stampede;
 
 pub mod boxes;
 pub mod dim2;
+#[cfg(feature = "f64")]
 pub mod dim2_f64;
 pub mod dim3;
+#[cfg(feature = "f64")]
 pub mod dim3_f64;
 
 pub use backbone::Backbone;

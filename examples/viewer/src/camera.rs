@@ -1,0 +1,124 @@
+//! Where the window looks from: around a point in space, or down on the plane.
+
+use kiss3d::camera::{Camera3d, OrbitCamera3d, Projection};
+use kiss3d::event::{MouseButton, WindowEvent};
+use kiss3d::glamx::{Mat4, Pose3, Vec3};
+use kiss3d::window::Canvas;
+use unisize_pictures::{Camera, Sight};
+
+/// The vertical angle that stands for a view without perspective: only its product with a distance matters.
+const PARALLEL_ANGLE: f32 = 0.7;
+
+/// A camera that is moved by the mouse, the middle of which is in the middle of what the panel leaves free.
+pub(crate) struct Eye {
+    orbit: OrbitCamera3d,
+    /// How far everything is moved to the left, as a share of half the width of the window.
+    shift: f32,
+}
+
+impl Eye {
+    /// A camera that begins with this view.
+    pub(crate) fn new(camera: &Camera) -> Self {
+        let mut orbit = match camera.sight() {
+            Sight::Orbit {
+                eye,
+                target,
+                field_of_view,
+            } => {
+                let [eye, target] = [eye, target].map(Vec3::from);
+                let reach = eye.distance(target);
+                OrbitCamera3d::new_with_frustum(
+                    field_of_view,
+                    0.01 * reach,
+                    50.0 * reach,
+                    eye,
+                    target,
+                )
+            }
+            Sight::TopDown { center, height } => {
+                let target = Vec3::new(center[0], center[1], 0.0);
+                let distance = height / 2.0 / (PARALLEL_ANGLE / 2.0).tan();
+                let mut orbit = OrbitCamera3d::new_with_frustum(
+                    PARALLEL_ANGLE,
+                    0.01,
+                    20.0 * distance,
+                    target + Vec3::Z * distance,
+                    target,
+                );
+                orbit.set_projection(Projection::Orthographic);
+                orbit.rebind_rotate_button(None);
+                orbit.rebind_drag_button(Some(MouseButton::Button1));
+                orbit
+            }
+        };
+        // It would look at the origin.
+        orbit.rebind_reset_key(None);
+        Self { orbit, shift: 0.0 }
+    }
+
+    /// Tells how large the window is and how much of its width the panel takes.
+    pub(crate) fn fit(&mut self, canvas: &Canvas, [width, height]: [u32; 2], panel: f32) {
+        // The camera hears of sizes only when they change.
+        let size = WindowEvent::FramebufferSize(width.max(1), height.max(1));
+        self.orbit.handle_event(canvas, &size);
+        self.shift = panel / width.max(1) as f32;
+    }
+
+    /// A point that is seen in the same place and lies so much nearer.
+    pub(crate) fn nearer(&self, point: Vec3, by: f32) -> Vec3 {
+        let way = match self.orbit.projection() {
+            Projection::Perspective => self.orbit.eye() - point,
+            Projection::Orthographic => self.orbit.eye() - self.orbit.at(),
+        };
+        point + way.normalize_or_zero() * by
+    }
+
+    /// How far it is from what it looks at.
+    pub(crate) fn distance(&self) -> f32 {
+        self.orbit.dist()
+    }
+
+    /// What it looks at.
+    pub(crate) fn target(&self) -> Vec3 {
+        self.orbit.at()
+    }
+
+    fn to_the_left(&self) -> Mat4 {
+        Mat4::from_translation(Vec3::new(-self.shift, 0.0, 0.0))
+    }
+}
+
+impl Camera3d for Eye {
+    fn handle_event(&mut self, canvas: &Canvas, event: &WindowEvent) {
+        self.orbit.handle_event(canvas, event);
+    }
+
+    fn eye(&self) -> Vec3 {
+        self.orbit.eye()
+    }
+
+    fn view_transform(&self) -> Pose3 {
+        self.orbit.view_transform()
+    }
+
+    fn transformation(&self) -> Mat4 {
+        self.to_the_left() * self.orbit.transformation()
+    }
+
+    fn inverse_transformation(&self) -> Mat4 {
+        self.transformation().inverse()
+    }
+
+    fn clip_planes(&self) -> (f32, f32) {
+        self.orbit.clip_planes()
+    }
+
+    fn update(&mut self, canvas: &Canvas) {
+        self.orbit.update(canvas);
+    }
+
+    fn view_transform_pair(&self, pass: usize) -> (Pose3, Mat4) {
+        let (view, projection) = self.orbit.view_transform_pair(pass);
+        (view, self.to_the_left() * projection)
+    }
+}

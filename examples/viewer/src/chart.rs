@@ -1,0 +1,122 @@
+//! The running chart of milliseconds.
+
+use crate::history::{History, Sample};
+use egui_plot::{AxisHints, Corner, Legend, Line, LineStyle, Plot};
+use kiss3d::egui::{Color32, RichText, TextStyle, Ui};
+
+/// The colours of the broad phases, which differ in lightness too: those of Okabe and Ito for people who do not tell red
+/// from green.
+pub(crate) const UNISIZE: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
+pub(crate) const DEFAULT: Color32 = Color32::from_rgb(0xe6, 0x9f, 0x00);
+
+/// The height of a chart.
+const HEIGHT: f32 = 118.0;
+
+/// What is read from a step.
+type Read = fn(&Sample) -> Option<f64>;
+
+/// The whole step as it is with unisize, and as it is with Rapier's own.
+const STEP: [Read; 2] = [
+    |sample| Some(sample.unisize? + sample.rest),
+    |sample| Some(sample.default? + sample.rest),
+];
+
+const BROAD_PHASE: [Read; 2] = [|sample| sample.unisize, |sample| sample.default];
+
+/// Draws a chart of the broad phase and one of the whole step.
+pub(crate) fn show(ui: &mut Ui, history: &History) {
+    for (id, title, read) in [
+        ("broad phase", "Broad phase", BROAD_PHASE),
+        ("step", "Whole step", STEP),
+    ] {
+        ui.add_space(2.0);
+        ui.label(RichText::new(title).strong());
+        let [first, last] = history.range().map(|step| step as f64);
+        let milliseconds = AxisHints::new_y()
+            .label("ms")
+            .min_thickness(30.0)
+            .formatter(|mark, _| format_milliseconds(mark.value));
+        Plot::new(id)
+            .height(HEIGHT)
+            .custom_x_axes(vec![AxisHints::new_x().label("step")])
+            .custom_y_axes(vec![milliseconds])
+            .include_x(first)
+            .include_x(last)
+            .include_y(0.0)
+            .allow_drag(false)
+            .allow_zoom(false)
+            .allow_scroll(false)
+            .allow_boxed_zoom(false)
+            .legend(
+                Legend::default()
+                    .position(Corner::LeftTop)
+                    .text_style(TextStyle::Small)
+                    .follow_insertion_order(true),
+            )
+            .show(ui, |plot| {
+                for (read, name, color, style) in [
+                    (read[0], "unisize", UNISIZE, LineStyle::Solid),
+                    (
+                        read[1],
+                        "default",
+                        DEFAULT,
+                        LineStyle::Dashed { length: 6.0 },
+                    ),
+                ] {
+                    let points = history.points(read);
+                    if !points.is_empty() {
+                        let line = Line::new(name, points).color(color).style(style);
+                        plot.line(line.width(1.5));
+                    }
+                }
+            });
+    }
+}
+
+/// The means of the last steps in the broad phase and in the whole step, for unisize and for the default.
+pub(crate) fn means(history: &History, count: usize) -> [[Option<f64>; 2]; 2] {
+    [BROAD_PHASE, STEP].map(|read| read.map(|read| history.mean(count, read)))
+}
+
+fn format_milliseconds(value: f64) -> String {
+    if value == 0.0 || value >= 1.0 {
+        format!("{value}")
+    } else {
+        // A tenth of a step of the grid may be as small as this.
+        format!("{value:.3}").trim_end_matches('0').to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{format_milliseconds, means};
+    use crate::history::{History, Sample};
+
+    #[test]
+    fn a_step_is_the_rest_and_one_broad_phase() {
+        let mut history = History::new(8);
+        history.push(Sample {
+            unisize: Some(1.0),
+            default: None,
+            rest: 10.0,
+        });
+        assert_eq!(means(&history, 4), [[Some(1.0), None], [Some(11.0), None]]);
+        history.push(Sample {
+            unisize: Some(3.0),
+            default: Some(7.0),
+            rest: 20.0,
+        });
+        assert_eq!(
+            means(&history, 4),
+            [[Some(2.0), Some(7.0)], [Some(17.0), Some(27.0)]]
+        );
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(format_milliseconds(0.0), "0");
+        assert_eq!(format_milliseconds(0.5), "0.5");
+        assert_eq!(format_milliseconds(0.25), "0.25");
+        assert_eq!(format_milliseconds(20.0), "20");
+    }
+}

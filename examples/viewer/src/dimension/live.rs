@@ -1,0 +1,182 @@
+//! A scene on stage: stepped, watched, and asked what there is to be seen.
+
+use super::rapier::math::DIM;
+use super::rapier::prelude::*;
+use super::show::{Show, Watched};
+use crate::choice::Choice;
+use crate::history::Sample;
+use crate::lines::{Extent, Line, pair_line};
+use crate::setup::Setup;
+use crate::stage::{Fact, Stage};
+use std::time::{Duration, Instant};
+use unisize_pictures::{Camera, Drawing, thousands};
+
+/// A scene with its broad phases.
+pub(crate) struct Live<S> {
+    show: S,
+    watched: Watched,
+    choice: Choice,
+    steps: usize,
+}
+
+impl<S: Show> Live<S> {
+    pub(crate) fn new(bodies: usize, setup: &Setup) -> Self {
+        Self {
+            show: S::build(bodies),
+            watched: Watched::new(setup, S::CONTACTS),
+            choice: setup.choice,
+            steps: 0,
+        }
+    }
+}
+
+impl<S: Show> Stage for Live<S> {
+    fn step(&mut self) -> Sample {
+        self.steps += 1;
+        self.show.prepare(self.steps, &self.watched);
+        let before = self.watched.clock();
+        let start = Instant::now();
+        self.show.world().step(&mut self.watched, &(), &());
+        let elapsed = start.elapsed();
+        let after = self.watched.clock();
+        let broad_phase = |before: Option<Duration>, after: Option<Duration>| {
+            Some(after?.saturating_sub(before?).as_secs_f64() * 1e3)
+        };
+        let watched = after.all.saturating_sub(before.all);
+        Sample {
+            unisize: broad_phase(before.unisize, after.unisize),
+            default: broad_phase(before.default, after.default),
+            rest: elapsed.saturating_sub(watched).as_secs_f64() * 1e3,
+        }
+    }
+
+    fn steps(&self) -> usize {
+        self.steps
+    }
+
+    fn length(&self) -> usize {
+        S::STEPS
+    }
+
+    fn change(&mut self, setup: &Setup) {
+        self.watched.succeeded_by(setup);
+        self.choice = setup.choice;
+        // A new broad phase knows only the colliders that are listed to it. Setting a collider's position, even to what it
+        // is, lists it.
+        for (_, collider) in self.show.world().colliders.iter_mut() {
+            collider.set_position(*collider.position());
+        }
+    }
+
+    fn camera(&self) -> Camera {
+        self.show.camera()
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        self.show.draw(drawing, &self.watched);
+    }
+
+    fn extents(&mut self) -> Vec<Extent> {
+        let colliders = self.show.world().colliders.iter();
+        colliders.map(|(_, collider)| extent(collider)).collect()
+    }
+
+    fn pair_lines(&mut self) -> Vec<Line> {
+        let pairs = self.watched.pairs();
+        let colliders = &self.show.world().colliders;
+        let ends = |pair: ColliderPair| {
+            let first = colliders.get(pair.collider1)?;
+            let second = colliders.get(pair.collider2)?;
+            Some(pair_line(&extent(first), &extent(second)))
+        };
+        pairs.into_iter().filter_map(ends).collect()
+    }
+
+    fn strips(&self) -> [u32; 2] {
+        let stats = self.watched.stats();
+        let [rows, columns] = stats.map_or([0; 2], |stats| stats.strips);
+        if DIM == 2 { [rows, 0] } else { [rows, columns] }
+    }
+
+    fn facts(&self) -> Vec<Fact> {
+        let mut facts = vec![
+            Fact::new("bodies", thousands(self.show.bodies()), "that move"),
+            Fact::new("steps", thousands(self.steps), "so far, 60 to a second"),
+        ];
+        if let Some(stats) = self.watched.stats() {
+            let strips = match self.strips() {
+                [0, _] => "none".to_owned(),
+                [rows, 0] => rows.to_string(),
+                [rows, columns] => format!("{rows} × {columns}"),
+            };
+            let searches = thousands(stats.full_runs as usize);
+            let updates = thousands(stats.updates as usize);
+            facts.extend([
+                Fact::new("pairs", thousands(stats.pairs), "of boxes that overlap"),
+                Fact::new(
+                    "candidates",
+                    thousands(stats.candidates),
+                    "pairs that are watched because they may soon be held, or are",
+                ),
+                Fact::new(
+                    "boxes moved",
+                    format!("{} of {}", thousands(stats.moved), thousands(stats.listed)),
+                    "colliders whose box changed in the last update, of those that it was given",
+                ),
+                Fact::new(
+                    "pairs added, ended",
+                    format!("{}, {}", thousands(stats.added), thousands(stats.deleted)),
+                    "by the last update",
+                ),
+                Fact::new(
+                    "moving layer",
+                    thousands(stats.moving),
+                    "boxes that are new, gone, or elsewhere than was foreseen, since the last search for all pairs",
+                ),
+                Fact::new(
+                    "foresight",
+                    format!("{} moves", stats.foresight),
+                    "for how many moves ahead pairs are searched for",
+                ),
+                Fact::new(
+                    "full searches",
+                    format!("{searches} in {updates} updates"),
+                    "the other updates did without a search for all pairs",
+                ),
+                Fact::new(
+                    "classes of sizes",
+                    stats.classes.to_string(),
+                    "each with a grid of its own",
+                ),
+                Fact::new(
+                    "strips",
+                    strips,
+                    "into how many the grid of the smallest boxes is cut, along the second and the third axis",
+                ),
+            ]);
+        }
+        if let Some(pairs) = self.watched.default_pair_count() {
+            facts.push(Fact::new(
+                "pairs of the default",
+                thousands(pairs),
+                "of boxes that overlap, by Rapier's own broad phase",
+            ));
+        }
+        facts
+    }
+
+    fn agree(&self) -> Option<bool> {
+        self.watched.agree()
+    }
+}
+
+/// The box of a collider, the third axis being 0 in the plane.
+fn extent(collider: &Collider) -> Extent {
+    let aabb = collider.compute_aabb();
+    let mut extent = Extent::default();
+    for axis in 0..DIM {
+        extent.mins[axis] = aabb.mins[axis] as f32;
+        extent.maxs[axis] = aabb.maxs[axis] as f32;
+    }
+    extent
+}

@@ -1,0 +1,147 @@
+//! The broad phase of a stage: one of the two, or both on the same colliders, timed.
+
+use super::ours::{Kernel, Settings, Stats, UnisizeBroadPhase};
+use super::rapier::prelude::*;
+use super::side::{Side, pair};
+use crate::choice::Choice;
+use crate::setup::{KernelName, Setup};
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+
+/// The broad phase that drives a simulation, and the other one if both are timed.
+pub(crate) struct Watched {
+    unisize: Option<Side<UnisizeBroadPhase>>,
+    default: Option<Side<DefaultBroadPhase>>,
+    choice: Choice,
+    /// Whether Rapier hears of pairs.
+    has_contacts: bool,
+    /// The pairs that Rapier knows from an earlier broad phase and has not heard of from this one.
+    inherited: Vec<ColliderPair>,
+    /// The time of all updates, with what is done here for the sake of watching.
+    elapsed: Duration,
+}
+
+/// The time that all updates took so far.
+#[derive(Clone, Copy)]
+pub(crate) struct Clock {
+    pub(crate) unisize: Option<Duration>,
+    pub(crate) default: Option<Duration>,
+    pub(crate) all: Duration,
+}
+
+impl Watched {
+    pub(crate) fn new(setup: &Setup, has_contacts: bool) -> Self {
+        let takes_part = |side| setup.times_both || side == setup.choice;
+        let settings = Settings {
+            kernel: match setup.kernel {
+                KernelName::GridSweep => Kernel::GridSweep,
+                KernelName::RankSweep => Kernel::RankSweep,
+                KernelName::BruteForce => Kernel::BruteForce,
+            },
+            margin: setup.margin as Real,
+            ..Settings::default()
+        };
+        Self {
+            unisize: takes_part(Choice::Unisize)
+                .then(|| Side::new(UnisizeBroadPhase::with_settings(settings), false)),
+            // It does not tell which pairs it holds.
+            default: takes_part(Choice::Default).then(|| Side::new(DefaultBroadPhase::new(), true)),
+            choice: setup.choice,
+            has_contacts,
+            inherited: Vec::new(),
+            elapsed: Duration::ZERO,
+        }
+    }
+
+    /// Another broad phase for the same world, all colliders of which have to be listed in the next step.
+    pub(crate) fn succeeded_by(&mut self, setup: &Setup) {
+        let mut inherited = std::mem::take(&mut self.inherited);
+        if self.has_contacts {
+            inherited.extend(self.pairs());
+        }
+        *self = Self {
+            inherited,
+            ..Self::new(setup, self.has_contacts)
+        };
+    }
+
+    /// The pairs that are held, in the same order in each run.
+    pub(crate) fn pairs(&self) -> Vec<ColliderPair> {
+        let ours = self.unisize.as_ref().map(|side| &side.broad_phase);
+        match (self.choice, ours, &self.default) {
+            (Choice::Unisize, Some(unisize), _) => unisize.pairs().collect(),
+            (_, _, Some(default)) => default.pairs(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The statistics of unisize, if it takes part.
+    pub(crate) fn stats(&self) -> Option<Stats> {
+        Some(self.unisize.as_ref()?.broad_phase.stats())
+    }
+
+    /// How many pairs Rapier's own broad phase holds, if it takes part.
+    pub(crate) fn default_pair_count(&self) -> Option<usize> {
+        self.default.as_ref()?.held.as_ref().map(BTreeSet::len)
+    }
+
+    /// Whether both hold the same pairs, if both take part.
+    pub(crate) fn agree(&self) -> Option<bool> {
+        let ours = &self.unisize.as_ref()?.broad_phase;
+        let held = self.default.as_ref()?.held.as_ref()?;
+        let are_as_many = ours.stats().pairs == held.len();
+        Some(are_as_many && ours.pairs().all(|ours| held.contains(&pair(ours))))
+    }
+
+    pub(crate) fn clock(&self) -> Clock {
+        Clock {
+            unisize: self.unisize.as_ref().map(|side| side.elapsed),
+            default: self.default.as_ref().map(|side| side.elapsed),
+            all: self.elapsed,
+        }
+    }
+
+    /// Ends the inherited pairs that this broad phase does not hold; it reports the others as new, which Rapier takes as
+    /// it is meant.
+    fn settle(&mut self, colliders: &ColliderSet, events: &mut Vec<BroadPhasePairEvent>) {
+        let held: BTreeSet<_> = self.pairs().into_iter().map(pair).collect();
+        let ended = self.inherited.drain(..).filter(|inherited| {
+            let exists = |handle| colliders.get(handle).is_some();
+            exists(inherited.collider1)
+                && exists(inherited.collider2)
+                && !held.contains(&pair(*inherited))
+        });
+        events.extend(ended.map(BroadPhasePairEvent::DeletePair));
+    }
+}
+
+impl BroadPhase for Watched {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let start = Instant::now();
+        if let Some(side) = &mut self.unisize {
+            side.update(params, colliders, bodies, modified, removed);
+        }
+        if let Some(side) = &mut self.default {
+            side.update(params, colliders, bodies, modified, removed);
+        }
+        let reported = match self.choice {
+            Choice::Unisize => self.unisize.as_mut().map(|side| &mut side.events),
+            Choice::Default => self.default.as_mut().map(|side| &mut side.events),
+        };
+        if let Some(reported) = reported.filter(|_| self.has_contacts) {
+            events.append(reported);
+            if !self.inherited.is_empty() {
+                self.settle(colliders, events);
+            }
+        }
+        self.elapsed += start.elapsed();
+    }
+}

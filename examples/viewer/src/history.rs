@@ -1,0 +1,113 @@
+//! How long the last steps took.
+
+use std::collections::VecDeque;
+
+/// The milliseconds of one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sample {
+    /// In unisize's broad phase, if it took part.
+    pub(crate) unisize: Option<f64>,
+    /// In Rapier's own, if it took part.
+    pub(crate) default: Option<f64>,
+    /// In everything else.
+    pub(crate) rest: f64,
+}
+
+/// The last steps, the oldest first; older ones are forgotten.
+pub(crate) struct History {
+    samples: VecDeque<Sample>,
+    capacity: usize,
+    /// How many steps there were in all.
+    steps: usize,
+}
+
+impl History {
+    pub(crate) fn new(capacity: usize) -> Self {
+        Self {
+            samples: VecDeque::with_capacity(capacity),
+            capacity,
+            steps: 0,
+        }
+    }
+
+    pub(crate) fn push(&mut self, sample: Sample) {
+        if self.samples.len() == self.capacity {
+            self.samples.pop_front();
+        }
+        self.samples.push_back(sample);
+        self.steps += 1;
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.samples.clear();
+        self.steps = 0;
+    }
+
+    /// The numbers of the first and the last step for which there is room, the first step of all being 1.
+    pub(crate) fn range(&self) -> [usize; 2] {
+        let last = self.steps.max(self.capacity);
+        [last - self.capacity + 1, last]
+    }
+
+    /// Numbers of steps with what is read from their samples, where there is something to read.
+    pub(crate) fn points(&self, read: impl Fn(&Sample) -> Option<f64>) -> Vec<[f64; 2]> {
+        let first = self.steps - self.samples.len() + 1;
+        let numbered = (first..).zip(&self.samples);
+        numbered
+            .filter_map(|(step, sample)| Some([step as f64, read(sample)?]))
+            .collect()
+    }
+
+    /// The mean over the last `count` steps for which there is something to read.
+    pub(crate) fn mean(&self, count: usize, read: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
+        let values: Vec<f64> = self
+            .samples
+            .iter()
+            .rev()
+            .filter_map(read)
+            .take(count)
+            .collect();
+        (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{History, Sample};
+
+    fn sample(unisize: Option<f64>) -> Sample {
+        Sample {
+            unisize,
+            default: None,
+            rest: 1.0,
+        }
+    }
+
+    #[test]
+    fn the_oldest_are_forgotten_and_steps_keep_their_numbers() {
+        let mut history = History::new(3);
+        assert_eq!(history.range(), [1, 3]);
+        for step in 1..=5 {
+            history.push(sample(Some(10.0 * f64::from(step))));
+        }
+        let points = history.points(|sample| sample.unisize);
+        assert_eq!(points, [[3.0, 30.0], [4.0, 40.0], [5.0, 50.0]]);
+        assert_eq!(history.range(), [3, 5]);
+        history.clear();
+        assert!(history.points(|sample| sample.unisize).is_empty());
+        history.push(sample(Some(7.0)));
+        assert_eq!(history.points(|sample| sample.unisize), [[1.0, 7.0]]);
+    }
+
+    #[test]
+    fn what_was_not_measured_is_left_out() {
+        let mut history = History::new(9);
+        for unisize in [Some(100.0), Some(1.0), None, Some(3.0)] {
+            history.push(sample(unisize));
+        }
+        let points = history.points(|sample| sample.unisize);
+        assert_eq!(points, [[1.0, 100.0], [2.0, 1.0], [4.0, 3.0]]);
+        assert_eq!(history.mean(2, |sample| sample.unisize), Some(2.0));
+        assert_eq!(history.mean(2, |sample| sample.default), None);
+    }
+}
