@@ -14,6 +14,11 @@ impl Color {
         Self::from_light(self.light().lerp(other.light(), share))
     }
 
+    /// The amounts of red, green and blue light, 0 to 1, as graphics cards want them.
+    pub fn linear(self) -> [f32; 3] {
+        self.light().into()
+    }
+
     /// The amounts of light, 0 to 1: sums and means of these are right, those of the bytes are too dark.
     pub(crate) fn light(self) -> Vec3 {
         let channel = |byte: u8| {
@@ -52,6 +57,7 @@ mod tests {
             let color = Color([byte, 255 - byte, byte / 2]);
             assert_eq!(Color::from_light(color.light()), color);
         }
+        assert_eq!(Color([255, 0, 255]).linear(), [1.0, 0.0, 1.0]);
     }
 
     #[test]

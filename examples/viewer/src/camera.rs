@@ -9,6 +9,9 @@ use unisize_pictures::{Camera, Sight};
 /// The vertical angle that stands for a view without perspective: only its product with a distance matters.
 const PARALLEL_ANGLE: f32 = 0.7;
 
+/// How many times as wide as high the films of the scenes are.
+const FILM_ASPECT: f32 = 16.0 / 9.0;
+
 /// A camera that is moved by the mouse, the middle of which is in the middle of what the panel leaves free.
 pub(crate) struct Eye {
     orbit: OrbitCamera3d,
@@ -17,8 +20,8 @@ pub(crate) struct Eye {
 }
 
 impl Eye {
-    /// A camera that begins with this view.
-    pub(crate) fn new(camera: &Camera) -> Self {
+    /// A camera that begins with this view, in a window the free part of which is `aspect` times as wide as high.
+    pub(crate) fn new(camera: &Camera, aspect: f32) -> Self {
         let mut orbit = match camera.sight() {
             Sight::Orbit {
                 eye,
@@ -37,6 +40,8 @@ impl Eye {
             }
             Sight::TopDown { center, height } => {
                 let target = Vec3::new(center[0], center[1], 0.0);
+                // All that would be seen in a film.
+                let height = height * (FILM_ASPECT / aspect).max(1.0);
                 let distance = height / 2.0 / (PARALLEL_ANGLE / 2.0).tan();
                 let mut orbit = OrbitCamera3d::new_with_frustum(
                     PARALLEL_ANGLE,

@@ -1,16 +1,22 @@
 //! The running chart of milliseconds.
 
 use crate::history::{History, Sample};
-use egui_plot::{AxisHints, Corner, Legend, Line, LineStyle, Plot};
-use kiss3d::egui::{Color32, RichText, TextStyle, Ui};
+use egui_plot::{AxisHints, Line, LineStyle, Plot};
+use kiss3d::egui::{Color32, Rangef, RichText, Sense, Shape, Stroke, Ui, vec2};
 
 /// The colours of the broad phases, which differ in lightness too: those of Okabe and Ito for people who do not tell red
 /// from green.
 pub(crate) const UNISIZE: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 pub(crate) const DEFAULT: Color32 = Color32::from_rgb(0xe6, 0x9f, 0x00);
 
-/// The height of a chart.
-const HEIGHT: f32 = 118.0;
+/// The height of a chart in points, the length of a dash.
+const HEIGHT: f32 = 140.0;
+const DASH: f32 = 6.0;
+
+/// How much room there is for all but the rarest values, and how many milliseconds there are at least. Of rare ones, say, where
+/// something else ran on the machine, only the beginning is seen.
+const HEADROOM: f64 = 1.4;
+const LEAST: f64 = 0.01;
 
 /// What is read from a step.
 type Read = fn(&Sample) -> Option<f64>;
@@ -30,46 +36,87 @@ pub(crate) fn show(ui: &mut Ui, history: &History) {
         ("step", "Whole step", STEP),
     ] {
         ui.add_space(2.0);
-        ui.label(RichText::new(title).strong());
-        let [first, last] = history.range().map(|step| step as f64);
-        let milliseconds = AxisHints::new_y()
-            .label("ms")
-            .min_thickness(30.0)
-            .formatter(|mark, _| format_milliseconds(mark.value));
-        Plot::new(id)
-            .height(HEIGHT)
-            .custom_x_axes(vec![AxisHints::new_x().label("step")])
-            .custom_y_axes(vec![milliseconds])
-            .include_x(first)
-            .include_x(last)
-            .include_y(0.0)
-            .allow_drag(false)
-            .allow_zoom(false)
-            .allow_scroll(false)
-            .allow_boxed_zoom(false)
-            .legend(
-                Legend::default()
-                    .position(Corner::LeftTop)
-                    .text_style(TextStyle::Small)
-                    .follow_insertion_order(true),
-            )
-            .show(ui, |plot| {
-                for (read, name, color, style) in [
-                    (read[0], "unisize", UNISIZE, LineStyle::Solid),
-                    (
-                        read[1],
-                        "default",
-                        DEFAULT,
-                        LineStyle::Dashed { length: 6.0 },
-                    ),
-                ] {
-                    let points = history.points(read);
-                    if !points.is_empty() {
-                        let line = Line::new(name, points).color(color).style(style);
-                        plot.line(line.width(1.5));
-                    }
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(title).strong());
+            for series in SERIES {
+                series.show_in_legend(ui);
+            }
+        });
+        show_lines(ui, id, history, read);
+    }
+}
+
+fn show_lines(ui: &mut Ui, id: &str, history: &History, read: [Read; 2]) {
+    let [first, last] = history.range().map(|step| step as f64);
+    let maximum = history.usual_maximum(&read).unwrap_or_default();
+    let milliseconds = AxisHints::new_y()
+        .label("ms")
+        .min_thickness(34.0)
+        .label_spacing(Rangef::new(12.0, 24.0))
+        .formatter(|mark, _| format_milliseconds(mark.value));
+    Plot::new(id)
+        .height(HEIGHT)
+        .custom_x_axes(vec![AxisHints::new_x().label("step")])
+        .custom_y_axes(vec![milliseconds])
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .show(ui, |plot| {
+            plot.set_plot_bounds_x(first..=last);
+            plot.set_plot_bounds_y(0.0..=(HEADROOM * maximum).max(LEAST));
+            for (series, read) in SERIES.iter().zip(read) {
+                let points = history.points(read);
+                if !points.is_empty() {
+                    let line = Line::new(series.name, points).color(series.color);
+                    plot.line(line.style(series.style()).width(1.5));
                 }
-            });
+            }
+        });
+}
+
+/// A line of a chart.
+struct Series {
+    name: &'static str,
+    color: Color32,
+    is_dashed: bool,
+}
+
+const SERIES: [Series; 2] = [
+    Series {
+        name: "unisize",
+        color: UNISIZE,
+        is_dashed: false,
+    },
+    Series {
+        name: "Rapier's default",
+        color: DEFAULT,
+        is_dashed: true,
+    },
+];
+
+impl Series {
+    fn style(&self) -> LineStyle {
+        if self.is_dashed {
+            LineStyle::Dashed { length: DASH }
+        } else {
+            LineStyle::Solid
+        }
+    }
+
+    /// A piece of the line, and its name.
+    fn show_in_legend(&self, ui: &mut Ui) {
+        ui.add_space(4.0);
+        let (rect, _) = ui.allocate_exact_size(vec2(20.0, 10.0), Sense::hover());
+        let ends = [rect.left_center(), rect.right_center()];
+        let stroke = Stroke::new(2.0, self.color);
+        if self.is_dashed {
+            ui.painter()
+                .extend(Shape::dashed_line(&ends, stroke, DASH, DASH / 2.0));
+        } else {
+            ui.painter().line_segment(ends, stroke);
+        }
+        ui.label(RichText::new(self.name).color(self.color));
     }
 }
 

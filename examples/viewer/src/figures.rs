@@ -28,7 +28,7 @@ struct Batch {
 
 impl Batch {
     fn new(root: &mut SceneNode3d, mut node: SceneNode3d) -> Self {
-        node.set_roughness(0.75);
+        node.set_roughness(0.9);
         root.add_child(node.clone());
         Self {
             node,
@@ -106,7 +106,7 @@ impl Figures {
                 let [start, end] = ends.map(Vec3::from);
                 let half = (end - start) / 2.0;
                 let side = half.any_orthogonal_vector().normalize_or_zero();
-                let other = half.normalize_or_zero().cross(side);
+                let other = side.cross(half.normalize_or_zero());
                 let axes = Mat3::from_cols(side * radius, half, other * radius);
                 self.cylinders.add(start.midpoint(end), axes, color);
                 self.add_sphere(start, radius, color);
@@ -138,6 +138,6 @@ impl Figures {
 
 /// A colour of the pictures as one of the window.
 pub(crate) fn shown(color: unisize_pictures::Color) -> Color {
-    let [red, green, blue] = color.0.map(|byte| f32::from(byte) / 255.0);
+    let [red, green, blue] = color.linear();
     Color::new(red, green, blue, 1.0)
 }

@@ -58,6 +58,14 @@ impl History {
             .collect()
     }
 
+    /// What only a share of 2 in 100 of the values read exceeds.
+    pub(crate) fn usual_maximum(&self, reads: &[impl Fn(&Sample) -> Option<f64>]) -> Option<f64> {
+        let values = |read| self.samples.iter().filter_map(read);
+        let mut values: Vec<f64> = reads.iter().flat_map(values).collect();
+        let index = (values.len().checked_sub(1)? as f64 * 0.98) as usize;
+        Some(*values.select_nth_unstable_by(index, f64::total_cmp).1)
+    }
+
     /// The mean over the last `count` steps for which there is something to read.
     pub(crate) fn mean(&self, count: usize, read: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
         let values: Vec<f64> = self
@@ -109,5 +117,24 @@ mod tests {
         assert_eq!(points, [[1.0, 100.0], [2.0, 1.0], [4.0, 3.0]]);
         assert_eq!(history.mean(2, |sample| sample.unisize), Some(2.0));
         assert_eq!(history.mean(2, |sample| sample.default), None);
+    }
+
+    #[test]
+    fn a_rare_value_is_not_usual() {
+        let mut history = History::new(100);
+        assert_eq!(
+            history.usual_maximum(&[|sample: &Sample| sample.unisize]),
+            None
+        );
+        for step in 0..100 {
+            let is_rare = step == 50;
+            history.push(sample(Some(if is_rare {
+                1e3
+            } else {
+                f64::from(step % 10)
+            })));
+        }
+        let maximum = history.usual_maximum(&[|sample: &Sample| sample.unisize]);
+        assert_eq!(maximum, Some(9.0));
     }
 }

@@ -9,9 +9,14 @@ use kiss3d::egui::{
     Align2, Color32, ComboBox, Context, DragValue, Frame, Grid, RichText, ScrollArea, Slider, Ui,
     Window, vec2,
 };
+use unisize_pictures::Color;
 
 /// The width of the panel in points.
 pub(crate) const WIDTH: f32 = 330.0;
+
+/// The colours of the lines of pairs and of strips.
+pub(crate) const PAIRS: Color = Color([0xff, 0xf1, 0xd0]);
+pub(crate) const STRIPS: Color = Color([0xc0, 0xa8, 0xff]);
 
 /// Means are those of so many steps.
 const MEAN_OF: usize = 60;
@@ -59,6 +64,7 @@ pub(crate) fn show(
         .fixed_size(inner)
         .show(ctx, |ui| {
             ui.set_min_size(inner);
+            ui.visuals_mut().override_text_color = Some(Color32::from_gray(200));
             let area = ScrollArea::vertical().auto_shrink(false);
             let contents = area.show(ui, |ui| {
                 let wishes = scene(ui, controls);
@@ -147,8 +153,8 @@ fn broad_phase(ui: &mut Ui, controls: &mut Controls) {
         );
     });
     ui.horizontal(|ui| {
-        ui.checkbox(&mut controls.shows_pairs, "draw pairs");
-        ui.checkbox(&mut controls.shows_strips, "draw strips")
+        ui.checkbox(&mut controls.shows_pairs, colored("draw pairs", PAIRS));
+        ui.checkbox(&mut controls.shows_strips, colored("draw strips", STRIPS))
             .on_hover_text("as many as there are; where they are is an estimate");
     });
 }
@@ -190,4 +196,8 @@ fn numbers(ui: &mut Ui, controls: &Controls, stage: &dyn Stage, history: &Histor
                 ui.end_row();
             }
         });
+}
+
+fn colored(text: &str, Color([red, green, blue]): Color) -> RichText {
+    RichText::new(text).color(Color32::from_rgb(red, green, blue))
 }

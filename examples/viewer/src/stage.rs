@@ -30,7 +30,7 @@ pub(crate) trait Stage {
     /// The boxes of all colliders, without margins.
     fn extents(&mut self) -> Vec<Extent>;
 
-    /// A line for each pair that the broad phase holds.
+    /// A line for each pair that the broad phase holds, but for pairs of two walls.
     fn pair_lines(&mut self) -> Vec<Line>;
 
     /// Into how many strips the second and the third axis are cut; 0 if that is not known.

@@ -71,7 +71,7 @@ impl Viewer {
         let setup = options.setup();
         let window = window::open(options.size())?;
         let stage = options.scene.open(options.bodies(), &setup);
-        let eye = Eye::new(&stage.camera());
+        let eye = Eye::new(&stage.camera(), free_aspect(&window));
         Ok(Self {
             window,
             controls: Controls {
@@ -149,7 +149,7 @@ impl Viewer {
             self.restart();
         }
         if wishes.restart || wishes.camera {
-            self.eye = Eye::new(&self.stage.camera());
+            self.eye = Eye::new(&self.stage.camera(), free_aspect(&self.window));
             self.reach = self.eye.distance();
         }
         if wishes.step {
@@ -160,7 +160,7 @@ impl Viewer {
 
     fn draw(&mut self) {
         let size = [self.window.width(), self.window.height()];
-        let panel = panel::WIDTH * self.window.scale_factor() as f32;
+        let panel = panel_width(&self.window);
         self.eye.fit(self.window.canvas(), size, panel);
         let mut drawing = Drawing::new();
         self.stage.draw(&mut drawing);
@@ -174,13 +174,13 @@ impl Viewer {
         if self.controls.shows_strips {
             let extents = self.stage.extents();
             let strips = strip_lines(&extents, self.stage.strips(), self.eye.eye().into());
-            self.draw_lines(&strips, 0.002 * self.reach, palette::by_index(5), 1.0);
+            self.draw_lines(&strips, 0.002 * self.reach, panel::STRIPS, 1.5);
         }
         if self.controls.shows_pairs {
             // Out of the bodies, in which they would be hidden.
-            let nearer = usual_size(&self.stage.extents());
+            let nearer = 0.6 * usual_size(&self.stage.extents());
             let pairs = self.stage.pair_lines();
-            self.draw_lines(&pairs, nearer, palette::MARK, 1.5);
+            self.draw_lines(&pairs, nearer, panel::PAIRS, 1.0);
         }
     }
 
@@ -229,4 +229,15 @@ impl Viewer {
             .save(path)
             .with_context(|| format!("cannot write {}", path.display()))
     }
+}
+
+/// The width of the panel in pixels.
+fn panel_width(window: &Window) -> f32 {
+    panel::WIDTH * window.scale_factor() as f32
+}
+
+/// How many times as wide as high the part of the window is that the panel leaves free.
+fn free_aspect(window: &Window) -> f32 {
+    let free = window.width() as f32 - panel_width(window);
+    free.max(1.0) / window.height().max(1) as f32
 }

@@ -1,16 +1,24 @@
 //! The window of the system.
 
-use anyhow::{Result, anyhow};
+use anyhow::{Result, anyhow, ensure};
+use kiss3d::post_processing::Tonemap;
 use kiss3d::window::Window;
 use std::any::Any;
-use std::panic;
+use std::{env, panic};
 use unisize_pictures::palette;
+
+/// What helps.
+const WITHOUT: &str = "How to do without is said in examples/viewer/README.md.";
 
 /// Opens a window of so many pixels.
 ///
 /// # Errors
 /// If there is no display, or no graphics adapter that can draw on it.
 pub(crate) fn open([width, height]: [u32; 2]) -> Result<Window> {
+    ensure!(
+        has_display(),
+        "there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set. {WITHOUT}"
+    );
     // The library ends with a panic where there is nothing to draw with, which is no news worth a backtrace.
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
@@ -20,15 +28,25 @@ pub(crate) fn open([width, height]: [u32; 2]) -> Result<Window> {
     panic::set_hook(hook);
     let mut window = window.map_err(|panic| {
         anyhow!(
-            "there is nothing to draw with: {}.\n\
-             A display is needed, and a graphics adapter for Vulkan, Metal, DirectX 12 or OpenGL. How Debian does without \
-             both is said in the README of the viewer.",
+            "there is no graphics adapter for Vulkan, Metal, DirectX 12 or OpenGL to draw with ({}). {WITHOUT}",
             text_of(&*panic)
         )
     })?;
     window.set_background_color(crate::figures::shown(palette::HORIZON));
     window.set_shadows_enabled(false);
+    // Colours as they are.
+    window.set_tonemap(Tonemap::None);
     Ok(window)
+}
+
+/// Whether there is anything to open a window on, as far as it is known beforehand.
+fn has_display() -> bool {
+    let is_set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
+    let asks_for_one = cfg!(all(unix, not(target_os = "macos")));
+    !asks_for_one
+        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
+            .into_iter()
+            .any(is_set)
 }
 
 fn text_of(panic: &(dyn Any + Send)) -> &str {

@@ -87,7 +87,9 @@ impl<S: Show> Stage for Live<S> {
         let ends = |pair: ColliderPair| {
             let first = colliders.get(pair.collider1)?;
             let second = colliders.get(pair.collider2)?;
-            Some(pair_line(&extent(first), &extent(second)))
+            // Walls that meet are of no interest.
+            let moves = first.parent().is_some() || second.parent().is_some();
+            moves.then(|| pair_line(&extent(first), &extent(second)))
         };
         pairs.into_iter().filter_map(ends).collect()
     }
