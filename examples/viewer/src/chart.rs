@@ -1,7 +1,7 @@
 //! The running chart of milliseconds.
 
 use crate::history::{History, Sample};
-use egui_plot::{AxisHints, Line, LineStyle, Plot};
+use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot};
 use kiss3d::egui::{Color32, Rangef, RichText, Sense, Shape, Stroke, Ui, vec2};
 
 /// The colours of the broad phases, which differ in lightness too: those of Okabe and Ito for people who do not tell red
@@ -12,6 +12,9 @@ pub(crate) const DEFAULT: Color32 = Color32::from_rgb(0xe6, 0x9f, 0x00);
 /// The height of a chart in points, the length of a dash.
 const HEIGHT: f32 = 140.0;
 const DASH: f32 = 6.0;
+
+/// Into about how many parts the lines of the grid cut the height.
+const LINES: f64 = 4.0;
 
 /// How much room there is for all but the rarest values, and how many milliseconds there are at least. Of rare ones, say, where
 /// something else ran on the machine, only the beginning is seen.
@@ -52,12 +55,22 @@ fn show_lines(ui: &mut Ui, id: &str, history: &History, read: [Read; 2]) {
     let milliseconds = AxisHints::new_y()
         .label("ms")
         .min_thickness(34.0)
-        .label_spacing(Rangef::new(12.0, 24.0))
+        .label_spacing(Rangef::new(10.0, 12.0))
         .formatter(|mark, _| format_milliseconds(mark.value));
     Plot::new(id)
         .height(HEIGHT)
         .custom_x_axes(vec![AxisHints::new_x().label("step")])
         .custom_y_axes(vec![milliseconds])
+        .y_grid_spacer(|input| {
+            let [low, high] = [input.bounds.0, input.bounds.1];
+            let step_size = round_step((high - low) / LINES);
+            let lines = (low / step_size).ceil() as i64..=(high / step_size).floor() as i64;
+            let mark = |line: i64| GridMark {
+                value: line as f64 * step_size,
+                step_size,
+            };
+            lines.map(mark).collect()
+        })
         .allow_drag(false)
         .allow_zoom(false)
         .allow_scroll(false)
@@ -125,18 +138,23 @@ pub(crate) fn means(history: &History, count: usize) -> [[Option<f64>; 2]; 2] {
     [BROAD_PHASE, STEP].map(|read| read.map(|read| history.mean(count, read)))
 }
 
+/// The smallest number of at least this size that is 1, 2 or 5 times a power of ten.
+fn round_step(least: f64) -> f64 {
+    let power = 10.0_f64.powf(least.log10().floor());
+    let steps = [1.0, 2.0, 5.0].map(|step| step * power);
+    // Rounding must not make a step of 2 one of 5.
+    let step = steps.into_iter().find(|step| *step >= least * 0.999);
+    step.unwrap_or(10.0 * power)
+}
+
 fn format_milliseconds(value: f64) -> String {
-    if value == 0.0 || value >= 1.0 {
-        format!("{value}")
-    } else {
-        // A tenth of a step of the grid may be as small as this.
-        format!("{value:.3}").trim_end_matches('0').to_owned()
-    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{format_milliseconds, means};
+    use super::{format_milliseconds, means, round_step};
     use crate::history::{History, Sample};
 
     #[test]
@@ -165,5 +183,20 @@ mod tests {
         assert_eq!(format_milliseconds(0.5), "0.5");
         assert_eq!(format_milliseconds(0.25), "0.25");
         assert_eq!(format_milliseconds(20.0), "20");
+        // As it comes of a multiple of a step.
+        assert_eq!(format_milliseconds(3.0 * 0.1), "0.3");
+    }
+
+    #[test]
+    fn steps_are_round() {
+        for (least, step) in [
+            (0.3, 0.5),
+            (0.5, 0.5),
+            (1.01, 2.0),
+            (2.1, 5.0),
+            (70.0, 100.0),
+        ] {
+            assert!((round_step(least) - step).abs() < 1e-9, "{least}");
+        }
     }
 }

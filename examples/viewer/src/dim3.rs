@@ -16,6 +16,8 @@ mod ropes;
 mod show;
 #[path = "../../show/solids.rs"]
 mod solids;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use implosion::Implosion;
 pub(crate) use live::Live;

@@ -155,8 +155,8 @@ mod tests {
             mins: [-50.0, -1.0, -50.0],
             maxs: [50.0, 0.0, 50.0],
         };
-        let grain = cube([7.0, 0.4, 3.0], 0.5);
-        let expected = [[7.0, 0.4, 3.0], [7.0, 0.0, 3.0]];
+        let grain = cube([7.0, 0.5, 3.0], 0.75);
+        let expected = [[7.0, 0.5, 3.0], [7.0, 0.0, 3.0]];
         assert_eq!(pair_line(&grain, &floor), expected);
         assert_eq!(pair_line(&floor, &grain), [expected[1], expected[0]]);
     }

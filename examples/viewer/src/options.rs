@@ -103,8 +103,8 @@ mod tests {
         for wrong in [
             &["--scene", "pool"][..],
             &["--bodies", "0"],
-            &["--margin", "-1"],
-            &["--margin", "NaN"],
+            &["--margin=-1"],
+            &["--margin=NaN"],
             &["--screenshot", "picture.jpg"],
             &["--after", "3"],
             &["--size", "100", "100"],

@@ -174,7 +174,7 @@ impl Viewer {
         if self.controls.shows_strips {
             let extents = self.stage.extents();
             let strips = strip_lines(&extents, self.stage.strips(), self.eye.eye().into());
-            self.draw_lines(&strips, 0.002 * self.reach, panel::STRIPS, 1.5);
+            self.draw_lines(&strips, 0.002 * self.reach, panel::STRIPS, 1.0);
         }
         if self.controls.shows_pairs {
             // Out of the bodies, in which they would be hidden.

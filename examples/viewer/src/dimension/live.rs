@@ -61,11 +61,7 @@ impl<S: Show> Stage for Live<S> {
     fn change(&mut self, setup: &Setup) {
         self.watched.succeeded_by(setup);
         self.choice = setup.choice;
-        // A new broad phase knows only the colliders that are listed to it. Setting a collider's position, even to what it
-        // is, lists it.
-        for (_, collider) in self.show.world().colliders.iter_mut() {
-            collider.set_position(*collider.position());
-        }
+        list_all(&mut self.show.world().colliders);
     }
 
     fn camera(&self) -> Camera {
@@ -137,7 +133,10 @@ impl<S: Show> Stage for Live<S> {
                 ),
                 Fact::new(
                     "foresight",
-                    format!("{} moves", stats.foresight),
+                    match stats.foresight {
+                        1 => "1 move".to_owned(),
+                        moves => format!("{moves} moves"),
+                    },
                     "for how many moves ahead pairs are searched for",
                 ),
                 Fact::new(
@@ -169,6 +168,14 @@ impl<S: Show> Stage for Live<S> {
 
     fn agree(&self) -> Option<bool> {
         self.watched.agree()
+    }
+}
+
+/// Lists all colliders for the next step: a new broad phase knows only those that are listed to it. Setting a collider's
+/// position, even to what it is, lists it.
+pub(super) fn list_all(colliders: &mut ColliderSet) {
+    for (_, collider) in colliders.iter_mut() {
+        collider.set_position(*collider.position());
     }
 }
 
