@@ -10,6 +10,9 @@ use unisize_pictures::{Drawing, Figure, Solid, palette};
 /// How much higher the last figure in the plane lies than the first one, as a share of the size of the drawing.
 const LAYERS: f32 = 0.1;
 
+/// Into how many parts circles are cut: bodies are small, and there are many of them.
+const ROUND: u32 = 14;
+
 /// All shapes with their instances, below one node.
 pub(crate) struct Figures {
     root: SceneNode3d,
@@ -58,8 +61,14 @@ impl Figures {
         let mut root = SceneNode3d::empty();
         let light = root.add_light(Light::directional(Vec3::NEG_Y));
         Self {
-            spheres: Batch::new(&mut root, SceneNode3d::sphere_with_subdiv(1.0, 20, 12)),
-            cylinders: Batch::new(&mut root, SceneNode3d::cylinder_with_subdiv(1.0, 2.0, 20)),
+            spheres: Batch::new(
+                &mut root,
+                SceneNode3d::sphere_with_subdiv(1.0, ROUND, ROUND / 2),
+            ),
+            cylinders: Batch::new(
+                &mut root,
+                SceneNode3d::cylinder_with_subdiv(1.0, 2.0, ROUND),
+            ),
             cuboids: Batch::new(&mut root, SceneNode3d::cube(2.0, 2.0, 2.0)),
             light,
             root,

@@ -10,11 +10,14 @@ use crate::setup::Setup;
 use crate::stage::Stage;
 use crate::window;
 use anyhow::{Context, Result};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use kiss3d::camera::Camera3d;
 use kiss3d::color::Color;
 use kiss3d::event::{Action, Key, WindowEvent};
 use kiss3d::glamx::Vec3;
 use kiss3d::window::Window;
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use unisize_pictures::{Drawing, palette};
@@ -224,10 +227,13 @@ impl Viewer {
     }
 
     fn take_picture(&self, path: &Path) -> Result<()> {
+        let cannot = || format!("cannot write {}", path.display());
+        let file = BufWriter::new(File::create(path).with_context(cannot)?);
+        // A window is made of areas of one colour, which a filter would only spoil.
+        let quality = (CompressionType::Best, FilterType::NoFilter);
+        let encoder = PngEncoder::new_with_quality(file, quality.0, quality.1);
         let picture = self.window.snap_image();
-        picture
-            .save(path)
-            .with_context(|| format!("cannot write {}", path.display()))
+        picture.write_with_encoder(encoder).with_context(cannot)
     }
 }
 
