@@ -64,6 +64,16 @@ fn a_planar_scene_of_one_size_is_one_class_and_not_cut_across() {
 }
 
 #[test]
+fn sizes_that_differ_much_are_several_classes() {
+    let mut plane = Plane::new(Settings::default());
+    for &handle in plane.handles.iter().step_by(10) {
+        plane.colliders[handle].set_shape(SharedShape::ball(9.0));
+    }
+    plane.advance(1);
+    assert!(plane.broad_phase.stats().classes > 1);
+}
+
+#[test]
 fn looking_ahead_spares_searches_and_can_be_fixed() {
     let runs_with = |foresight| {
         let mut plane = Plane::new(Settings {

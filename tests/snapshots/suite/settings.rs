@@ -24,6 +24,29 @@ fn settings_come_back_and_may_be_left_out() {
 }
 
 #[test]
+fn what_is_fixed_stays_fixed_in_a_broad_phase_that_was_read() {
+    let settings = Settings {
+        foresight: Some(5),
+        timed: true,
+        ..Settings::default()
+    };
+    let mut crowd = Crowd::new(400, 20.0, 0.1);
+    let mut ours = UnisizeBroadPhase::with_settings(settings);
+    crowd.update(&mut ours);
+    let bytes = postcard::to_stdvec(&ours).unwrap();
+    let mut twin: UnisizeBroadPhase = postcard::from_bytes(&bytes).unwrap();
+    assert_eq!(*twin.settings(), settings);
+    for _ in 0..30 {
+        crowd.advance(1);
+        crowd.update(&mut twin);
+    }
+    let stats = twin.stats();
+    assert!(stats.full_runs > ours.stats().full_runs);
+    assert_eq!(stats.foresight, 5);
+    assert!(stats.times != Default::default());
+}
+
+#[test]
 fn statistics_come_back() {
     let mut broad_phase = UnisizeBroadPhase::new();
     Crowd::new(100, 5.0, 0.0).update(&mut broad_phase);
