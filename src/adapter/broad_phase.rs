@@ -19,8 +19,9 @@ use crate::pair_tracker::{Layers, PairChange, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, parallel};
 
-/// A broad phase for scenes of many colliders of about the same size: give it to `PhysicsPipeline::step` or
-/// `CollisionPipeline::step` in the place of `DefaultBroadPhase`.
+/// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step` or
+/// `CollisionPipeline::step` in the place of `DefaultBroadPhase`; in 0.36, whose pipelines take none but their own, call its
+/// `update`.
 ///
 /// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports
 /// every pair whose boxes overlap, as that one does. Contacts, intersections and the bodies that are woken are

@@ -56,12 +56,14 @@ impl UnisizeBroadPhase {
     /// Brings boxes and pairs up to date, and reports how the pairs have changed. The counterpart of
     /// `BroadPhaseBvh::update`, with its arguments.
     ///
-    /// `modified_colliders` are those that are new, or whose pose, shape, parent, groups, active collision types, or being enabled may have changed
-    /// since the last call; `removed_colliders` are those that are gone, whose pairs end without an event. Like Rapier's
-    /// own, it does not report pairs that the narrow phase would drop: two colliders of one body, those whose
-    /// collision groups forbid it, and those of two types of bodies of which neither has it among its active
-    /// collision types. Once such a pair is allowed, it is reported by the next update in which one of the two is listed as modified.
-    /// Once reported, a pair stays until the boxes part.
+    /// `modified_colliders` are those that are new, or whose pose, shape, parent, groups or active collision types may
+    /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that are
+    /// gone, whose pairs end without an event.
+    ///
+    /// Like Rapier's own, it does not report pairs that the narrow phase would drop: two colliders of one body, those
+    /// whose collision groups forbid it, and those of two types of bodies of which neither collider has the two among its
+    /// active collision types. Once such a pair is allowed, it is reported by the next update in which one of the two
+    /// is listed as modified. Once reported, a pair stays until the boxes part.
     pub fn update(
         &mut self,
         params: &IntegrationParameters,
