@@ -9,6 +9,7 @@ use serde::ser::{Serialize, Serializer};
 use super::broad_phase::UnisizeBroadPhase;
 use super::outline::Outline;
 use super::rapier::math::{DIM, Real};
+use super::version::PairFilter;
 use super::{Settings, Stats};
 use crate::PhaseTimes;
 use crate::pair_tracker::TrackerSnapshot;
@@ -21,6 +22,7 @@ struct Snapshot {
     has_warned: bool,
     generations: Vec<Option<u32>>,
     tracker: TrackerSnapshot<Real, DIM>,
+    withheld: Vec<[u32; 2]>,
 }
 
 impl Snapshot {
@@ -35,6 +37,7 @@ impl Snapshot {
         if !restored.tracker.proxies().all(|proxy| known(&proxy)) {
             return Err("a box has no collider");
         }
+        restored.filter = PairFilter::restore(self.withheld, restored.tracker.pairs())?;
         let proxies = restored.tracker.proxies().count();
         restored.stats = Stats {
             proxies,
@@ -62,6 +65,7 @@ impl Serialize for UnisizeBroadPhase {
             has_warned: self.has_warned,
             generations: self.generations.clone(),
             tracker: TrackerSnapshot::new(&self.tracker, &self.layers),
+            withheld: self.filter.pairs(),
         };
         snapshot.serialize(serializer)
     }

@@ -9,13 +9,25 @@ use crate::pair_tracker::PairChange;
 
 /// A filter that lets all pairs pass.
 #[derive(Clone, Default)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 pub(in super::super) struct PairFilter {}
 
 impl PairFilter {
+    #[cfg(feature = "serde-serialize")]
+    pub(in super::super) fn pairs(&self) -> Vec<[u32; 2]> {
+        Vec::new()
+    }
+
+    #[cfg(feature = "serde-serialize")]
+    pub(in super::super) fn restore(
+        withheld: Vec<[u32; 2]>,
+        _overlapping: impl Iterator<Item = [u32; 2]>,
+    ) -> Result<Self, &'static str> {
+        if !withheld.is_empty() {
+            return Err("a pair is withheld");
+        }
+        Ok(Self {})
+    }
+
     pub(in super::super) fn forget(&mut self, _slot: u32) {}
 
     pub(in super::super) fn sift(

@@ -11,10 +11,6 @@ use crate::pair_tracker::PairChange;
 
 /// The pairs that overlap and are withheld, by slots, smaller first.
 #[derive(Clone, Default)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 pub(in super::super) struct PairFilter {
     withheld: BTreeSet<[u32; 2]>,
     /// In how many of them each slot occurs; slots at the end that occur in none may be missing.
@@ -24,6 +20,29 @@ pub(in super::super) struct PairFilter {
 }
 
 impl PairFilter {
+    /// The pairs that are withheld, ascending.
+    #[cfg(feature = "serde-serialize")]
+    pub(in super::super) fn pairs(&self) -> Vec<[u32; 2]> {
+        self.withheld.iter().copied().collect()
+    }
+
+    /// Withholds these pairs, which must be among those that overlap.
+    #[cfg(feature = "serde-serialize")]
+    pub(in super::super) fn restore(
+        withheld: Vec<[u32; 2]>,
+        overlapping: impl Iterator<Item = [u32; 2]>,
+    ) -> Result<Self, &'static str> {
+        let overlapping: BTreeSet<_> = overlapping.collect();
+        let mut restored = Self::default();
+        for pair in withheld {
+            if !overlapping.contains(&pair) {
+                return Err("a pair is withheld that does not overlap");
+            }
+            restored.withhold(pair);
+        }
+        Ok(restored)
+    }
+
     /// Drops the pairs of a slot, before the changes of the pair set that come next.
     pub(in super::super) fn forget(&mut self, slot: u32) {
         if self.count(slot) > 0 {
@@ -32,7 +51,7 @@ impl PairFilter {
     }
 
     /// Leaves those of these changes that are to be reported, and adds the pairs withheld before that are allowed now.
-    /// **O(changes + listed)**, and **O(withheld)** if one of the listed occurs among those withheld.
+    /// **O(changes)**; if any were withheld **O(listed)** more, and **O(withheld)** if one of the listed occurs among them.
     pub(in super::super) fn sift(
         &mut self,
         changes: &mut Vec<PairChange>,
@@ -54,6 +73,11 @@ impl PairFilter {
         let known = |handle: &ColliderHandle| {
             let (slot, generation) = handle.into_raw_parts();
             (generations.get(slot as usize) == Some(&Some(generation))).then_some(slot)
+        };
+        let listed = if self.withheld.is_empty() {
+            &[]
+        } else {
+            listed
         };
         let listed = listed.iter().filter_map(known);
         let mut is_again: Vec<_> = listed.filter(|&slot| self.count(slot) > 0).collect();

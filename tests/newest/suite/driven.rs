@@ -118,8 +118,8 @@ fn sorted(events: &[BroadPhasePairEvent]) -> Vec<(bool, Pair)> {
     sorted
 }
 
-#[test]
-fn the_same_events() {
+/// Plays random updates, and after each calls `between` with our broad phase.
+fn play(between: impl Fn(&mut UnisizeBroadPhase)) {
     let mut reported = 0;
     for seed in 0..40 {
         let mut random = Rand32::new(seed);
@@ -139,10 +139,48 @@ fn the_same_events() {
                 }
             }
             driven.update();
+            between(&mut driven.ours);
         }
         reported += driven.reported;
     }
     assert!(reported > 1000, "only {reported} events");
+}
+
+#[test]
+fn the_same_events() {
+    play(|_| {});
+}
+
+#[cfg(feature = "serde-serialize")]
+#[test]
+fn the_same_events_after_it_was_written_and_read() {
+    play(|ours| {
+        let bytes = postcard::to_stdvec(ours).unwrap();
+        let stats = ours.stats();
+        *ours = postcard::from_bytes(&bytes).unwrap();
+        assert_eq!(ours.stats(), stats);
+        ours.validate();
+    });
+}
+
+#[cfg(feature = "serde-serialize")]
+#[test]
+fn a_pair_that_does_not_overlap_is_not_withheld() {
+    let mut colliders = ColliderSet::new();
+    let handles = [0.0, 0.5, 9.0]
+        .map(|x| colliders.insert(ColliderBuilder::ball(0.5).translation(Vector::X * x)));
+    let mut broad_phase = UnisizeBroadPhase::new();
+    let params = IntegrationParameters::default();
+    let bodies = RigidBodySet::new();
+    broad_phase.update(&params, &colliders, &bodies, &handles, &[], &mut Vec::new());
+    let written = serde_json::to_value(&broad_phase).unwrap();
+    assert_eq!(written["withheld"], serde_json::json!([[0, 1]]));
+    for withheld in [[0, 1], [0, 2], [1, 0], [0, u32::MAX]] {
+        let mut damaged = written.clone();
+        damaged["withheld"] = serde_json::json!([withheld]);
+        let read = serde_json::from_value::<UnisizeBroadPhase>(damaged);
+        assert_eq!(read.is_ok(), withheld == [0, 1]);
+    }
 }
 
 #[test]
