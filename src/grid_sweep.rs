@@ -11,20 +11,12 @@ mod tubes;
 
 use crate::pair_finder::check_boxes;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::tuning::kernel::{ONE_TUBE_UP_TO, STRIP_WIDENINGS, THREADS_FROM};
 use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
 use slab::Slab;
 use sweep::Emitter;
 use tubes::Tubes;
-
-/// Up to this many boxes, one tube is faster than a grid.
-const SMALL: usize = 24;
-
-/// How much wider than seemed best the strips are made, one after the other, if most boxes are too large.
-const WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];
-
-/// Fewer boxes than this are not worth a second thread.
-const WORTH_A_THREAD: usize = 1 << 13;
 
 /// Entries are numbered with 32 bits, and a box may have four.
 const MAX_BOXES: usize = 1 << 29;
@@ -171,7 +163,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         const { assert!(D > 0, "boxes have at least one axis") };
         let slab_count = match self.slab_count {
             Some(count) => count,
-            None if members.len() < WORTH_A_THREAD => 1,
+            None if members.len() < THREADS_FROM => 1,
             None => parallel::threads(),
         };
         self.class_count = 0;
@@ -272,8 +264,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// Each class must take in a fair share of the boxes, so that there are few classes: if a grid turns out
     /// too fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
     fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32], slab_count: usize) {
-        if members.len() > SMALL {
-            for widening in WIDENINGS {
+        if members.len() > ONE_TUBE_UP_TO {
+            for widening in STRIP_WIDENINGS {
                 self.grid = Grid::choose(boxes, members, widening);
                 self.build_slabs(boxes, members, slab_count);
                 if self.outsize.len() <= members.len() / 8 * 7 {

@@ -61,20 +61,35 @@
 mod aabb;
 #[cfg(feature = "baselines")]
 mod baselines;
+#[cfg(feature = "_adapter")]
+mod bit_set;
 mod bit_tree;
 mod brute_force;
 mod endpoints;
 mod grid_sweep;
 mod invalid_box;
+#[cfg(feature = "_adapter")]
+mod kernel;
 mod lanes;
 mod pair_finder;
-mod parallel;
-mod rank_sweep;
-mod real;
-mod stopwatch;
-
 #[cfg(feature = "_adapter")]
 mod pair_tracker;
+mod parallel;
+#[cfg(feature = "_adapter")]
+mod proxy_table;
+mod rank_sweep;
+mod real;
+#[cfg(feature = "_adapter")]
+mod settings;
+#[cfg(feature = "_adapter")]
+mod slot_set;
+#[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
+mod snapshot_format;
+#[cfg(feature = "_adapter")]
+mod stats;
+mod stopwatch;
+mod tuning;
+
 #[cfg(feature = "rapier2d")]
 pub mod rapier2d;
 #[cfg(feature = "rapier2d_0_36")]
@@ -94,9 +109,15 @@ pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, S
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
 pub use invalid_box::{InvalidBox, InvalidBoxReason};
+#[cfg(feature = "_adapter")]
+pub use kernel::Kernel;
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
+#[cfg(feature = "_adapter")]
+pub use settings::Settings;
+#[cfg(feature = "_adapter")]
+pub use stats::Stats;
 pub use stopwatch::PhaseTimes;
 
 /// The example of the README, compiled and run.

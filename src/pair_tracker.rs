@@ -3,38 +3,31 @@
 //! A *proxy* is a box kept under a slot number. Between two calls of [`PairTracker::finish`] proxies are
 //! placed, moved and removed; `finish` then reports how the set of overlapping pairs has changed.
 //!
-//! Each proxy has a reach around its box. The pairs whose reaches overlap are the candidates, and only when
-//! proxies leave their reach must there be a search for new ones. In between, each candidate is held or not, as its
-//! two boxes overlap or not. Neither hashing nor sorting is needed for that.
+//! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates, and only when
+//! proxies leave their fat boxes must there be a search for new ones. In between, each candidate is held or not, as its
+//! two boxes overlap or not. Neither hashing nor sorting is needed for that. This is the neighbour list of molecular
+//! dynamics (Verlet 1967), made exact.
 
 mod candidates;
+mod horizon;
 mod layers;
-mod links;
-mod reach;
-mod slot_set;
+mod policy;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 #[cfg(test)]
 mod tests;
 
-use crate::stopwatch::Stopwatch;
-use crate::{Aabb, Real, parallel};
+use crate::slot_set::SlotSet;
+use crate::stopwatch::{Lap, Stopwatch};
+use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK};
+use crate::{Aabb, Kernel, Real, Stats, parallel};
 use candidates::{Boxes, Candidates};
-use reach::{Experience, Horizon};
-use slot_set::SlotSet;
+use horizon::{Horizon, mean_speed};
+use layers::Layers;
+use policy::{Extent, Known, Plan};
 
-pub(crate) use layers::{GridLayers, Layers, Unlayered};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
-
-/// How many proxies a thread is given at a time.
-const PART: usize = 1 << 14;
-
-/// If fewer than one proxy in so many has moved, their candidates are looked for among all candidates.
-const MANY: usize = 3;
-
-/// Room for more pairs than this is given back after a full run.
-const FEW: usize = 1 << 12;
 
 /// A change of the pair set, by slots, smaller first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,41 +43,42 @@ pub(crate) struct PairTracker<R, const D: usize> {
     boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     previous: Vec<Aabb<R, D>>,
-    /// The reach of each proxy; all NaN where there is none, or none yet.
-    reaches: Vec<Aabb<R, D>>,
-    /// Slots whose boxes have changed since the last `finish`; some may occur more than once.
+    /// The fat box of each proxy; all NaN where there is none, or none yet.
+    fat_boxes: Vec<Aabb<R, D>>,
+    /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
-    /// Those of them that have left their reach, have none yet, or are gone.
+    /// Those of them that have left their fat box, have none yet, or are gone.
     escaped: SlotSet,
     horizon: Horizon,
-    /// For how many moves to look ahead, whatever comes of it.
-    pub(crate) fixed_foresight: Option<u16>,
+    fixed_foresight: Option<u16>,
     full_runs: u64,
     candidates: Candidates,
+    layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
     pub(crate) stopwatch: Stopwatch,
 }
 
-impl<R, const D: usize> Default for PairTracker<R, D> {
-    fn default() -> Self {
+impl<R: Real, const D: usize> PairTracker<R, D> {
+    /// A tracker without proxies. `foresight` fixes for how many moves ahead it searches; without `layers`, every search
+    /// is for all pairs.
+    pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>) -> Self {
         Self {
             boxes: Vec::new(),
             previous: Vec::new(),
-            reaches: Vec::new(),
+            fat_boxes: Vec::new(),
             moved: Vec::new(),
             escaped: SlotSet::default(),
-            horizon: Horizon::default(),
-            fixed_foresight: None,
+            horizon: Horizon::FIRST,
+            fixed_foresight: foresight,
             full_runs: 0,
             candidates: Candidates::default(),
+            layers: Layers::new(kernel, layers),
             found: Vec::new(),
             stopwatch: Stopwatch::default(),
         }
     }
-}
 
-impl<R: Real, const D: usize> PairTracker<R, D> {
     /// The box of a slot without a proxy.
     fn absent() -> Aabb<R, D> {
         Aabb::new([R::NAN; D], [R::NAN; D])
@@ -96,36 +90,30 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     }
 
     /// The box under this slot; all NaN if there is no proxy.
-    #[inline(always)]
     pub(crate) fn slot_box(&self, slot: u32) -> Aabb<R, D> {
-        match self.boxes.get(slot as usize) {
-            Some(aabb) => *aabb,
-            None => Self::absent(),
-        }
+        let aabb = self.boxes.get(slot as usize).copied();
+        aabb.unwrap_or(Self::absent())
     }
 
-    /// Places or moves the proxy of a slot. `aabb` must be valid.
+    /// Places or moves the proxy of a slot that there is room for. `aabb` must be valid.
     #[inline(always)]
     pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
         debug_assert!(aabb.is_valid());
         let index = slot as usize;
-        if index >= self.boxes.len() {
-            self.make_room(index + 1);
-        }
         self.boxes[index] = aabb;
         self.moved.push(slot);
-        if !self.reaches[index].contains(&aabb) {
+        if !self.fat_boxes[index].contains(&aabb) {
             self.escaped.insert(slot);
         }
     }
 
-    /// The boxes and the reaches of all slots, to move proxies where they are. Each move is to be
+    /// The boxes and the fat boxes of all slots, to move proxies where they are. Each move is to be
     /// [noted](Self::note).
-    pub(crate) fn boxes_and_reaches(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
-        (&mut self.boxes, &self.reaches)
+    pub(crate) fn boxes_and_fat_boxes(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
+        (&mut self.boxes, &self.fat_boxes)
     }
 
-    /// Takes note of proxies that were moved, and of those of them that have left their reach.
+    /// Takes note of proxies that were moved, and of those of them that have left their fat box.
     pub(crate) fn note(&mut self, moved: &[u32], escaped: &[u32]) {
         self.moved.extend_from_slice(moved);
         for &slot in escaped {
@@ -138,34 +126,37 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.boxes.len()
     }
 
-    /// Makes room for so many slots, which must be more than there were.
+    /// Makes room for this number of slots, if there is less.
     #[cold]
     pub(crate) fn make_room(&mut self, slots: usize) {
-        for boxes in [&mut self.boxes, &mut self.previous, &mut self.reaches] {
-            boxes.resize(slots, Self::absent());
+        if slots > self.boxes.len() {
+            for boxes in [&mut self.boxes, &mut self.previous, &mut self.fat_boxes] {
+                boxes.resize(slots, Self::absent());
+            }
+            self.escaped.make_room(slots);
         }
     }
 
-    /// Ends the pairs of a proxy with a [`PairChange::Deleted`] each, and forgets it.
-    pub(crate) fn lift(&mut self, slot: u32) {
+    /// Takes a proxy away; its pairs end with a [`PairChange::Deleted`] each.
+    pub(crate) fn refuse(&mut self, slot: u32) {
         let index = slot as usize;
         if index < self.boxes.len() {
             self.boxes[index] = Self::absent();
-            self.reaches[index] = Self::absent();
+            self.fat_boxes[index] = Self::absent();
             self.moved.push(slot);
             self.escaped.insert(slot);
         }
     }
 
-    /// Forgets a proxy and its pairs without a word.
+    /// Removes a proxy; its pairs end without an event.
     pub(crate) fn remove(&mut self, slot: u32) {
         if let Some(previous) = self.previous.get_mut(slot as usize) {
             *previous = Self::absent();
-            self.lift(slot);
+            self.refuse(slot);
         }
     }
 
-    /// Whether proxies were placed, lifted or removed since the last `finish`.
+    /// Whether proxies were placed, refused or removed since the last `finish`.
     pub(crate) fn is_touched(&self) -> bool {
         !self.moved.is_empty()
     }
@@ -175,136 +166,197 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.candidates.held()
     }
 
-    /// The number of held pairs.
-    pub(crate) fn pair_count(&self) -> usize {
-        self.candidates.held_count()
-    }
-
-    /// The number of pairs whose reaches overlap.
-    pub(crate) fn candidate_count(&self) -> usize {
-        self.candidates.len()
-    }
-
-    /// For how many moves ahead it searches.
-    pub(crate) fn foresight(&self) -> u32 {
-        self.horizon.moves()
-    }
-
-    /// How often it has searched for all pairs.
-    pub(crate) fn full_runs(&self) -> u64 {
-        self.full_runs
-    }
-
-    /// Goes on from the state of another one, which was read, but with settings of its own.
-    #[cfg(feature = "serde-serialize")]
-    pub(crate) fn resume(&mut self, state: Self, full_runs: u64) {
-        *self = Self {
-            stopwatch: std::mem::take(&mut self.stopwatch),
-            fixed_foresight: self.fixed_foresight,
-            full_runs,
-            ..state
-        };
-    }
-
     /// The slots that have a proxy, with their boxes.
     pub(crate) fn proxies(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
         (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
     }
 
+    /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs, the times of phases.
+    pub(crate) fn describe(&self, stats: &mut Stats) {
+        stats.pairs = self.candidates.held_count();
+        stats.candidates = self.candidates.len();
+        stats.delta = self.layers.delta();
+        stats.foresight = self.horizon.moves();
+        stats.full_runs = self.full_runs;
+        stats.classes = self.layers.classes();
+        stats.strips = self.layers.strips();
+        stats.times = self.stopwatch.times;
+    }
+
     /// Brings the pairs up to date and reports what has changed since the last call.
     ///
-    /// Costs nothing when nothing was touched. Otherwise the candidates of what has moved are looked at, or all of
-    /// them in order if that is most of them. What has left its reach is looked up in about **O(log n)** each, and if
+    /// Costs nothing when nothing was touched. Otherwise the candidates of what has moved are compared, or all of
+    /// them in order if that is most of them. What has left its fat box is looked up in about **O(log n)** each, and if
     /// that is much, there is a run of the kernel over all proxies.
-    pub(crate) fn finish(&mut self, layers: &mut Layers<R, D>, mut report: impl FnMut(PairChange)) {
-        if !self.is_touched() {
-            return;
+    pub(crate) fn finish(&mut self, mut report: impl FnMut(PairChange)) {
+        let lap = self.stopwatch.start();
+        if self.is_touched() {
+            self.candidates.compact_if_sparse();
         }
-        let Self {
-            boxes,
-            previous,
-            reaches,
-            moved,
-            escaped,
-            horizon,
-            fixed_foresight,
-            full_runs,
-            candidates,
-            found,
-            stopwatch,
-        } = self;
-        let mut lap = stopwatch.start();
-        let report = &mut report;
-        let both = Boxes {
-            now: &boxes[..],
-            before: &previous[..],
+        let plan = Plan::of::<D>(&self.known(), || {
+            mean_speed(&self.moved, &self.boxes, &self.previous)
+        });
+        let lap = match plan {
+            Plan::Nothing => return,
+            Plan::Compare(extent) => {
+                self.layers.count_update();
+                self.found.clear();
+                self.compare(extent, lap, &mut report)
+            }
+            Plan::LookUp(extent) => {
+                let lap = self.look_up(lap);
+                self.compare(extent, lap, &mut report)
+            }
+            Plan::FullRun(horizon) => self.run_in_full(horizon, lap, &mut report),
         };
-        found.clear();
-        if layers.is_full_run_due(escaped.slots().len(), boxes.len()) {
-            let slots = boxes.len() as f64;
-            let held = candidates.held_count();
-            let experience = Experience {
-                pairs: held as f64 / slots,
-                excess: (candidates.len() - held) as f64 / slots,
-                cost: layers.cost_per_update(boxes.len()),
-            };
-            *full_runs += 1;
-            match fixed_foresight {
-                Some(moves) => *horizon = Horizon::fixed(*moves),
-                None => horizon.adapt(moved, boxes, previous, experience),
-            }
-            renew_reaches(reaches, &both, moved, *horizon);
-            found.reserve_exact(candidates.len() + candidates.len() / 8);
-            stopwatch.lap(lap, |times| &mut times.difference);
-            layers.find_all(reaches, found, stopwatch);
-            lap = stopwatch.start();
-            let mut is_over = fixed_foresight.is_some();
-            while !is_over && Horizon::are_too_many(found.len(), boxes.len(), held) {
-                horizon.shorten();
-                // Also if it was so before: what has not moved since may have its reach from an earlier time.
-                is_over = !horizon.is_any();
-                for (reach, (now, before)) in reaches.iter_mut().zip(boxes.iter().zip(&*previous)) {
-                    *reach = horizon.reach(now, before);
-                }
-                *found = Vec::new();
-                stopwatch.lap(lap, |times| &mut times.difference);
-                layers.find_all(reaches, found, stopwatch);
-                lap = stopwatch.start();
-            }
-            candidates.replace(found, &both, report);
-            if found.capacity() > FEW {
-                *found = Vec::new();
-            }
-        } else {
-            for &slot in escaped.slots() {
-                let i = slot as usize;
-                reaches[i] = horizon.reach(&boxes[i], &previous[i]);
-            }
-            stopwatch.lap(lap, |times| &mut times.difference);
-            layers.find_changed(reaches, escaped, found, stopwatch);
-            lap = stopwatch.start();
-            if moved.len() < boxes.len() / MANY {
-                candidates.refresh_some(escaped, moved, &both, report);
-            } else {
-                candidates.refresh_all(escaped, &both, report);
-            }
-            candidates.extend(found, &both, report);
-            let held = candidates.held_count();
-            let are_too_many = Horizon::are_too_many(candidates.len(), boxes.len(), held);
-            if are_too_many && fixed_foresight.is_none() {
-                horizon.shorten();
-                layers.forget();
-            }
-        }
         self.settle();
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
 
+    /// What decides the plan.
+    fn known(&self) -> Known {
+        Known {
+            slots: self.boxes.len(),
+            moved: self.moved.len(),
+            escaped: self.escaped.len(),
+            candidates: self.candidates.len(),
+            held: self.candidates.held_count(),
+            rows: self.candidates.rows(),
+            lists: self.candidates.lists(),
+            are_layers_used: self.layers.are_used(),
+            base: self.layers.base(),
+            horizon: self.horizon,
+            fixed_foresight: self.fixed_foresight,
+        }
+    }
+
+    /// Draws the fat boxes of the escaped anew and looks them up among all others.
+    fn look_up(&mut self, lap: Lap) -> Lap {
+        for &slot in self.escaped.slots() {
+            let i = slot as usize;
+            self.fat_boxes[i] = self.horizon.fat_box(&self.boxes[i], &self.previous[i]);
+        }
+        self.stopwatch.lap(lap, |times| &mut times.difference);
+        self.found.clear();
+        let Self {
+            layers,
+            fat_boxes,
+            escaped,
+            found,
+            stopwatch,
+            ..
+        } = self;
+        layers.find_escaped(fat_boxes, escaped, found, stopwatch);
+        self.stopwatch.start()
+    }
+
+    /// Compares candidates, retires those of the escaped, and takes in those that were found for them.
+    fn compare(&mut self, extent: Extent, lap: Lap, report: &mut impl FnMut(PairChange)) -> Lap {
+        let boxes = Boxes {
+            now: &self.boxes,
+            before: &self.previous,
+        };
+        let (moved, escaped) = (&self.moved, &self.escaped);
+        self.candidates
+            .compare(extent, moved, escaped, &boxes, report);
+        self.candidates.extend(&self.found, &boxes, report);
+        if self.fixed_foresight.is_none() && self.are_too_many(self.candidates.len()) {
+            self.horizon.shorten();
+            self.layers.forget();
+        }
+        lap
+    }
+
+    /// Searches for all candidates, by fat boxes that are drawn for this horizon.
+    fn run_in_full(
+        &mut self,
+        horizon: Horizon,
+        lap: Lap,
+        report: &mut impl FnMut(PairChange),
+    ) -> Lap {
+        self.full_runs += 1;
+        self.horizon = horizon;
+        self.draw_moved();
+        self.found.clear();
+        let count = self.candidates.len();
+        self.found.reserve_exact(count + count / 8);
+        let mut lap = self.search(lap);
+        while self.fixed_foresight.is_none() && self.are_too_many(self.found.len()) {
+            self.horizon.shorten();
+            self.draw_all();
+            self.found = Vec::new();
+            lap = self.search(lap);
+            // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
+            if !self.horizon.is_any() {
+                break;
+            }
+        }
+        let boxes = Boxes {
+            now: &self.boxes,
+            before: &self.previous,
+        };
+        self.candidates.replace(&mut self.found, &boxes, report);
+        if self.found.capacity() > KEEP_SCRATCH_UP_TO {
+            self.found = Vec::new();
+        }
+        lap
+    }
+
+    /// Appends the overlapping pairs among all fat boxes to what was found.
+    fn search(&mut self, lap: Lap) -> Lap {
+        self.stopwatch.lap(lap, |times| &mut times.difference);
+        self.layers
+            .find_all(&self.fat_boxes, &mut self.found, &mut self.stopwatch);
+        self.stopwatch.start()
+    }
+
+    fn are_too_many(&self, candidates: usize) -> bool {
+        policy::are_too_many(candidates, self.boxes.len(), self.candidates.held_count())
+    }
+
+    /// Draws the fat boxes of what has moved.
+    fn draw_moved(&mut self) {
+        let Self {
+            boxes,
+            previous,
+            fat_boxes,
+            horizon,
+            ..
+        } = self;
+        if self.moved.len() < boxes.len() / COMPARE_ALL_FROM_ONE_IN {
+            for &slot in &self.moved {
+                let i = slot as usize;
+                fat_boxes[i] = horizon.fat_box(&boxes[i], &previous[i]);
+            }
+            return;
+        }
+        let boxes = boxes
+            .chunks(SLOTS_A_TASK)
+            .zip(previous.chunks(SLOTS_A_TASK));
+        let mut parts: Vec<_> = fat_boxes.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
+        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
+            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
+                // The others have not moved, or came back at once.
+                if now != before || !fat.contains(now) {
+                    *fat = horizon.fat_box(now, before);
+                }
+            }
+        });
+    }
+
+    /// Draws all fat boxes.
+    fn draw_all(&mut self) {
+        let boxes = self.boxes.iter().zip(&self.previous);
+        for (fat, (now, before)) in self.fat_boxes.iter_mut().zip(boxes) {
+            *fat = self.horizon.fat_box(now, before);
+        }
+    }
+
     /// Makes the present boxes the previous ones.
     fn settle(&mut self) {
-        if self.moved.len() > self.boxes.len() / MANY {
-            let chunks = self.previous.chunks_mut(PART).zip(self.boxes.chunks(PART));
-            let mut parts: Vec<_> = chunks.collect();
+        if self.moved.len() > self.boxes.len() / COMPARE_ALL_FROM_ONE_IN {
+            let boxes = self.boxes.chunks(SLOTS_A_TASK);
+            let mut parts: Vec<_> = self.previous.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
             parallel::for_each(&mut parts, |(previous, boxes)| {
                 previous.copy_from_slice(boxes)
             });
@@ -317,24 +369,23 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.escaped.clear();
     }
 
-    /// Panics unless the held pairs are exactly those that overlap, by a full run of a fresh kernel, and all
-    /// that is kept besides is in order.
-    pub(crate) fn validate(&self, layers: &mut Layers<R, D>) {
+    /// Panics unless the held pairs are exactly those that overlap, by a full run of a kernel, and all that is kept besides
+    /// is in order.
+    pub(crate) fn validate(&self, kernel: Kernel) {
         assert!(!self.is_touched(), "an update was not finished");
         assert_eq!(self.boxes.len(), self.previous.len());
-        assert_eq!(self.boxes.len(), self.reaches.len());
+        assert_eq!(self.boxes.len(), self.fat_boxes.len());
         for (slot, (now, before)) in self.boxes.iter().zip(&self.previous).enumerate() {
             let is_settled = now == before || !(now.is_valid() || before.is_valid());
             assert!(is_settled, "the box of slot {slot} is not settled");
         }
-        for (slot, (aabb, reach)) in self.boxes.iter().zip(&self.reaches).enumerate() {
-            let is_sound = reach.contains(aabb) || !(aabb.is_valid() || reach.is_valid());
-            assert!(is_sound, "the box of slot {slot} is not in its reach");
+        for (slot, (aabb, fat)) in self.boxes.iter().zip(&self.fat_boxes).enumerate() {
+            let is_sound = fat.contains(aabb) || !(aabb.is_valid() || fat.is_valid());
+            assert!(is_sound, "the box of slot {slot} is not in its fat box");
         }
         self.candidates.validate(&self.boxes);
-        let mut check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
-            let mut expected = Vec::new();
-            layers.find_all(boxes, &mut expected, &mut Stopwatch::default());
+        let check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
+            let mut expected = overlapping(kernel, boxes);
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
@@ -342,34 +393,15 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         check(self.pairs().collect(), &self.boxes, "the held pairs");
         check(
             self.candidates.iter().collect(),
-            &self.reaches,
+            &self.fat_boxes,
             "the candidates",
         );
     }
 }
 
-/// Gives the moved proxies new reaches.
-fn renew_reaches<R: Real, const D: usize>(
-    reaches: &mut [Aabb<R, D>],
-    boxes: &Boxes<R, D>,
-    moved: &[u32],
-    horizon: Horizon,
-) {
-    if moved.len() < reaches.len() / MANY {
-        for &slot in moved {
-            let i = slot as usize;
-            reaches[i] = horizon.reach(&boxes.now[i], &boxes.before[i]);
-        }
-        return;
-    }
-    let boxes = boxes.now.chunks(PART).zip(boxes.before.chunks(PART));
-    let mut parts: Vec<_> = reaches.chunks_mut(PART).zip(boxes).collect();
-    parallel::for_each(&mut parts, |(reaches, (now, before))| {
-        for (reach, (now, before)) in reaches.iter_mut().zip(now.iter().zip(*before)) {
-            // The others have not moved, or came back at once.
-            if now != before || !reach.contains(now) {
-                *reach = horizon.reach(now, before);
-            }
-        }
-    });
+/// The overlapping pairs among the valid ones of `boxes`, by a fresh kernel.
+fn overlapping<R: Real, const D: usize>(kernel: Kernel, boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
+    let mut found = Vec::new();
+    Layers::new(kernel, true).find_all(boxes, &mut found, &mut Stopwatch::default());
+    found
 }

@@ -17,4 +17,5 @@ mod dimension;
 #[path = "adapter/rapier_0_36/mod.rs"]
 mod version;
 
-pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};
+pub use crate::{Kernel, Stats};
+pub use adapter::{Settings, UnisizeBroadPhase};

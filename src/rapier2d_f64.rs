@@ -14,4 +14,5 @@ mod dimension;
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;
 
-pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};
+pub use crate::{Kernel, Stats};
+pub use adapter::{Settings, UnisizeBroadPhase};

@@ -12,7 +12,7 @@
 //!     colliders.insert(ColliderBuilder::ball(0.5).translation(vector![x, 0.0, 0.0]))
 //! });
 //!
-//! let settings = Settings { margin: 0.05, ..Settings::default() };
+//! let settings = Settings::default().with_margin(0.05);
 //! let mut broad_phase = UnisizeBroadPhase::with_settings(settings);
 //! let params = IntegrationParameters::default();
 //! let mut events = Vec::new();
@@ -35,7 +35,7 @@
 //! # use rapier3d::prelude::*;
 //! use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
 //!
-//! let settings = Settings { kernel: Kernel::RankSweep, timed: true, ..Settings::default() };
+//! let settings = Settings::default().with_kernel(Kernel::RankSweep).with_timed(true);
 //! let mut broad_phase = UnisizeBroadPhase::with_settings(settings);
 //! # let (bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
 //! # let listed: Vec<_> = (0..1000).map(|i| {
@@ -63,4 +63,5 @@ mod dimension;
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;
 
-pub use adapter::{Kernel, Settings, Stats, UnisizeBroadPhase};
+pub use crate::{Kernel, Stats};
+pub use adapter::{Settings, UnisizeBroadPhase};

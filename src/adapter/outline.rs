@@ -89,10 +89,13 @@ impl Outline {
     }
 }
 
-/// The box that reaches so far from its centre.
+/// The box of these half extents around a centre.
 #[inline(always)]
-fn around(center: Vector, reach: Vector) -> Aabb<Real, DIM> {
-    Aabb::new((center - reach).into(), (center + reach).into())
+fn around(center: Vector, half_extents: Vector) -> Aabb<Real, DIM> {
+    Aabb::new(
+        (center - half_extents).into(),
+        (center + half_extents).into(),
+    )
 }
 
 #[cfg(test)]

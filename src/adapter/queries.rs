@@ -50,10 +50,8 @@ impl UnisizeBroadPhase {
 
     fn tree(&self) -> &Bvh {
         self.tree.get_or_init(|| {
-            let leaves = self.tracker.proxies().map(|(slot, aabb)| {
-                let aabb = Aabb::new(aabb.mins.into(), aabb.maxs.into());
-                (slot as usize, aabb)
-            });
+            let boxes = self.table.boxes();
+            let leaves = boxes.map(|(slot, &aabb)| (slot as usize, Aabb::from(aabb)));
             if self.stats().proxies > 2 {
                 return Bvh::from_iter(BvhBuildStrategy::Binned, leaves);
             }

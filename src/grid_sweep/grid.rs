@@ -6,17 +6,8 @@
 //! both reach the strip that holds the larger of their two `mins`. So origin and width may be guessed from
 //! a sample, and be guessed wrong.
 
+use crate::tuning::kernel::{BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_SAMPLE};
 use crate::{Aabb, Real};
-
-/// How many boxes are looked at to choose the grid: one in eight, within these limits.
-const SAMPLE: [usize; 2] = [16, 128];
-
-/// The width of a strip in box sizes. More means fewer boxes on a border, which are entered twice, and more
-/// candidates a box.
-const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
-
-/// About how many candidates a box should meet at most: one step of the sweep looks at eight.
-const CANDIDATES: f64 = 8.0;
 
 /// One axis, cut into strips.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,14 +45,14 @@ pub(super) struct Grid<R> {
     pub(super) axes: [Strips<R>; 2],
 }
 
-/// The tubes that a box reaches: from `first` to `last` in each cut axis.
+/// The tubes that a box spans: from `first` to `last` in each cut axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Reach {
+pub(super) struct TubeSpan {
     pub(super) first: [u32; 2],
     pub(super) last: [u32; 2],
 }
 
-impl Reach {
+impl TubeSpan {
     /// Whether it is more than two strips wide on some axis: such boxes are treated apart.
     #[inline(always)]
     pub(super) fn is_outsize(&self) -> bool {
@@ -83,18 +74,18 @@ impl<R: Real> Grid<R> {
         }
     }
 
-    /// The tubes that a valid box reaches.
+    /// The tubes that a valid box spans.
     #[inline(always)]
-    pub(super) fn reach<const D: usize>(&self, aabb: &Aabb<R, D>) -> Reach {
-        let mut reach = Reach {
+    pub(super) fn tube_span<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
+        let mut span = TubeSpan {
             first: [0; 2],
             last: [0; 2],
         };
         for cut in 0..cut_axes::<D>() {
-            reach.first[cut] = self.axes[cut].strip(aabb.mins[cut + 1]);
-            reach.last[cut] = self.axes[cut].strip(aabb.maxs[cut + 1]);
+            span.first[cut] = self.axes[cut].strip(aabb.mins[cut + 1]);
+            span.last[cut] = self.axes[cut].strip(aabb.maxs[cut + 1]);
         }
-        reach
+        span
     }
 
     /// A grid that suits the members, its strips widened by `widening`.
@@ -116,7 +107,7 @@ impl<R: Real> Grid<R> {
             |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
         let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
-        let affordable = root(CANDIDATES / density, cuts);
+        let affordable = root(CANDIDATES_A_BOX / density, cuts);
         let width_in_boxes = affordable.clamp(widest / 4.0, widest) * widening;
 
         let mut grid = Self::default();
@@ -147,7 +138,7 @@ fn root(x: f64, cuts: usize) -> f64 {
 /// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular
 /// distance, so that a pattern in the order of the boxes does not mislead.
 pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
-    let count = (n / 8).clamp(SAMPLE[0], SAMPLE[1]).min(n);
+    let count = (n / 8).clamp(GRID_SAMPLE[0], GRID_SAMPLE[1]).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| i * n / count);

@@ -7,13 +7,11 @@
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too, so in each occupied
 //! tube that the box reaches a binary search finds the first entry to look at, whatever the sizes are.
 
-use super::grid::{Grid, Reach};
+use super::grid::{Grid, TubeSpan};
 use super::sweep::Emitter;
 use super::tubes::{NOWHERE, Tube, Tubes, ghost_axes};
+use crate::tuning::kernel::TABLE_LOOKUPS_UP_TO;
 use crate::{Aabb, Real};
-
-/// Up to this many tubes are taken from the table one by one, whether they are occupied or not.
-const FEW: u64 = 16;
 
 impl<R: Real, const D: usize> Tubes<R, D> {
     /// Whether [`look_up`](Self::look_up) may be called.
@@ -44,12 +42,12 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         owner: u32,
         emitter: &mut Emitter,
     ) {
-        let reach = grid.reach(aabb);
-        let [rows, columns] = [0, 1].map(|cut| u64::from(reach.last[cut] - reach.first[cut]) + 1);
-        if !self.table.is_empty() && rows * columns <= FEW {
-            self.look_up_in_table(grid, &reach, aabb, owner, emitter);
+        let span = grid.tube_span(aabb);
+        let [rows, columns] = [0, 1].map(|cut| u64::from(span.last[cut] - span.first[cut]) + 1);
+        if !self.table.is_empty() && rows * columns <= TABLE_LOOKUPS_UP_TO {
+            self.look_up_in_table(grid, &span, aabb, owner, emitter);
         } else {
-            self.look_up_by_searching(&reach, aabb, owner, emitter);
+            self.look_up_by_searching(&span, aabb, owner, emitter);
         }
     }
 
@@ -57,19 +55,19 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     fn look_up_in_table(
         &self,
         grid: &Grid<R>,
-        reach: &Reach,
+        span: &TubeSpan,
         aabb: &Aabb<R, D>,
         owner: u32,
         emitter: &mut Emitter,
     ) {
         let columns = grid.axes[1].last + 1;
-        for row in reach.first[0]..=reach.last[0] {
-            for column in reach.first[1]..=reach.last[1] {
+        for row in span.first[0]..=span.last[0] {
+            for column in span.first[1]..=span.last[1] {
                 let tube = (row * columns + column).wrapping_sub(self.range.start) as usize;
                 // Tubes of another slab are beyond the end.
                 let position = self.table.get(tube).copied().unwrap_or(NOWHERE);
                 if let Some(tube) = self.tubes.get(position as usize) {
-                    self.look_up_in(tube, reach, aabb, owner, emitter);
+                    self.look_up_in(tube, span, aabb, owner, emitter);
                 }
             }
         }
@@ -78,16 +76,16 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     /// For a box that may reach any number of tubes, few of which need be occupied.
     fn look_up_by_searching(
         &self,
-        reach: &Reach,
+        span: &TubeSpan,
         aabb: &Aabb<R, D>,
         owner: u32,
         emitter: &mut Emitter,
     ) {
         let mut rest = &self.tubes[..];
-        let mut row = reach.first[0];
+        let mut row = span.first[0];
         // Row after row that has tubes, and in each the tubes between the columns.
-        while row <= reach.last[0] {
-            rest = &rest[rest.partition_point(|t| t.strips < [row, reach.first[1]])..];
+        while row <= span.last[0] {
+            rest = &rest[rest.partition_point(|t| t.strips < [row, span.first[1]])..];
             let Some(&Tube { strips, .. }) = rest.first() else {
                 return;
             };
@@ -95,9 +93,9 @@ impl<R: Real, const D: usize> Tubes<R, D> {
                 row = strips[0];
                 continue;
             }
-            let in_row = rest.partition_point(|t| t.strips <= [row, reach.last[1]]);
+            let in_row = rest.partition_point(|t| t.strips <= [row, span.last[1]]);
             for tube in &rest[..in_row] {
-                self.look_up_in(tube, reach, aabb, owner, emitter);
+                self.look_up_in(tube, span, aabb, owner, emitter);
             }
             rest = &rest[in_row..];
             let Some(next) = row.checked_add(1) else {
@@ -111,12 +109,12 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     fn look_up_in(
         &self,
         tube: &Tube,
-        reach: &Reach,
+        span: &TubeSpan,
         aabb: &Aabb<R, D>,
         owner: u32,
         emitter: &mut Emitter,
     ) {
-        let ghost = ghost_axes(tube.strips, reach.first);
+        let ghost = ghost_axes(tube.strips, span.first);
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
         self.columns()

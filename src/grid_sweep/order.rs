@@ -5,11 +5,7 @@
 //! and what the guess left wrong, about one in four, is put right by insertion.
 
 use crate::Real;
-
-/// Up to this many numbers, insertion alone is faster than dealing.
-const SMALL: usize = 12;
-/// A bucket with more than this is sorted on its own before insertion, which would be quadratic.
-const CROWDED: u32 = 24;
+use crate::tuning::kernel::{CROWDED_BUCKET, INSERTION_UP_TO};
 
 /// Sorts numbers into an order; keeps its memory between calls.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +23,7 @@ impl<R: Real> Order<R> {
         &mut self,
         numbers: impl ExactSizeIterator<Item = R> + Clone,
     ) -> &[(R, u32)] {
-        if numbers.len() <= SMALL {
+        if numbers.len() <= INSERTION_UP_TO {
             self.sorted.clear();
             self.sorted.extend(numbers.zip(0..));
         } else {
@@ -76,11 +72,11 @@ impl<R: Real> Order<R> {
             sorted[*cursor as usize] = number;
             *cursor += 1;
         }
-        if most > CROWDED {
+        if most > CROWDED_BUCKET {
             let mut start = 0;
             // Each cursor now stands at the end of its bucket.
             for &end in cursors.iter() {
-                if end - start > CROWDED {
+                if end - start > CROWDED_BUCKET {
                     sorted[start as usize..end as usize]
                         .sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("numbers are not NaN"));
                 }

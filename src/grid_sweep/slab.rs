@@ -9,10 +9,8 @@ use std::ops::Range;
 use super::grid::Grid;
 use super::sweep::Emitter;
 use super::tubes::Tubes;
+use crate::tuning::kernel::SLAB_SAMPLE;
 use crate::{Aabb, Real};
-
-/// How many boxes are looked at to make slabs of about equal work.
-const SAMPLE: usize = 2048;
 
 /// Some of the tubes of a grid, and the pairs found in them.
 #[derive(Clone, Debug)]
@@ -69,9 +67,9 @@ pub(super) fn split<R: Real, const D: usize>(
     let end = grid.tube_count() as u32;
     let mut tubes: Vec<u32> = members
         .iter()
-        .step_by(members.len() / SAMPLE + 1)
+        .step_by(members.len() / SLAB_SAMPLE + 1)
         .map(|&member| {
-            let [row, column] = grid.reach(&boxes[member as usize]).first;
+            let [row, column] = grid.tube_span(&boxes[member as usize]).first;
             row * columns + column
         })
         .collect();

@@ -44,7 +44,7 @@ fn each_thread_has_a_slab_if_there_is_enough_to_do() {
             .unwrap();
         slabs(&kernel)
     };
-    let counts = [WORTH_A_THREAD - 1, WORTH_A_THREAD];
+    let counts = [THREADS_FROM - 1, THREADS_FROM];
     let slabs = pool.unwrap().install(|| counts.map(slabs_of));
     assert_eq!(slabs, [1, 3]);
 }

@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use super::grid::{Grid, Reach};
+use super::grid::{Grid, TubeSpan};
 use super::order::Order;
 use crate::lanes::LANES;
 use crate::{Aabb, Real};
@@ -162,12 +162,12 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
         let (mut home_count, mut ghost_count) = (0, 0);
         for &owner in members {
-            let reach = grid.reach(&boxes[owner as usize]);
-            if reach.is_outsize() {
+            let span = grid.tube_span(&boxes[owner as usize]);
+            if span.is_outsize() {
                 outsize.push(owner);
                 continue;
             }
-            let tube = tube_of(reach.first);
+            let tube = tube_of(span.first);
             homes[home_count] = Home { tube, owner };
             home_count += usize::from(tube < tube_count);
             cursors[tube.min(tube_count) as usize] += 1;
@@ -177,7 +177,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             let list = ghosts[ghost_count..]
                 .first_chunk_mut()
                 .expect("there is room");
-            ghost_count += write_ghosts::<D>(&reach, owner, tube_of, tube_count, list);
+            ghost_count += write_ghosts::<D>(&span, owner, tube_of, tube_count, list);
         }
         let (homes, ghosts) = (&homes[..home_count], &ghosts[..ghost_count]);
         for ghost in ghosts {
@@ -255,7 +255,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Enters the members into all tubes by sorting: for boxes so far apart that a table would be mostly empty. Lets the
-    /// strips of the grid go on as far as numbers reach.
+    /// strips of the grid go on as far as numbers span.
     pub(super) fn build_by_sorting(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -269,11 +269,11 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let Scratch { entries, keyed, .. } = &mut self.scratch;
         keyed.clear();
         for &owner in members {
-            let reach = grid.reach(&boxes[owner as usize]);
-            if reach.is_outsize() {
+            let span = grid.tube_span(&boxes[owner as usize]);
+            if span.is_outsize() {
                 outsize.push(owner);
             } else {
-                for_each_tube(&reach, |[row, column], ghost| {
+                for_each_tube(&span, |[row, column], ghost| {
                     keyed.push((u64::from(row) << 32 | u64::from(column), owner, ghost));
                 });
             }
@@ -362,8 +362,8 @@ fn resize_exact<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
 }
 
 /// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
-fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
-    let Reach { first, last } = *reach;
+fn for_each_tube(span: &TubeSpan, mut enter: impl FnMut([u32; 2], u8)) {
+    let TubeSpan { first, last } = *span;
     for row in first[0]..=last[0] {
         for column in first[1]..=last[1] {
             enter([row, column], ghost_axes([row, column], first));
@@ -375,13 +375,13 @@ fn for_each_tube(reach: &Reach, mut enter: impl FnMut([u32; 2], u8)) {
 /// `list`, and returns their number. What is behind them in the list is rubbish.
 #[inline(always)]
 fn write_ghosts<const D: usize>(
-    reach: &Reach,
+    span: &TubeSpan,
     owner: u32,
     tube_of: impl Fn([u32; 2]) -> u32,
     tube_count: u32,
     list: &mut [Ghost; MAX_GHOSTS],
 ) -> usize {
-    let Reach { first, last } = *reach;
+    let TubeSpan { first, last } = *span;
     let [is_row, is_column] = [0, 1].map(|cut| last[cut] > first[cut]);
     let mut count = 0;
     let mut write = |strips: [u32; 2], axes: u8, exists: bool| {

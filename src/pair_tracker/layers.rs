@@ -1,10 +1,10 @@
-//! What rests and what moves.
+//! What has stayed in its fat box, and what has not.
 //!
-//! When few boxes change, sorting all of them again for each update would be a waste. So there are three
-//! layers. The *resting* one is in the order that the last run over all boxes left behind. The *moving* one is of
-//! all that have changed since then, in the order of the last run over those. And the *recent* one is of all that
-//! have changed since that; it is small and has no order. An update looks the changed boxes up in the first two, and
-//! runs the kernel on the third alone. Entries of one layer whose boxes belong to the next are stale and passed over.
+//! When few proxies leave their fat boxes, sorting all of them again for each update would be a waste. So there are three
+//! layers. The *base* is in the order that the last full run left behind. The *delta* is of all that have escaped since
+//! then, in the order of the last run over those. And what is *recent* has escaped since that; it is small and has no
+//! order. An update looks the escaped up in the first two, and runs the kernel on the third alone. Entries of one layer
+//! whose proxies have since escaped are outdated and passed over.
 //!
 //! A layer is sorted anew, and takes in all that follow, once the following ones have cost as much as that: so never
 //! more than about twice as much time is spent as if it had been known beforehand when it pays. Kernels that cannot
@@ -13,24 +13,13 @@
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 
-use super::slot_set::SlotSet;
+use super::policy::Base;
+use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
-use crate::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
+use crate::tuning::update::{DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
+use crate::{Aabb, BruteForce, GridSweep, Kernel, PairFinder, RankSweep, Real};
 #[cfg(feature = "serde-serialize")]
 pub(super) use snapshot::LayersSnapshot;
-
-/// Looking a box up among all others costs about as much as so many boxes in a run over all of them.
-const LOOKUP_COST: usize = 6;
-
-/// Looking it up in the moving layer, which is smaller and nearer.
-const SECOND_LOOKUP_COST: usize = 2;
-
-/// It is a wave if so many times as many boxes change in one update as usual, and one in so many of all.
-const WAVE: [u64; 2] = [8, 24];
-
-/// With more boxes than this, what only a run over all of them needs is given back after it: it would be the larger part
-/// of all memory, unused in nine updates of ten.
-const MANY: usize = 1 << 12;
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
@@ -41,11 +30,32 @@ pub(crate) enum Layers<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// Whether a run over all boxes is the best to do, after so many of them have changed.
-    pub(super) fn is_full_run_due(&self, changed: usize, boxes: usize) -> bool {
+    /// A kernel, with empty layers if it can have them; they are used, or only the first of them.
+    pub(super) fn new(kernel: Kernel, are_used: bool) -> Self {
+        match kernel {
+            Kernel::GridSweep => Self::Grid(Box::new(GridLayers::new(are_used))),
+            Kernel::RankSweep => Self::Rank(Box::default()),
+            Kernel::BruteForce => Self::Brute(Unlayered::default()),
+        }
+    }
+
+    /// Whether escaped proxies may be looked up.
+    pub(super) fn are_used(&self) -> bool {
+        matches!(self, Self::Grid(layers) if layers.are_used)
+    }
+
+    /// What has been spent since the last full run, if the base layer is sorted.
+    pub(super) fn base(&self) -> Option<Base> {
         match self {
-            Self::Grid(layers) => layers.is_full_run_due(changed, boxes),
-            Self::Rank(_) | Self::Brute(_) => changed > 0,
+            Self::Grid(layers) if layers.base.is_sorted => Some(layers.spent()),
+            _ => None,
+        }
+    }
+
+    /// Counts an update in which nothing has escaped.
+    pub(super) fn count_update(&mut self) {
+        if let Self::Grid(layers) = self {
+            layers.updates += 1;
         }
     }
 
@@ -63,44 +73,32 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Appends to `found` the overlapping pairs among the valid ones of `boxes` that involve one of the `changed`,
-    /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all), and few
-    /// enough for no [full run](Self::is_full_run_due) to be due.
-    pub(super) fn find_changed(
+    /// Appends to `found` the overlapping pairs among the valid ones of `boxes` that involve one of the `escaped`,
+    /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all). Only for a
+    /// kernel whose [base layer](Self::base) is sorted.
+    pub(super) fn find_escaped(
         &mut self,
         boxes: &[Aabb<R, D>],
-        changed: &SlotSet,
+        escaped: &SlotSet,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
         if let Self::Grid(layers) = self {
-            layers.find_changed(boxes, changed, found, stopwatch);
+            layers.find_escaped(boxes, escaped, found, stopwatch);
         }
     }
 
-    /// What searching has cost in each update since the last full run, that one included, if another is made now. In
-    /// full runs; `None` if there was none.
-    pub(super) fn cost_per_update(&self, boxes: usize) -> Option<f64> {
-        match self {
-            Self::Grid(layers) if layers.resting.is_sorted => {
-                let lookups = LOOKUP_COST as f64 * layers.changes as f64 / boxes as f64;
-                Some((1.0 + lookups) / (layers.updates + 1) as f64)
-            }
-            _ => None,
-        }
-    }
-
-    /// Makes the next change cause a full run.
+    /// Makes the next proxy that escapes cause a full run.
     pub(super) fn forget(&mut self) {
         if let Self::Grid(layers) = self {
-            layers.resting.is_sorted = false;
+            layers.base.is_sorted = false;
         }
     }
 
     /// The classes of sizes in the last full run, if it still holds.
     pub(crate) fn classes(&self) -> usize {
         match self {
-            Self::Grid(layers) if layers.resting.is_sorted => layers.resting.order.class_count(),
+            Self::Grid(layers) if layers.base.is_sorted => layers.base.order.class_count(),
             _ => 0,
         }
     }
@@ -108,15 +106,15 @@ impl<R: Real, const D: usize> Layers<R, D> {
     /// The strips of the first class in the last full run, if it still holds, along the axes that are cut.
     pub(crate) fn strips(&self) -> [u32; 2] {
         match self {
-            Self::Grid(layers) if layers.resting.is_sorted => layers.resting.order.strips(),
+            Self::Grid(layers) if layers.base.is_sorted => layers.base.order.strips(),
             _ => [0; 2],
         }
     }
 
-    /// How many proxies are in the moving layer.
-    pub(crate) fn moving(&self) -> usize {
+    /// How many slots are above the base layer.
+    pub(crate) fn delta(&self) -> usize {
         match self {
-            Self::Grid(layers) => layers.resting.stale.slots().len(),
+            Self::Grid(layers) => layers.base.outdated.len(),
             Self::Rank(_) | Self::Brute(_) => 0,
         }
     }
@@ -127,12 +125,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
 pub(crate) struct GridLayers<R, const D: usize> {
     /// If not, every search is a full run.
     are_used: bool,
-    resting: Layer<R, D>,
-    moving: Layer<R, D>,
+    base: Layer<R, D>,
+    delta: Layer<R, D>,
     recent: GridSweep<R, D>,
-    /// The updates since the last full run, and how many boxes have changed in them.
+    /// The updates since the last full run, and how many proxies have escaped in them.
     updates: u64,
-    changes: u64,
+    escaped: u64,
     /// Scratch: the members of a run.
     members: Vec<u32>,
 }
@@ -142,28 +140,22 @@ pub(crate) struct GridLayers<R, const D: usize> {
 struct Layer<R, const D: usize> {
     order: GridSweep<R, D>,
     is_sorted: bool,
-    /// All that have changed since it was sorted.
-    stale: SlotSet,
-    /// What has been spent on the following layers since then, in boxes of a run.
+    /// All that have escaped since it was sorted.
+    outdated: SlotSet,
+    /// What has been spent on the layers above it since then, in boxes of a run.
     spent: usize,
-}
-
-impl<R, const D: usize> Default for GridLayers<R, D> {
-    fn default() -> Self {
-        Self::new(true)
-    }
 }
 
 impl<R, const D: usize> GridLayers<R, D> {
     /// Empty layers, which are used, or only the first of them.
-    pub(crate) fn new(are_used: bool) -> Self {
+    fn new(are_used: bool) -> Self {
         Self {
             are_used,
-            resting: Layer::default(),
-            moving: Layer::default(),
+            base: Layer::default(),
+            delta: Layer::default(),
             recent: GridSweep::default(),
             updates: 0,
-            changes: 0,
+            escaped: 0,
             members: Vec::new(),
         }
     }
@@ -174,7 +166,7 @@ impl<R, const D: usize> Default for Layer<R, D> {
         Self {
             order: GridSweep::default(),
             is_sorted: false,
-            stale: SlotSet::default(),
+            outdated: SlotSet::default(),
             spent: 0,
         }
     }
@@ -189,93 +181,90 @@ impl<R: Real, const D: usize> Layer<R, D> {
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        self.stale.clear();
+        self.outdated.clear();
         self.spent = 0;
         self.is_sorted = true;
         self.order.find_among(boxes, members, found, stopwatch);
     }
 
-    /// Appends the pairs of the valid ones among the changed with those members that are not stale. All the changed
+    /// Appends the pairs of the valid ones among the escaped with those members that are not outdated. All the escaped
     /// must be.
     fn look_up(
         &mut self,
         boxes: &[Aabb<R, D>],
-        changed: &SlotSet,
+        escaped: &SlotSet,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
         let lap = stopwatch.start();
-        let queries = changed.slots().iter().copied();
+        let queries = escaped.slots().iter().copied();
         let queries = queries.filter(|&slot| boxes[slot as usize].is_valid());
         let first = found.len();
         self.order.prepare_lookup();
         self.order.look_up(boxes, queries, found);
-        let stale = &self.stale;
+        let outdated = &self.outdated;
         retain_from(found, first, |[a, b]| {
-            stale.contains(a) != stale.contains(b)
+            outdated.contains(a) != outdated.contains(b)
         });
         stopwatch.lap(lap, |times| &mut times.sweep);
     }
 }
 
 impl<R: Real, const D: usize> GridLayers<R, D> {
-    fn is_full_run_due(&self, changed: usize, boxes: usize) -> bool {
-        let [times, part] = WAVE;
-        // Reaches that were made at the same time tend to be left at the same time; a run makes them all anew.
-        let [count, all] = [changed as u64, boxes as u64];
-        let is_wave = count * self.updates > times * self.changes && part * count > all;
-        let is_costly = LOOKUP_COST * changed > boxes || self.resting.spent > boxes;
-        changed > 0 && (!self.are_used || !self.resting.is_sorted || is_costly || is_wave)
+    fn spent(&self) -> Base {
+        Base {
+            updates: self.updates,
+            escaped: self.escaped,
+            spent: self.base.spent,
+        }
     }
 
-    fn find_changed(
+    fn find_escaped(
         &mut self,
         boxes: &[Aabb<R, D>],
-        changed: &SlotSet,
+        escaped: &SlotSet,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        let count = changed.slots().len();
-        self.updates += 1;
-        self.changes += count as u64;
-        if count == 0 {
-            return;
-        }
         let Self {
-            resting,
-            moving,
+            base,
+            delta,
             recent,
             members,
             ..
         } = self;
-        for &slot in changed.slots() {
-            resting.stale.insert(slot);
-            moving.stale.insert(slot);
+        self.updates += 1;
+        self.escaped += escaped.len() as u64;
+        for layer in [&mut *base, &mut *delta] {
+            layer.outdated.make_room(boxes.len());
+            for &slot in escaped.slots() {
+                layer.outdated.insert(slot);
+            }
         }
-        resting.look_up(boxes, changed, found, stopwatch);
+        base.look_up(boxes, escaped, found, stopwatch);
 
-        let is_due = !moving.is_sorted || moving.spent > resting.stale.slots().len();
+        let is_due = !delta.is_sorted || delta.spent > base.outdated.len();
         let due = if is_due {
-            &resting.stale
+            &base.outdated
         } else {
-            &moving.stale
+            &delta.outdated
         };
         members.clear();
         let slots = due.slots().iter().copied();
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
-        resting.spent += due.slots().len();
+        base.spent += due.len();
         let mut first = found.len();
         if is_due {
-            moving.sort(boxes, members, found, stopwatch);
+            delta.sort(boxes, members, found, stopwatch);
         } else {
-            resting.spent += SECOND_LOOKUP_COST * count;
-            moving.spent += due.slots().len();
-            moving.look_up(boxes, changed, found, stopwatch);
+            base.spent += DELTA_LOOKUP_COST * escaped.len();
+            delta.spent += due.len();
+            delta.look_up(boxes, escaped, found, stopwatch);
             first = found.len();
             recent.find_among(boxes, members, found, stopwatch);
         }
         retain_from(found, first, |[a, b]| {
-            changed.contains(a) | changed.contains(b)
+            escaped.contains(a) | escaped.contains(b)
         });
     }
 
@@ -285,15 +274,15 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        self.moving.is_sorted = false;
-        self.moving.stale.clear();
+        self.delta.is_sorted = false;
+        self.delta.outdated.clear();
         self.updates = 0;
-        self.changes = 0;
+        self.escaped = 0;
         collect_valid(boxes, &mut self.members);
-        self.resting.sort(boxes, &self.members, found, stopwatch);
-        if boxes.len() > MANY {
+        self.base.sort(boxes, &self.members, found, stopwatch);
+        if boxes.len() > KEEP_SCRATCH_UP_TO {
             self.members = Vec::new();
-            self.resting.order.free_scratch();
+            self.base.order.free_scratch();
         }
     }
 }

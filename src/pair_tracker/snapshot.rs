@@ -1,17 +1,16 @@
 //! A tracker as it is written and read by serde.
 //!
-//! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on reaches, on the order of
+//! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order of
 //! the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
 //! the one that was written does. What can be told from it is not written but made anew: which candidates are held,
-//! links, sorted layers. What is written is checked when it is read, so whatever it was, the tracker is in order.
+//! lists, sorted layers. What is written is checked when it is read, so whatever it was, the tracker is in order.
 
 use serde::{Deserialize, Serialize};
 
 use super::candidates::CandidatesSnapshot;
 use super::layers::LayersSnapshot;
-use super::{Horizon, Layers, PairTracker};
-use crate::stopwatch::Stopwatch;
-use crate::{Aabb, Real};
+use super::{Horizon, PairTracker, overlapping};
+use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come.
 #[derive(Serialize, Deserialize)]
@@ -20,78 +19,73 @@ pub(crate) struct TrackerSnapshot<R, const D: usize> {
     /// By slot.
     proxies: Vec<Option<Proxy<R, D>>>,
     horizon: Horizon,
+    full_runs: u64,
     candidates: CandidatesSnapshot,
     layers: LayersSnapshot<R, D>,
 }
 
-/// A box and its reach.
+/// A box and its fat box.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
 struct Proxy<R, const D: usize> {
     aabb: Aabb<R, D>,
-    reach: Aabb<R, D>,
+    fat: Aabb<R, D>,
 }
 
-impl<R: Real, const D: usize> TrackerSnapshot<R, D> {
-    /// A tracker between two updates, with its layers.
-    pub(crate) fn new(tracker: &PairTracker<R, D>, layers: &Layers<R, D>) -> Self {
-        debug_assert!(!tracker.is_touched(), "an update was not finished");
-        let proxies = tracker.boxes.iter().zip(&tracker.reaches);
-        Self {
-            proxies: proxies
-                .map(|(&aabb, &reach)| aabb.is_valid().then_some(Proxy { aabb, reach }))
-                .collect(),
-            horizon: tracker.horizon,
-            candidates: tracker.candidates.snapshot(),
-            layers: layers.snapshot(tracker.boxes.len()),
+impl<R: Real, const D: usize> PairTracker<R, D> {
+    /// A tracker between two updates.
+    pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D> {
+        debug_assert!(!self.is_touched(), "an update was not finished");
+        let proxies = self.boxes.iter().zip(&self.fat_boxes);
+        let proxy =
+            |(&aabb, &fat): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, fat });
+        TrackerSnapshot {
+            proxies: proxies.map(proxy).collect(),
+            horizon: self.horizon,
+            full_runs: self.full_runs,
+            candidates: self.candidates.snapshot(),
+            layers: self.layers.snapshot(self.boxes.len()),
         }
     }
 
-    /// The tracker, and its layers in the place of these, which must be empty.
+    /// Goes on from where another tracker was; this one must be new.
     ///
     /// # Errors
-    /// What is wrong, if it can be no tracker.
-    pub(crate) fn restore(
-        self,
-        layers: &mut Layers<R, D>,
-    ) -> Result<PairTracker<R, D>, &'static str> {
-        let Self {
+    /// What is wrong, if no tracker can have been there.
+    pub(crate) fn restore(&mut self, snapshot: TrackerSnapshot<R, D>) -> Result<(), &'static str> {
+        let TrackerSnapshot {
             proxies,
             horizon,
+            full_runs,
             candidates,
-            layers: kept_layers,
-        } = self;
+            layers,
+        } = snapshot;
         if u32::try_from(proxies.len()).is_err() {
-            return Err("there are too many slots");
+            return Err("snapshot: there are more slots than 32-bit indices");
         }
-        let mut tracker = PairTracker::default();
         for proxy in proxies {
-            let [aabb, reach] = match proxy {
-                None => [PairTracker::absent(); 2],
+            let [aabb, fat] = match proxy {
+                None => [Self::absent(); 2],
                 Some(Proxy { aabb, .. }) if !aabb.is_valid() => {
-                    return Err("a box is not valid");
+                    return Err("snapshot: a box is not valid");
                 }
-                Some(Proxy { aabb, reach }) if !reach.contains(&aabb) => {
-                    return Err("a box is not in its reach");
+                Some(Proxy { aabb, fat }) if !fat.contains(&aabb) => {
+                    return Err("snapshot: a box is not in its fat box");
                 }
-                Some(Proxy { aabb, reach }) => [aabb, reach],
+                Some(Proxy { aabb, fat }) => [aabb, fat],
             };
-            tracker.boxes.push(aabb);
-            tracker.reaches.push(reach);
+            self.boxes.push(aabb);
+            self.fat_boxes.push(fat);
         }
-        tracker.previous = tracker.boxes.clone();
+        self.previous.clone_from(&self.boxes);
+        self.escaped.make_room(self.boxes.len());
         if !horizon.is_sound() {
-            return Err("no horizon is like that");
+            return Err("snapshot: the horizon is out of range (0 to 64 moves)");
         }
-        tracker.horizon = horizon;
-        let mut found = Vec::new();
-        Layers::Grid(Box::default()).find_all(
-            &tracker.reaches,
-            &mut found,
-            &mut Stopwatch::default(),
-        );
-        tracker.candidates = candidates.restore(&tracker.boxes, found)?;
-        layers.restore(kept_layers, &tracker.reaches)?;
-        Ok(tracker)
+        self.horizon = horizon;
+        self.full_runs = full_runs;
+        let found = overlapping(Kernel::GridSweep, &self.fat_boxes);
+        self.candidates = candidates.restore(&self.boxes, found)?;
+        self.layers.restore(layers, &self.fat_boxes)
     }
 }

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use oorandom::Rand32;
 
-use super::{Layers, PairChange, PairTracker};
-use crate::Aabb;
+use super::{PairChange, PairTracker};
+use crate::{Aabb, Kernel};
 
 /// What the tracker should hold.
 #[derive(Default)]
@@ -38,6 +38,13 @@ impl Model {
     }
 }
 
+/// A tracker with room for this number of slots.
+fn tracker(kernel: Kernel, slots: u32) -> PairTracker<f32, 2> {
+    let mut tracker = PairTracker::new(kernel, true, None);
+    tracker.make_room(slots as usize);
+    tracker
+}
+
 fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
     let corner = [(); 2].map(|()| random.rand_float() * world);
     // One in fifty is much larger than the rest.
@@ -49,10 +56,10 @@ fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
     Aabb::new(corner, corner.map(|x| x + size))
 }
 
-fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
+fn check(kernel: Kernel, slots: u32, seed: u64) {
     let mut random = Rand32::new(seed);
     let world = (slots as f32 * 2.0).sqrt();
-    let mut tracker = PairTracker::<f32, 2>::default();
+    let mut tracker = tracker(kernel, slots);
     let mut model = Model::default();
     for update in 0..120 {
         // From nothing to everything, in no order.
@@ -66,7 +73,7 @@ fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
                     model.remove(slot);
                 }
                 (1, Some(_)) => {
-                    tracker.lift(slot);
+                    tracker.refuse(slot);
                     model.proxies.remove(&slot);
                 }
                 (2..8, Some(aabb)) => {
@@ -82,14 +89,14 @@ fn check(mut layers: Layers<f32, 2>, slots: u32, seed: u64) {
                 }
             }
         }
-        finish_both(&mut tracker, &mut layers, &mut model);
+        finish_both(&mut tracker, &mut model);
     }
 }
 
 /// Finishes the update of both, and compares.
-fn finish_both(tracker: &mut PairTracker<f32, 2>, layers: &mut Layers<f32, 2>, model: &mut Model) {
+fn finish_both(tracker: &mut PairTracker<f32, 2>, model: &mut Model) {
     let [mut added, mut deleted] = model.finish();
-    tracker.finish(layers, |change| {
+    tracker.finish(|change| {
         let is_due = match change {
             PairChange::Added(pair) => added.remove(&pair),
             PairChange::Deleted(pair) => deleted.remove(&pair),
@@ -98,13 +105,13 @@ fn finish_both(tracker: &mut PairTracker<f32, 2>, layers: &mut Layers<f32, 2>, m
     });
     assert!(added.is_empty(), "not added: {added:?}");
     assert!(deleted.is_empty(), "not deleted: {deleted:?}");
-    assert_eq!(tracker.pair_count(), model.held.len());
+    assert_eq!(tracker.candidates.held_count(), model.held.len());
     assert!(tracker.pairs().collect::<BTreeSet<_>>() == model.held);
-    tracker.validate(&mut Layers::Brute(Default::default()));
+    tracker.validate(Kernel::BruteForce);
 }
 
-/// Boxes that keep going where they go, for the reaches to be of use: so many updates with so many movers, then so
-/// many with so many others, and so on, to and fro over every threshold.
+/// Boxes that keep going where they go, for the fat boxes to be of use: some updates with some movers, then with
+/// others, and so on, to and fro over every threshold.
 #[test]
 fn drifting_boxes_agree_with_brute_force() {
     const SLOTS: u32 = 500;
@@ -117,8 +124,7 @@ fn drifting_boxes_agree_with_brute_force() {
             corners.push([(); 2].map(|()| random.rand_float() * world));
             velocities.push([(); 2].map(|()| (random.rand_float() - 0.5) * 2.0 * speed));
         }
-        let mut tracker = PairTracker::<f32, 2>::default();
-        let mut layers = Layers::Grid(Box::default());
+        let mut tracker = tracker(Kernel::GridSweep, SLOTS);
         let mut model = Model::default();
         let aabb = |corner: [f32; 2]| Aabb::new(corner, corner.map(|x| x + 1.0));
         let (mut linked, mut watched) = (0, 0);
@@ -135,7 +141,7 @@ fn drifting_boxes_agree_with_brute_force() {
                             corners[i] = [(); 2].map(|()| random.rand_float() * world);
                         }
                         2 if update % 2 == 0 => {
-                            tracker.lift(slot);
+                            tracker.refuse(slot);
                             model.proxies.remove(&slot);
                             continue;
                         }
@@ -147,10 +153,10 @@ fn drifting_boxes_agree_with_brute_force() {
                     tracker.place(slot, aabb(corners[i]));
                     model.proxies.insert(slot, aabb(corners[i]));
                 }
-                finish_both(&mut tracker, &mut layers, &mut model);
-                linked += usize::from(tracker.candidates.are_linked());
-                assert!(tracker.candidates.gone() <= 100 + 2 * tracker.candidate_count());
-                watched += usize::from(tracker.candidate_count() > tracker.pair_count());
+                finish_both(&mut tracker, &mut model);
+                linked += usize::from(tracker.candidates.lists().are_made);
+                assert!(tracker.candidates.tombstones() <= 100 + 2 * tracker.candidates.len());
+                watched += usize::from(tracker.candidates.len() > tracker.candidates.held_count());
             }
         }
         assert!(linked > 10, "candidates were linked {linked} times");
@@ -161,30 +167,28 @@ fn drifting_boxes_agree_with_brute_force() {
 
 /// A proxy that goes and comes back within an update has not changed.
 #[test]
-fn proxies_may_be_lifted_and_put_back() {
+fn proxies_may_be_refused_and_put_back() {
     for slots in [10, 1000] {
-        let mut tracker = PairTracker::<f32, 2>::default();
-        let mut layers = Layers::Grid(Box::default());
+        let mut tracker = tracker(Kernel::GridSweep, slots);
         let mut model = Model::default();
         for update in 0..4 {
             for slot in (0..slots).step_by(1 + update / 2 * 9) {
                 let x = slot as f32 * 0.5;
                 let aabb = Aabb::new([x, 0.0], [x + 1.0, 1.0]);
-                tracker.lift(slot);
+                tracker.refuse(slot);
                 tracker.place(slot, aabb);
                 model.proxies.insert(slot, aabb);
             }
-            finish_both(&mut tracker, &mut layers, &mut model);
+            finish_both(&mut tracker, &mut model);
         }
-        assert_eq!(tracker.pair_count(), 2 * slots as usize - 3);
+        assert_eq!(tracker.candidates.held_count(), 2 * slots as usize - 3);
     }
 }
 
 /// Huge boxes on their way to small ones would have a candidate with each of them.
 #[test]
 fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
-    let mut tracker = PairTracker::<f32, 2>::default();
-    let mut layers = Layers::Grid(Box::default());
+    let mut tracker = tracker(Kernel::GridSweep, 600);
     let mut model = Model::default();
     let small = |slot: u32| [(slot % 30) as f32 * 2.0, (slot / 30) as f32 * 2.0];
     for update in 0..12 {
@@ -199,65 +203,64 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
             tracker.place(slot, aabb);
             model.proxies.insert(slot, aabb);
         }
-        finish_both(&mut tracker, &mut layers, &mut model);
-        let most = 9 * (600 + tracker.pair_count());
-        assert!(tracker.candidate_count() <= most);
+        finish_both(&mut tracker, &mut model);
+        let most = 9 * (600 + tracker.candidates.held_count());
+        assert!(tracker.candidates.len() <= most);
     }
-    // Not by those that rest either, whose reaches may be from a time when there was foresight.
+    // Not by those that rest either, whose fat boxes may be from a time when there was foresight.
     while tracker.horizon.is_any() {
         tracker.horizon.shorten();
     }
-    for reach in &mut tracker.reaches[..100] {
-        *reach = Aabb::new([-1e3; 2], [1e3; 2]);
+    for fat in &mut tracker.fat_boxes[..100] {
+        *fat = Aabb::new([-1e3; 2], [1e3; 2]);
     }
-    layers.forget();
+    tracker.layers.forget();
     tracker.place(100, Aabb::new([500.0, 0.0], [501.0, 1.0]));
     model
         .proxies
         .insert(100, Aabb::new([500.0, 0.0], [501.0, 1.0]));
-    finish_both(&mut tracker, &mut layers, &mut model);
-    assert!(tracker.candidate_count() <= 9 * (600 + tracker.pair_count()));
+    finish_both(&mut tracker, &mut model);
+    assert!(tracker.candidates.len() <= 9 * (600 + tracker.candidates.held_count()));
 }
 
 #[test]
 fn layers_agree_with_brute_force() {
     for (slots, seed) in [(1, 1), (9, 2), (40, 3), (200, 4), (600, 5)] {
-        check(Layers::Grid(Box::default()), slots, seed);
+        check(Kernel::GridSweep, slots, seed);
     }
 }
 
 #[test]
 fn kernels_without_layers_agree_with_brute_force() {
-    check(Layers::Rank(Box::default()), 200, 6);
-    check(Layers::Brute(Default::default()), 60, 7);
+    check(Kernel::RankSweep, 200, 6);
+    check(Kernel::BruteForce, 60, 7);
 }
 
 #[test]
 fn few_movers_are_looked_up_and_many_are_not() {
     let mut random = Rand32::new(8);
-    let mut tracker = PairTracker::<f32, 2>::default();
-    let mut layers = Layers::Grid(Box::default());
+    let mut tracker = tracker(Kernel::GridSweep, 100);
     for slot in 0..100 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(&mut layers, |_| ());
-    assert_eq!(layers.moving(), 0);
+    tracker.finish(|_| ());
+    assert_eq!(tracker.layers.delta(), 0);
     for slot in 0..10 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(&mut layers, |_| ());
-    assert_eq!(layers.moving(), 10);
+    tracker.finish(|_| ());
+    assert_eq!(tracker.layers.delta(), 10);
     for slot in 20..80 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(&mut layers, |_| ());
-    assert_eq!(layers.moving(), 0);
-    // One mover at a time: the moving layer fills up, until a full run is due.
+    tracker.finish(|_| ());
+    assert_eq!(tracker.layers.delta(), 0);
+    // One mover at a time: the delta layer fills up, until a full run is due.
     let mut most = 0;
     for slot in (0..100).cycle().take(300) {
         tracker.place(slot, random_box(&mut random, 10.0));
-        tracker.finish(&mut layers, |_| ());
-        most = most.max(layers.moving());
+        tracker.finish(|_| ());
+        most = most.max(tracker.layers.delta());
     }
-    assert!((2..50).contains(&most), "{most} were moving");
+    assert!((2..50).contains(&most), "{most} were in the delta layer");
 }

@@ -25,7 +25,7 @@ pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
     pose.translation.vector
 }
 
-/// How far the corners of a box with these half extents reach when it is turned.
+/// The half extents of the box around a box with these half extents that is turned.
 #[inline(always)]
 pub(super) fn turned(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(half_extents)

@@ -23,17 +23,16 @@ impl PairFilter {
         _overlapping: impl Iterator<Item = [u32; 2]>,
     ) -> Result<Self, &'static str> {
         if !withheld.is_empty() {
-            return Err("a pair is withheld");
+            return Err("snapshot: a pair is withheld, which Rapier 0.27 has no use for");
         }
         Ok(Self {})
     }
-
-    pub(in super::super) fn forget(&mut self, _slot: u32) {}
 
     pub(in super::super) fn sift(
         &mut self,
         _changes: &mut Vec<PairChange>,
         _listed: &[ColliderHandle],
+        _removed: &[u32],
         _generations: &[Option<u32>],
         _colliders: &ColliderSet,
         _bodies: &RigidBodySet,

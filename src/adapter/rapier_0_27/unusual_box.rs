@@ -25,20 +25,20 @@ pub(in super::super) fn unusual_box(
             swept.merge(&collider.shape().compute_aabb(&pose));
         }
     }
-    Aabb::new(swept.mins.into(), swept.maxs.into()).loosened(distance)
+    Aabb::from(swept).loosened(distance)
 }
 
-/// Where the body will be after `dt` seconds, or after its centre of mass has gone `reach` length units.
+/// Where the body will be after `dt` seconds, or after its centre of mass has gone `max_travel` length units.
 ///
 /// Rapier keeps its own version of this private, so the velocity that it would use is read off the motion
 /// that it does predict. A body that turns more than half a circle a step, and moves farther than its
-/// `reach`, is predicted at another angle than there.
-fn predicted_pose(body: &RigidBody, dt: Real, reach: Real) -> Isometry<Real> {
+/// `max_travel`, is predicted at another angle than there.
+fn predicted_pose(body: &RigidBody, dt: Real, max_travel: Real) -> Isometry<Real> {
     let (start, center) = (body.position(), body.local_center_of_mass());
     let end = body.predict_position_using_velocity_and_forces(dt);
     let travel = (end * center) - (start * center);
     let distance = travel.norm();
-    if distance <= reach {
+    if distance <= max_travel {
         return end;
     }
     let motion = RigidBodyPosition {
@@ -46,5 +46,5 @@ fn predicted_pose(body: &RigidBody, dt: Real, reach: Real) -> Isometry<Real> {
         next_position: end,
     };
     let turn = motion.interpolate_velocity(1.0, center).angvel;
-    RigidBodyVelocity::new(travel, turn).integrate(reach / distance, start, center)
+    RigidBodyVelocity::new(travel, turn).integrate(max_travel / distance, start, center)
 }

@@ -23,7 +23,7 @@ pub(super) fn origin(pose: &Pose) -> Vector {
     pose.translation
 }
 
-/// How far the corners of a box with these half extents reach when it is turned.
+/// The half extents of the box around a box with these half extents that is turned.
 #[inline(always)]
 pub(super) fn turned(pose: &Pose, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(*half_extents)
@@ -44,12 +44,10 @@ pub(super) fn unusual_box(
     distance: Real,
 ) -> Aabb<Real, DIM> {
     if collider.contact_skin() + params.prediction_distance() / 2.0 >= 0.0 {
-        let aabb = collider.compute_broad_phase_aabb(params, bodies);
-        return Aabb::new(aabb.mins.into(), aabb.maxs.into());
+        return collider.compute_broad_phase_aabb(params, bodies).into();
     }
     // Rapier would panic.
-    let aabb = collider.compute_aabb();
-    Aabb::new(aabb.mins.into(), aabb.maxs.into()).loosened(distance)
+    Aabb::from(collider.compute_aabb()).loosened(distance)
 }
 
 impl UnisizeBroadPhase {

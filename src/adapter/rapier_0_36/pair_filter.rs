@@ -15,8 +15,6 @@ pub(in super::super) struct PairFilter {
     withheld: BTreeSet<[u32; 2]>,
     /// In how many of them each slot occurs; slots at the end that occur in none may be missing.
     counts: Vec<u32>,
-    /// Slots whose collider is gone, and their pairs with it.
-    gone: Vec<u32>,
 }
 
 impl PairFilter {
@@ -36,18 +34,11 @@ impl PairFilter {
         let mut restored = Self::default();
         for pair in withheld {
             if !overlapping.contains(&pair) {
-                return Err("a pair is withheld that does not overlap");
+                return Err("snapshot: a pair is withheld that does not overlap");
             }
             restored.withhold(pair);
         }
         Ok(restored)
-    }
-
-    /// Drops the pairs of a slot, before the changes of the pair set that come next.
-    pub(in super::super) fn forget(&mut self, slot: u32) {
-        if self.count(slot) > 0 {
-            self.gone.push(slot);
-        }
     }
 
     /// Leaves those of these changes that are to be reported, and adds the pairs withheld before that are allowed now.
@@ -56,6 +47,7 @@ impl PairFilter {
         &mut self,
         changes: &mut Vec<PairChange>,
         listed: &[ColliderHandle],
+        removed: &[u32],
         generations: &[Option<u32>],
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
@@ -69,7 +61,7 @@ impl PairFilter {
                 .zip(second)
                 .is_some_and(|(first, second)| may_meet(first, second, bodies))
         };
-        self.drop_gone();
+        self.forget(removed);
         let known = |handle: &ColliderHandle| {
             let (slot, generation) = handle.into_raw_parts();
             (generations.get(slot as usize) == Some(&Some(generation))).then_some(slot)
@@ -119,7 +111,6 @@ impl PairFilter {
 
     /// Panics unless the withheld pairs are among those that overlap, and are counted.
     pub(in super::super) fn validate(&self, pairs: impl Iterator<Item = [u32; 2]>) {
-        assert!(self.gone.is_empty(), "an update was not finished");
         let overlapping: BTreeSet<_> = pairs.collect();
         assert!(self.withheld.is_subset(&overlapping));
         let mut counts = vec![0; self.counts.len()];
@@ -155,14 +146,19 @@ impl PairFilter {
         was_withheld
     }
 
-    fn drop_gone(&mut self) {
-        if self.gone.is_empty() {
+    /// Drops the pairs of slots whose collider was removed.
+    fn forget(&mut self, removed: &[u32]) {
+        let slots = removed.iter().copied();
+        let mut slots: Vec<_> = slots.filter(|&slot| self.count(slot) > 0).collect();
+        if slots.is_empty() {
             return;
         }
-        let mut gone = std::mem::take(&mut self.gone);
-        gone.sort_unstable();
-        let is_gone = |slot: &u32| gone.binary_search(slot).is_ok();
-        let pairs = self.withheld.iter().filter(|pair| pair.iter().any(is_gone));
+        slots.sort_unstable();
+        let is_removed = |slot: &u32| slots.binary_search(slot).is_ok();
+        let pairs = self
+            .withheld
+            .iter()
+            .filter(|pair| pair.iter().any(is_removed));
         for pair in pairs.copied().collect::<Vec<_>>() {
             self.release(pair);
         }

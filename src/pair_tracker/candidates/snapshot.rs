@@ -2,27 +2,23 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidates, GONE, LINK_COST, MOST_LINKED, overlap};
+use super::array::CandidateArray;
+use super::{Candidates, Lists};
 use crate::{Aabb, Real};
 
 /// The candidates in their order, and whether there are lists of them.
 #[derive(Serialize, Deserialize)]
 pub(in crate::pair_tracker) struct CandidatesSnapshot {
-    /// `None` where there is none any more: how many those are decides when they are forgotten.
+    /// By row; `None` for tombstones, whose number decides when they are removed.
     pairs: Vec<Option<[u32; 2]>>,
-    are_linked: bool,
-    links_wanted: u32,
+    lists: Lists,
 }
 
 impl Candidates {
     pub(in crate::pair_tracker) fn snapshot(&self) -> CandidatesSnapshot {
-        let pairs = self.pairs.iter();
         CandidatesSnapshot {
-            pairs: pairs
-                .map(|&pair| (pair[0] != GONE).then_some(pair))
-                .collect(),
-            are_linked: self.links.are_made,
-            links_wanted: self.links.wanted,
+            pairs: (0..self.rows()).map(|row| self.array.get(row)).collect(),
+            lists: self.lists(),
         }
     }
 }
@@ -38,28 +34,18 @@ impl CandidatesSnapshot {
         kept.sort_unstable();
         found.sort_unstable();
         if kept != found {
-            return Err("the candidates are not the overlapping reaches");
+            return Err("snapshot: the candidates are not the pairs of overlapping fat boxes");
         }
-        let pairs = self.pairs.into_iter();
+        if !self.lists.are_sound(self.pairs.len()) {
+            return Err("snapshot: the lists of candidates are out of range");
+        }
         let mut candidates = Candidates {
-            pairs: pairs.map(|pair| pair.unwrap_or([GONE; 2])).collect(),
+            array: CandidateArray::new(self.pairs.into_iter(), boxes),
             ..Candidates::default()
         };
-        let all = candidates.pairs.iter();
-        candidates.held = all
-            .map(|&pair| pair[0] != GONE && overlap(boxes, pair))
-            .collect();
-        candidates.held_count = candidates.held().count();
-        candidates.gone_count = candidates.pairs.len() - found.len();
-        if self.links_wanted > LINK_COST + 1
-            || self.are_linked && candidates.pairs.len() > MOST_LINKED
-        {
-            return Err("no links are like that");
-        }
-        if self.are_linked {
-            candidates.links.make(&candidates.pairs, boxes.len());
-        }
-        candidates.links.wanted = self.links_wanted;
+        candidates
+            .lists
+            .restore(self.lists, &candidates.array, boxes.len());
         Ok(candidates)
     }
 }

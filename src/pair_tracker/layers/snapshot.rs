@@ -1,13 +1,14 @@
 //! Layers as they are written and read by serde.
 //!
 //! The order of a layer is that of a run of the kernel over its members, so it is enough to know these: the slots
-//! that have not changed since, under their present boxes, and of the stale ones those that were members, under the boxes
-//! that they had.
+//! that have not escaped since, under their present fat boxes, and of the outdated ones those that were members, under the
+//! fat boxes that they had.
 
 use serde::{Deserialize, Serialize};
 
 use super::{GridLayers, Layer, Layers, collect_valid};
-use crate::pair_tracker::{PairTracker, SlotSet};
+use crate::pair_tracker::PairTracker;
+use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::{Aabb, Real};
 
@@ -15,11 +16,11 @@ use crate::{Aabb, Real};
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
 pub(in crate::pair_tracker) struct LayersSnapshot<R, const D: usize> {
-    resting: LayerSnapshot<R, D>,
-    moving: LayerSnapshot<R, D>,
+    base: LayerSnapshot<R, D>,
+    delta: LayerSnapshot<R, D>,
     /// These, and what was spent, count since the last full run, so 32 bits are enough.
     updates: u32,
-    changes: u32,
+    escaped: u32,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -27,23 +28,23 @@ pub(in crate::pair_tracker) struct LayersSnapshot<R, const D: usize> {
 struct LayerSnapshot<R, const D: usize> {
     is_sorted: bool,
     /// In the order in which they came, with the boxes that they had if they were members.
-    stale: Vec<(u32, Option<Aabb<R, D>>)>,
+    outdated: Vec<(u32, Option<Aabb<R, D>>)>,
     spent: u32,
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
     /// The layers of so many slots.
     pub(in crate::pair_tracker) fn snapshot(&self, slots: usize) -> LayersSnapshot<R, D> {
-        let default = GridLayers::default();
+        let default = GridLayers::new(true);
         let layers = match self {
             Self::Grid(layers) => layers,
             Self::Rank(_) | Self::Brute(_) => &default,
         };
         LayersSnapshot {
-            resting: layers.resting.snapshot(slots),
-            moving: layers.moving.snapshot(slots),
+            base: layers.base.snapshot(slots),
+            delta: layers.delta.snapshot(slots),
             updates: saturated(layers.updates),
-            changes: saturated(layers.changes),
+            escaped: saturated(layers.escaped),
         }
     }
 
@@ -57,38 +58,38 @@ impl<R: Real, const D: usize> Layers<R, D> {
             return Ok(());
         };
         let LayersSnapshot {
-            resting,
-            moving,
+            base,
+            delta,
             updates,
-            changes,
+            escaped,
         } = snapshot;
         layers.updates = u64::from(updates);
-        layers.changes = u64::from(changes);
+        layers.escaped = u64::from(escaped);
 
-        let members = resting.restore(&mut layers.resting, boxes)?;
+        let members = base.restore(&mut layers.base, boxes)?;
         let mut slots = Vec::new();
         collect_valid(&members, &mut slots);
-        layers.resting.order_again(&members, &slots);
+        layers.base.order_again(&members, &slots);
 
-        let members = moving.restore(&mut layers.moving, boxes)?;
-        let stale = &layers.resting.stale;
-        let mut later = layers.moving.stale.slots().iter();
-        if !later.all(|&slot| stale.contains(slot)) {
-            return Err("a slot rests in one layer and moves in the next");
+        let members = delta.restore(&mut layers.delta, boxes)?;
+        let outdated = &layers.base.outdated;
+        let mut later = layers.delta.outdated.slots().iter();
+        if !later.all(|&slot| outdated.contains(slot)) {
+            return Err("snapshot: a slot is outdated in the delta layer and not in the base");
         }
         slots.clear();
-        slots.extend_from_slice(stale.slots());
+        slots.extend_from_slice(outdated.slots());
         slots.retain(|&slot| members[slot as usize].is_valid());
-        layers.moving.order_again(&members, &slots);
+        layers.delta.order_again(&members, &slots);
         Ok(())
     }
 }
 
 impl<R: Real, const D: usize> Layer<R, D> {
     fn snapshot(&self, slots: usize) -> LayerSnapshot<R, D> {
-        let stale = self.stale.slots();
+        let outdated = self.outdated.slots();
         let mut members = Vec::new();
-        if self.is_sorted && !stale.is_empty() {
+        if self.is_sorted && !outdated.is_empty() {
             members.resize(slots, PairTracker::absent());
             for (slot, aabb) in self.order.members() {
                 members[slot as usize] = aabb;
@@ -98,7 +99,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         let member = |slot| member(slot).filter(Aabb::is_valid);
         LayerSnapshot {
             is_sorted: self.is_sorted,
-            stale: stale.iter().map(|&slot| (slot, member(slot))).collect(),
+            outdated: outdated.iter().map(|&slot| (slot, member(slot))).collect(),
             spent: saturated(self.spent as u64),
         }
     }
@@ -121,22 +122,23 @@ impl<R: Real, const D: usize> LayerSnapshot<R, D> {
         boxes: &[Aabb<R, D>],
     ) -> Result<Vec<Aabb<R, D>>, &'static str> {
         let mut members = boxes.to_vec();
-        let mut stale = SlotSet::default();
-        let count = self.stale.len();
-        for (slot, aabb) in self.stale {
+        let mut outdated = SlotSet::default();
+        outdated.make_room(boxes.len());
+        let count = self.outdated.len();
+        for (slot, aabb) in self.outdated {
             let member = members.get_mut(slot as usize);
-            let member = member.ok_or("a slot is out of range")?;
-            stale.insert(slot);
+            let member = member.ok_or("snapshot: a slot of a layer is out of range")?;
+            outdated.insert(slot);
             *member = aabb.unwrap_or(PairTracker::absent());
             if aabb.is_some_and(|aabb| !aabb.is_valid()) {
-                return Err("a box in a layer is not valid");
+                return Err("snapshot: a box of a layer is not valid");
             }
         }
-        if stale.slots().len() < count {
-            return Err("a slot is stale twice");
+        if outdated.slots().len() < count {
+            return Err("snapshot: a slot is outdated twice");
         }
         layer.is_sorted = self.is_sorted;
-        layer.stale = stale;
+        layer.outdated = outdated;
         layer.spent = self.spent as usize;
         Ok(members)
     }

@@ -1,46 +1,21 @@
-//! How far a proxy may go before it must be searched for again.
+//! How far ahead a proxy's fat box is drawn.
 //!
 //! Searching is dear, and comparing two boxes that are known to be near each other is cheap. So each proxy has
-//! a *reach* around its box, and what is searched for are pairs of reaches that overlap, the candidates. While
-//! boxes stay inside of their reaches, only the candidates have to be looked at.
+//! a *fat box* around its box, and what is searched for are overlapping pairs of fat boxes, the candidates. While
+//! boxes stay inside of their fat boxes, only the candidates have to be looked at.
 //!
-//! Things keep going where they went: the reach is the box, drawn out in the direction of its last move as far
-//! as it will get in a number of further moves, and by an eighth of that to all sides. A longer horizon means fewer
+//! Things keep going where they went: the fat box is the box, drawn out in the direction of its last move as far
+//! as it will get in a number of further moves, and by a skin to all sides. A longer horizon means fewer
 //! searches and more candidates. If `K` is what searching for one box costs and `c` what comparing one candidate, an
 //! update under a horizon of `h` moves costs about `K / h + c · e(h)` a box, with `e` the candidates a box that are not
 //! held. Those are counted, and grow about as `h` does, so the next horizon is near `√(K / c · h / e(h))`. The first
 //! one goes by a model: with moves of `v` box sizes and `p` pairs a box, `e(h)` is near `p · D · v · h`.
 
+use crate::tuning::update::{
+    FIRST_FORESIGHT, LONGEST_FORESIGHT, PAUSES, SEARCH_COST, SHORTENING, SKIN, SPEED_SAMPLE,
+    TOO_DEAR, TOO_FAST, WIDEST_SKIN,
+};
 use crate::{Aabb, Real};
-
-/// `K / c`: searching for a box costs about as much as comparing so many candidates.
-const SEARCH_COST: f64 = 16.0;
-
-/// How far the reach goes to all sides, as a part of how far it goes ahead: things never move quite straight.
-const ASIDE: f64 = 0.125;
-
-/// If moves are farther than this on average, in box sizes, nothing is foreseen at all.
-const TOO_FAST: f64 = 0.5;
-
-/// The longest horizon: sooner or later things turn.
-const LONGEST: f64 = 64.0;
-
-/// Foresight does not pay if searching costs more than this in each update all the same, in full runs: because things
-/// collide all the time, say, and leave their reaches.
-const TOO_DEAR: f64 = 0.5;
-
-/// Nor if there are more candidates than so many times as many as proxies and held pairs: because huge boxes
-/// are about to pass over many small ones, say.
-const TOO_MANY: usize = 8;
-
-/// Then there is none for so many full runs, twice as many if it does not pay the next time either, and so on.
-const PAUSES: [u32; 2] = [8, 128];
-
-/// How many of the moved are looked at, at most.
-const SAMPLE: usize = 128;
-
-/// The horizon while nothing has moved yet.
-const UNKNOWN: f64 = 8.0;
 
 /// For how many moves ahead a proxy is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,9 +25,9 @@ const UNKNOWN: f64 = 8.0;
 )]
 pub(crate) struct Horizon {
     moves: f64,
-    /// Whether the reaches of the last full run were made with it.
+    /// Whether the fat boxes of the last full run were drawn by it.
     is_tried: bool,
-    /// For so many full runs it stays at 0.
+    /// For how many more full runs it stays at 0.
     paused: u32,
     /// For how many it will, the next time that it does not pay.
     next_pause: u32,
@@ -71,24 +46,26 @@ pub(super) struct Experience {
 
 impl Default for Horizon {
     fn default() -> Self {
-        Self {
-            moves: UNKNOWN,
-            is_tried: false,
-            paused: 0,
-            next_pause: PAUSES[0],
-        }
+        Self::FIRST
     }
 }
 
 impl Horizon {
-    /// Suits it to these slots, which have moved, and to what has come of the last one.
-    pub(super) fn adapt<R: Real, const D: usize>(
-        &mut self,
-        moved: &[u32],
-        now: &[Aabb<R, D>],
-        before: &[Aabb<R, D>],
+    /// The horizon while nothing has moved yet.
+    pub(super) const FIRST: Self = Self {
+        moves: FIRST_FORESIGHT,
+        is_tried: false,
+        paused: 0,
+        next_pause: PAUSES[0],
+    };
+
+    /// The next horizon in `D` dimensions, by what has come of this one and by how fast things move on average, in box
+    /// sizes a move; `None` if nothing has moved that was there before.
+    pub(super) fn adapted<const D: usize>(
+        mut self,
+        speed: Option<f64>,
         experience: Experience,
-    ) {
+    ) -> Self {
         if self.paused > 0 {
             self.paused -= 1;
         } else if let (true, Some(cost)) = (self.is_tried, experience.cost) {
@@ -98,27 +75,27 @@ impl Horizon {
                 self.next_pause = PAUSES[0];
             }
         }
-        let speed = mean_speed(moved, now, before);
         self.is_tried = speed.is_some() && self.paused == 0;
         let Some(speed) = speed else {
-            return;
+            return self;
         };
         if self.paused > 0 || speed > TOO_FAST {
             self.moves = 0.0;
         } else if self.moves > 0.0 && experience.excess > 0.0 {
             let best = (SEARCH_COST * self.moves / experience.excess).sqrt();
             // Half way, by ratio, lest it goes to and fro.
-            self.moves = (self.moves * best).sqrt().min(LONGEST);
+            self.moves = (self.moves * best).sqrt().min(LONGEST_FORESIGHT);
         } else {
             let growth = D as f64 * experience.pairs.max(0.1) * speed;
-            self.moves = (SEARCH_COST / growth).sqrt().min(LONGEST);
+            self.moves = (SEARCH_COST / growth).sqrt().min(LONGEST_FORESIGHT);
         }
+        self
     }
 
-    /// So many moves, until another one takes its place.
+    /// This number of moves, until another one takes its place.
     pub(super) fn fixed(moves: u16) -> Self {
         Self {
-            moves: f64::from(moves).min(LONGEST),
+            moves: f64::from(moves).min(LONGEST_FORESIGHT),
             ..Self::default()
         }
     }
@@ -137,8 +114,9 @@ impl Horizon {
 
     /// Looks less far ahead, because there are too many candidates.
     pub(super) fn shorten(&mut self) {
-        self.moves /= 4.0;
-        if self.moves < 2.0 {
+        let [divisor, least] = SHORTENING;
+        self.moves /= divisor;
+        if self.moves < least {
             self.pause();
         }
     }
@@ -148,7 +126,7 @@ impl Horizon {
     pub(super) fn is_sound(&self) -> bool {
         let [shortest, longest] = PAUSES;
         // False for NaN as well.
-        let are_moves = (0.0..=LONGEST).contains(&self.moves);
+        let are_moves = (0.0..=LONGEST_FORESIGHT).contains(&self.moves);
         are_moves && self.paused <= longest && (shortest..=longest).contains(&self.next_pause)
     }
 
@@ -157,13 +135,8 @@ impl Horizon {
         self.moves > 0.0
     }
 
-    /// Whether there are more candidates than foresight can be worth.
-    pub(super) fn are_too_many(candidates: usize, proxies: usize, held: usize) -> bool {
-        candidates / TOO_MANY > proxies + held
-    }
-
-    /// The reach of a proxy that was at `before` and is at `now`. It contains `now`, whatever the numbers are.
-    pub(super) fn reach<R: Real, const D: usize>(
+    /// The fat box of a proxy that was at `before` and is at `now`. It contains `now`, whatever the numbers are.
+    pub(super) fn fat_box<R: Real, const D: usize>(
         self,
         now: &Aabb<R, D>,
         before: &Aabb<R, D>,
@@ -172,34 +145,34 @@ impl Horizon {
             return *now;
         }
         let moves = R::from_f64(self.moves);
-        let [aside_share, quarter] = [ASIDE, 0.25].map(R::from_f64);
+        let [skin, widest] = [SKIN, WIDEST_SKIN].map(R::from_f64);
         let steps: [R; D] = core::array::from_fn(|k| step(now, before, k));
         let longest = steps
             .iter()
             .fold(R::ZERO, |m, &s| max(max(m, s), R::ZERO - s));
-        let mut reach = *now;
+        let mut fat = *now;
         for k in 0..D {
             // No more than the size of the box: for boxes of one size, candidates are then as few as pairs but for a
             // factor.
             let size = now.maxs[k] - now.mins[k];
             let ahead = max(min(steps[k] * moves, size), R::ZERO - size);
-            let aside = min(longest * moves * aside_share, size * quarter);
-            reach.mins[k] = now.mins[k] + min(ahead, R::ZERO) - aside;
-            reach.maxs[k] = now.maxs[k] + max(ahead, R::ZERO) + aside;
+            let aside = min(longest * moves * skin, size * widest);
+            fat.mins[k] = now.mins[k] + min(ahead, R::ZERO) - aside;
+            fat.maxs[k] = now.maxs[k] + max(ahead, R::ZERO) + aside;
         }
         // It has a NaN if the boxes are infinite.
-        if reach.contains(now) { reach } else { *now }
+        if fat.contains(now) { fat } else { *now }
     }
 }
 
 /// How far slots have moved on each axis in box sizes, on average, by a sample; `None` if all are new or infinite.
-fn mean_speed<R: Real, const D: usize>(
+pub(super) fn mean_speed<R: Real, const D: usize>(
     moved: &[u32],
     now: &[Aabb<R, D>],
     before: &[Aabb<R, D>],
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0);
-    for &slot in moved.iter().step_by(moved.len() / SAMPLE + 1) {
+    for &slot in moved.iter().step_by(moved.len() / SPEED_SAMPLE + 1) {
         let (now, before) = (&now[slot as usize], &before[slot as usize]);
         for k in 0..D {
             let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
@@ -243,18 +216,18 @@ mod tests {
 
     #[test]
     fn it_lies_ahead() {
-        let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-0.1, 0.0));
-        assert!(reach.contains(&at(0.8, 0.0)) && !reach.contains(&at(-0.2, 0.0)));
+        let fat = Horizon::default().fat_box(&at(0.0, 0.0), &at(-0.1, 0.0));
+        assert!(fat.contains(&at(0.8, 0.0)) && !fat.contains(&at(-0.2, 0.0)));
         // Never by more than the size of the box and a quarter to each side.
-        let reach = Horizon::default().reach(&at(0.0, 0.0), &at(-100.0, 0.0));
-        assert_eq!(reach, Aabb::new([-0.25, -0.25], [2.25, 1.25]));
+        let fat = Horizon::default().fat_box(&at(0.0, 0.0), &at(-100.0, 0.0));
+        assert_eq!(fat, Aabb::new([-0.25, -0.25], [2.25, 1.25]));
     }
 
     #[test]
     fn it_is_the_box_of_one_that_is_new() {
         let absent = Aabb::new([f32::NAN; 2], [f32::NAN; 2]);
         assert_eq!(
-            Horizon::default().reach(&at(0.0, 0.0), &absent),
+            Horizon::default().fat_box(&at(0.0, 0.0), &absent),
             at(0.0, 0.0)
         );
     }
@@ -277,8 +250,8 @@ mod tests {
                 for &c in &numbers {
                     for &d in numbers.iter().chain(&[f32::NAN]) {
                         let now = Aabb::new([a, a], [b, b]);
-                        let reach = Horizon::default().reach(&now, &Aabb::new([c, d], [d, d]));
-                        assert!(reach.contains(&now) && reach.is_valid(), "{now:?} {c} {d}");
+                        let fat = Horizon::default().fat_box(&now, &Aabb::new([c, d], [d, d]));
+                        assert!(fat.contains(&now) && fat.is_valid(), "{now:?} {c} {d}");
                         count += 1;
                     }
                 }
@@ -287,12 +260,11 @@ mod tests {
         assert!(count > 1000);
     }
 
-    fn adapted(mut horizon: Horizon, step: f32, experience: Experience) -> Horizon {
+    fn adapted(horizon: Horizon, step: f32, experience: Experience) -> Horizon {
         let before: Vec<_> = (0..50).map(|i| at(i as f32, 0.0)).collect();
         let now: Vec<_> = (0..50).map(|i| at(i as f32 + step, step)).collect();
         let slots: Vec<_> = (0..50).collect();
-        horizon.adapt(&slots, &now, &before, experience);
-        horizon
+        horizon.adapted::<2>(mean_speed(&slots, &now, &before), experience)
     }
 
     #[test]
@@ -304,7 +276,7 @@ mod tests {
             };
             adapted(Horizon::default(), step, experience).moves
         };
-        assert_eq!(first(0.001), LONGEST);
+        assert_eq!(first(0.001), LONGEST_FORESIGHT);
         assert!(first(0.05) > first(0.1) && first(0.1) > 2.0);
         assert_eq!(first(1.5), 0.0);
     }
@@ -327,9 +299,9 @@ mod tests {
     fn what_is_new_says_nothing() {
         let now = [at(0.0, 0.0)];
         let absent = [Aabb::new([f32::NAN; 2], [f32::NAN; 2])];
-        let mut horizon = Horizon::default();
-        horizon.adapt(&[0], &now, &absent, Experience::default());
-        assert_eq!(horizon, Horizon::default());
+        assert_eq!(mean_speed(&[0], &now, &absent), None);
+        let horizon = Horizon::FIRST.adapted::<2>(None, Experience::default());
+        assert_eq!(horizon, Horizon::FIRST);
     }
 
     #[test]

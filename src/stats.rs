@@ -2,8 +2,9 @@
 
 use crate::PhaseTimes;
 
-/// A look at an [`UnisizeBroadPhase`](super::UnisizeBroadPhase): what it holds, and what the last update
-/// with something to do was made of.
+/// A look at a broad phase: what it holds, and what the last update with something to do was made of.
+///
+/// Counters may be added in later versions; to make one, say for a test, start from `Stats::default()` and set fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -16,9 +17,9 @@ pub struct Stats {
     /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves
     /// once it is sound.
     pub refused: usize,
-    /// Slots in the moving layer: those whose proxy is new, gone, or elsewhere than was foreseen, since the last full
+    /// Slots above the base layer: those whose proxy is new, gone, or elsewhere than was foreseen, since the last full
     /// run of the kernel.
-    pub moving: usize,
+    pub delta: usize,
     /// Pairs held.
     pub pairs: usize,
     /// Pairs whose boxes overlap, but which are not held, because the narrow phase would drop them. 0 in Rapier 0.27,
@@ -46,6 +47,6 @@ pub struct Stats {
     pub added: usize,
     /// Pairs that it reported as ended.
     pub deleted: usize,
-    /// How long each phase of that update took; zeros unless [`Settings::timed`](super::Settings::timed) asks for it.
+    /// How long each phase of that update took; zeros unless [`Settings::timed`](crate::Settings::timed) asks for it.
     pub times: PhaseTimes,
 }

@@ -1,0 +1,143 @@
+//! A set of small numbers: one bit each.
+
+use crate::parallel;
+use crate::tuning::update::THREADS_FROM;
+
+/// A set of numbers below a capacity. Its memory is kept when it is cleared.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BitSet {
+    words: Vec<u64>,
+}
+
+impl BitSet {
+    /// Makes room for all numbers below `capacity`, and for no others. New ones are not in the set.
+    pub(crate) fn resize(&mut self, capacity: usize) {
+        self.words.resize(capacity.div_ceil(64), 0);
+    }
+
+    /// Adds a number, which must be below the capacity. Whether it is new.
+    #[inline(always)]
+    pub(crate) fn insert(&mut self, i: usize) -> bool {
+        let (word, bit) = (&mut self.words[i / 64], 1 << (i % 64));
+        let is_new = *word & bit == 0;
+        *word |= bit;
+        is_new
+    }
+
+    /// Whether a number is in the set. One beyond the capacity is not.
+    #[inline(always)]
+    pub(crate) fn contains(&self, i: usize) -> bool {
+        let word = self.words.get(i / 64).copied().unwrap_or(0);
+        word >> (i % 64) & 1 == 1
+    }
+
+    /// The numbers in the set, ascending.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        let numbered = self.words.iter().enumerate();
+        numbered.flat_map(|(i, &word)| ones(word).map(move |bit| 64 * i + bit))
+    }
+
+    /// Adds all numbers of a set of the same capacity.
+    pub(crate) fn extend_from(&mut self, other: &Self) {
+        for (word, more) in self.words.iter_mut().zip(&other.words) {
+            *word |= more;
+        }
+    }
+
+    /// Takes all numbers out.
+    pub(crate) fn clear(&mut self) {
+        self.words.fill(0);
+    }
+
+    /// Takes these numbers out, and possibly others that lie near them: less work than [`clear`](Self::clear) if they are
+    /// all that there are and few.
+    pub(crate) fn clear_around(&mut self, numbers: &[u32]) {
+        if numbers.len() > self.words.len() {
+            return self.clear();
+        }
+        for &i in numbers {
+            self.words[i as usize / 64] = 0;
+        }
+    }
+
+    /// The words, 64 numbers each, the smallest lowest.
+    pub(crate) fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// Makes it the set of those of the numbers below `count` for which the answer is yes.
+    ///
+    /// `ask` answers for up to 64 numbers, from the first of its range on, in the lowest bits. With the feature `parallel`
+    /// it is called by several threads if the numbers are many.
+    pub(crate) fn ask(
+        &mut self,
+        count: usize,
+        ask: impl Fn(core::ops::Range<usize>) -> u64 + Send + Sync,
+    ) {
+        self.words.resize(count.div_ceil(64), 0);
+        let answer = |i: usize, word: &mut u64| *word = ask(64 * i..count.min(64 * (i + 1)));
+        if count < THREADS_FROM || parallel::threads() == 1 {
+            let numbered = self.words.iter_mut().enumerate();
+            return numbered.for_each(|(i, word)| answer(i, word));
+        }
+        const WORDS_A_TASK: usize = THREADS_FROM / 64 / 4;
+        let mut tasks: Vec<_> = self.words.chunks_mut(WORDS_A_TASK).enumerate().collect();
+        parallel::for_each(&mut tasks, |(task, words)| {
+            let numbered = (*task * WORDS_A_TASK..).zip(words.iter_mut());
+            numbered.for_each(|(i, word)| answer(i, word));
+        });
+    }
+}
+
+/// The positions of the bits that are set, ascending.
+#[inline(always)]
+pub(crate) fn ones(word: u64) -> impl Iterator<Item = usize> {
+    let mut rest = word;
+    core::iter::from_fn(move || {
+        let bit = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
+        rest &= rest - 1;
+        Some(bit)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_is_asked_once_and_answers_at_its_place() {
+        for count in [0, 1, 63, 64, 65, 1000, 100_000] {
+            let mut set = BitSet {
+                words: vec![u64::MAX; 7],
+            };
+            set.ask(count, |range| {
+                assert!((1..=64).contains(&range.len()));
+                let first = range.start;
+                range
+                    .filter(|i| i % 3 == 0)
+                    .fold(0, |word, i| word | 1 << (i - first))
+            });
+            assert!(set.iter().eq((0..count).step_by(3)));
+        }
+    }
+
+    #[test]
+    fn numbers_are_inserted_once_found_and_cleared() {
+        let mut set = BitSet::default();
+        set.resize(130);
+        for i in [129, 0, 64, 63] {
+            assert!(set.insert(i) && !set.insert(i) && set.contains(i));
+        }
+        assert!(!set.contains(1) && !set.contains(130) && !set.contains(usize::MAX));
+        assert!(set.iter().eq([0, 63, 64, 129]));
+        let mut both = BitSet::default();
+        both.resize(130);
+        both.insert(5);
+        both.extend_from(&set);
+        assert!(both.iter().eq([0, 5, 63, 64, 129]));
+        set.clear_around(&[129, 0, 64, 63]);
+        assert_eq!(set.iter().count(), 0);
+        both.clear();
+        assert_eq!(both.iter().count(), 0);
+    }
+}

@@ -1,0 +1,18 @@
+//! Which kernel a broad phase uses.
+
+/// What finds the pairs among the boxes. It decides the speed, never the answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+#[non_exhaustive]
+pub enum Kernel {
+    /// [`GridSweep`](crate::GridSweep), the fast one.
+    #[default]
+    GridSweep,
+    /// [`RankSweep`](crate::RankSweep), the algorithm of Capannini and Larsson, for study.
+    RankSweep,
+    /// [`BruteForce`](crate::BruteForce), every box against every other, for tests.
+    BruteForce,
+}

@@ -1,0 +1,278 @@
+//! The array of candidates, with a tombstone in the place of each that is gone.
+
+use crate::bit_set::BitSet;
+use crate::pair_tracker::PairChange;
+use crate::{Aabb, Real};
+
+/// In the place of a slot: of a candidate that is gone.
+const TOMBSTONE: u32 = u32::MAX;
+
+/// The boxes that decide which candidates are held: the present ones, and those at the end of the last update.
+pub(in crate::pair_tracker) struct Boxes<'a, R, const D: usize> {
+    pub(in crate::pair_tracker) now: &'a [Aabb<R, D>],
+    pub(in crate::pair_tracker) before: &'a [Aabb<R, D>],
+}
+
+impl<R: Real, const D: usize> Boxes<'_, R, D> {
+    #[inline(always)]
+    fn overlap(&self, pair: [u32; 2]) -> bool {
+        overlap(self.now, pair)
+    }
+
+    #[inline(always)]
+    fn overlapped(&self, pair: [u32; 2]) -> bool {
+        overlap(self.before, pair)
+    }
+
+    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap, for then it is found again. The
+    /// pairs of removed proxies, which have no box before either, end without an event.
+    #[inline(always)]
+    fn end(&self, pair: [u32; 2]) -> bool {
+        !self.overlap(pair) & self.overlapped(pair)
+    }
+}
+
+#[inline(always)]
+fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
+    boxes[a as usize].overlaps(&boxes[b as usize])
+}
+
+/// The candidates by rows, and whether each is held.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CandidateArray {
+    /// By slots, smaller first; two tombstones where the candidate is gone.
+    pairs: Vec<[u32; 2]>,
+    /// Whether the boxes of the pair overlap, too.
+    held: Vec<bool>,
+    held_count: usize,
+    tombstones: usize,
+    /// Scratch: answers about rows, or about what was found.
+    answers: BitSet,
+}
+
+impl CandidateArray {
+    /// The candidates in these rows.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn new<R: Real, const D: usize>(
+        rows: impl Iterator<Item = Option<[u32; 2]>>,
+        boxes: &[Aabb<R, D>],
+    ) -> Self {
+        let rows = rows.map(|row| row.unwrap_or([TOMBSTONE; 2]));
+        let mut array = Self {
+            pairs: rows.collect(),
+            ..Self::default()
+        };
+        let held = |&pair: &[u32; 2]| pair[0] != TOMBSTONE && overlap(boxes, pair);
+        array.held = array.pairs.iter().map(held).collect();
+        array.held_count = array.held().count();
+        array.tombstones = array.rows() - array.iter().count();
+        array
+    }
+
+    /// The pair in a row, if it is not gone.
+    #[inline(always)]
+    pub(super) fn get(&self, row: usize) -> Option<[u32; 2]> {
+        let pair = self.pairs[row];
+        (pair[0] != TOMBSTONE).then_some(pair)
+    }
+
+    /// The rows, tombstones included.
+    pub(super) fn rows(&self) -> usize {
+        self.pairs.len()
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.pairs.len() - self.tombstones
+    }
+
+    pub(super) fn held_count(&self) -> usize {
+        self.held_count
+    }
+
+    pub(super) fn is_sparse(&self) -> bool {
+        self.tombstones > self.pairs.len() / 2
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let pairs = self.pairs.iter().copied();
+        pairs.filter(|pair| pair[0] != TOMBSTONE)
+    }
+
+    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let all = self.pairs.iter().zip(&self.held);
+        all.filter_map(|(&pair, &is_held)| is_held.then_some(pair))
+    }
+
+    /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
+    pub(super) fn replace<R: Real, const D: usize>(
+        &mut self,
+        found: &mut Vec<[u32; 2]>,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Self {
+            pairs,
+            held,
+            answers,
+            ..
+        } = self;
+        answers.ask(pairs.len(), |rows| {
+            let rows = pairs[rows.clone()].iter().zip(&held[rows]);
+            gather(rows, |(&pair, &is_held)| is_held && boxes.end(pair))
+        });
+        let ended = answers.iter();
+        ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
+        std::mem::swap(pairs, found);
+        held.clear();
+        self.held_count = 0;
+        self.tombstones = 0;
+        let pairs = std::mem::take(pairs);
+        self.hold_new(&pairs, boxes, report);
+        self.pairs = pairs;
+    }
+
+    /// Adds candidates.
+    pub(super) fn extend<R: Real, const D: usize>(
+        &mut self,
+        found: &[[u32; 2]],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        self.hold_new(found, boxes, report);
+        self.pairs.extend_from_slice(found);
+    }
+
+    fn hold_new<R: Real, const D: usize>(
+        &mut self,
+        found: &[[u32; 2]],
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Self { held, answers, .. } = self;
+        answers.ask(found.len(), |rows| {
+            gather(&found[rows], |&pair| boxes.overlap(pair))
+        });
+        let words = found.chunks(64).zip(answers.words());
+        held.extend(
+            words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
+        );
+        self.held_count += answers.iter().count();
+        // Few of those that are held were not before.
+        for i in answers.iter() {
+            if !boxes.overlapped(found[i]) {
+                report(PairChange::Added(found[i]));
+            }
+        }
+    }
+
+    /// Makes `rows` those of which a slot is picked. Rows of tombstones may be among them.
+    pub(super) fn pick(&self, rows: &mut BitSet, is_picked: impl Fn(u32) -> bool + Sync + Send) {
+        rows.ask(self.pairs.len(), |range| {
+            gather(&self.pairs[range], |&[a, b]| is_picked(a) | is_picked(b))
+        });
+    }
+
+    /// Brings all rows, of which none may be a tombstone, up to date with the present boxes.
+    pub(super) fn compare_all<R: Real, const D: usize>(
+        &mut self,
+        turned: &mut BitSet,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        debug_assert_eq!(self.tombstones, 0);
+        let Self { pairs, held, .. } = self;
+        // Which ones overlap is as good as random, so there is no branch on it, only on whether any of many has
+        // turned.
+        turned.ask(pairs.len(), |rows| {
+            let rows = pairs[rows.clone()].iter().zip(&held[rows]);
+            gather(rows, |(&pair, &is_held)| boxes.overlap(pair) ^ is_held)
+        });
+        turned.iter().for_each(|row| self.turn(row, report));
+    }
+
+    /// Brings a row up to date with the present boxes.
+    #[inline(always)]
+    pub(super) fn compare<R: Real, const D: usize>(
+        &mut self,
+        row: usize,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        if let Some(pair) = self.get(row) {
+            if boxes.overlap(pair) != self.held[row] {
+                self.turn(row, report);
+            }
+        }
+    }
+
+    fn turn(&mut self, row: usize, report: &mut impl FnMut(PairChange)) {
+        self.held[row] = !self.held[row];
+        if self.held[row] {
+            report(PairChange::Added(self.pairs[row]));
+            self.held_count += 1;
+        } else {
+            report(PairChange::Deleted(self.pairs[row]));
+            self.held_count -= 1;
+        }
+    }
+
+    /// Puts a tombstone in the place of a candidate of which a proxy has left its fat box or is gone.
+    #[inline(always)]
+    pub(super) fn retire<R: Real, const D: usize>(
+        &mut self,
+        row: usize,
+        boxes: &Boxes<R, D>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Some(pair) = self.get(row) else {
+            return;
+        };
+        self.pairs[row] = [TOMBSTONE; 2];
+        self.tombstones += 1;
+        if std::mem::take(&mut self.held[row]) {
+            self.held_count -= 1;
+            if boxes.end(pair) {
+                report(PairChange::Deleted(pair));
+            }
+        }
+    }
+
+    /// Removes the tombstones. Whether there were any, so that rows have moved.
+    pub(super) fn compact(&mut self) -> bool {
+        if self.tombstones == 0 {
+            return false;
+        }
+        let pairs = &self.pairs;
+        let mut row = 0;
+        self.held.retain(|_| {
+            row += 1;
+            pairs[row - 1][0] != TOMBSTONE
+        });
+        self.pairs.retain(|pair| pair[0] != TOMBSTONE);
+        self.tombstones = 0;
+        true
+    }
+
+    /// Panics unless flags and counts are in order.
+    pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
+        assert_eq!(self.pairs.len(), self.held.len());
+        assert_eq!(self.held().count(), self.held_count);
+        assert_eq!(self.iter().count(), self.len());
+        for (&pair, &is_held) in self.pairs.iter().zip(&self.held) {
+            let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);
+            assert_eq!(is_held, overlaps, "{pair:?} is held, or is not");
+        }
+    }
+}
+
+/// The answers for up to 64 items, the first one lowest. Without a branch, for answers are as good as random.
+#[inline(always)]
+fn gather<T>(
+    items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,
+    ask: impl Fn(T) -> bool,
+) -> u64 {
+    let items = items.into_iter();
+    let unused = 64 - items.len();
+    let word = items.fold(0, |word, item| word >> 1 | u64::from(ask(item)) << 63);
+    word >> unused
+}

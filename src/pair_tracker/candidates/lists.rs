@@ -1,0 +1,132 @@
+//! Lists through the array of candidates: for each slot, the rows in which it occurs.
+
+use super::array::CandidateArray;
+use crate::pair_tracker::policy::Lists;
+
+/// The end of a list.
+const END: u32 = u32::MAX;
+
+/// For each slot a list of its rows.
+///
+/// A link is twice a row, plus one if the slot in question is the second one of its pair. Lists run through tombstones,
+/// which each walk takes out of its own.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CandidateLists {
+    state: Lists,
+    /// By slot, the first link.
+    heads: Vec<u32>,
+    /// By row, the link that follows for each of its two slots.
+    next: Vec<[u32; 2]>,
+}
+
+impl CandidateLists {
+    pub(super) fn state(&self) -> Lists {
+        self.state
+    }
+
+    /// Takes note that there were no lists where they would have been of use.
+    pub(super) fn miss(&mut self) {
+        self.state.missed += 1;
+    }
+
+    /// Lets them go out of date, until they are made again.
+    pub(super) fn forget(&mut self) {
+        self.state = Lists::default();
+    }
+
+    /// Makes the lists of so many slots.
+    pub(super) fn make(&mut self, array: &CandidateArray, slots: usize) {
+        self.heads.clear();
+        self.next.clear();
+        self.state.are_made = true;
+        self.extend(array, 0, slots);
+    }
+
+    /// Makes the lists if there were any, and goes on counting how often they are missed.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn restore(&mut self, state: Lists, array: &CandidateArray, slots: usize) {
+        if state.are_made {
+            self.make(array, slots);
+        }
+        self.state = state;
+    }
+
+    /// Takes in the rows from `first` on, if there are lists.
+    pub(super) fn extend(&mut self, array: &CandidateArray, first: usize, slots: usize) {
+        if array.rows() > Lists::MOST_ROWS {
+            self.forget();
+        }
+        if !self.state.are_made {
+            return;
+        }
+        self.heads.resize(slots, END);
+        for row in first..array.rows() {
+            let link = 2 * row as u32;
+            self.next.push(match array.get(row) {
+                None => [END; 2],
+                Some(pair) => {
+                    let [a, b] = pair.map(|slot| slot as usize);
+                    let next = [self.heads[a], self.heads[b]];
+                    self.heads[a] = link;
+                    self.heads[b] = link + 1;
+                    next
+                }
+            });
+        }
+    }
+
+    /// Calls `visit` with each row in which a slot occurs, tombstones among them, and empties its list.
+    pub(super) fn take(&mut self, slot: u32, mut visit: impl FnMut(usize)) {
+        let Some(head) = self.heads.get_mut(slot as usize) else {
+            return;
+        };
+        let mut link = std::mem::replace(head, END);
+        while link != END {
+            let (row, side) = (link as usize / 2, link as usize % 2);
+            visit(row);
+            link = self.next[row][side];
+        }
+    }
+
+    /// Calls `visit` with each row in which a slot occurs, and takes those out of its list that turn out to be gone.
+    pub(super) fn walk(&mut self, slot: u32, mut visit: impl FnMut(usize) -> bool) {
+        let Some(&head) = self.heads.get(slot as usize) else {
+            return;
+        };
+        let mut link = head;
+        let mut last: Option<(usize, usize)> = None;
+        while link != END {
+            let (row, side) = (link as usize / 2, link as usize % 2);
+            let next = self.next[row][side];
+            if visit(row) {
+                last = Some((row, side));
+            } else {
+                match last {
+                    None => self.heads[slot as usize] = next,
+                    Some((row, side)) => self.next[row][side] = next,
+                }
+            }
+            link = next;
+        }
+    }
+
+    /// Panics unless each candidate is in the lists of its two slots, if there are lists.
+    pub(super) fn validate(&self, array: &CandidateArray) {
+        if !self.state.are_made {
+            return;
+        }
+        let mut count = 0;
+        for (slot, &head) in (0..).zip(&self.heads) {
+            let mut link = head;
+            while link != END {
+                let (row, side) = (link as usize / 2, link as usize % 2);
+                if let Some(pair) = array.get(row) {
+                    assert_eq!(pair[side], slot, "a row in the wrong list");
+                    count += 1;
+                }
+                link = self.next[row][side];
+            }
+        }
+        assert_eq!(count, 2 * array.len(), "a candidate is in no list");
+    }
+}

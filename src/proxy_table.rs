@@ -1,0 +1,316 @@
+//! The proxies of an engine's colliders: whose they are, and what has become of their boxes.
+//!
+//! The engine knows a collider by a *handle*: the number of its slot, and a generation that tells it from those which had
+//! the slot before. The table keeps, by slot, the generation, the box and what the engine wants to be remembered of the
+//! collider; it brings the boxes of listed colliders up to date, and reports how the set of overlapping pairs has changed.
+//!
+//! Boxes come from one of two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that
+//! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles. Either way each box gets one
+//! [`Verdict`].
+
+mod reading;
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+use std::fmt::Debug;
+
+use crate::pair_tracker::{PairChange, PairTracker};
+use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::{Aabb, Kernel, Real, Settings, Stats};
+use reading::Reader;
+#[cfg(feature = "serde-serialize")]
+pub(crate) use snapshot::TableSnapshot;
+use verdict::Verdict;
+
+/// What an engine knows a collider by: a slot, and a generation.
+pub(crate) trait Handle: Copy + Debug + Send + Sync {
+    fn from_raw_parts(slot: u32, generation: u32) -> Self;
+    fn into_raw_parts(self) -> (u32, u32);
+}
+
+/// Where the boxes of listed colliders are read.
+pub(crate) trait BoxSource<R, const D: usize>: Sync {
+    type Handle: Handle;
+    /// What is remembered of a collider between readings.
+    type Memo: Clone + Default + Send;
+
+    /// The box of a collider, without the margin; `None` if it is gone or disabled.
+    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<Aabb<R, D>>;
+}
+
+/// A change of the pair set; the collider with the smaller slot first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PairEvent<H> {
+    Added([H; 2]),
+    Deleted([H; 2]),
+}
+
+/// The proxies of all colliders, and the pairs that they form.
+#[derive(Clone)]
+pub(crate) struct ProxyTable<R, const D: usize, M> {
+    tracker: PairTracker<R, D>,
+    /// The generation of the collider in each slot; `None` where there is none.
+    generations: Vec<Option<u32>>,
+    /// What is remembered of the collider in each slot, as many as generations.
+    memos: Vec<M>,
+    /// The colliders of a slot that is taken and has no box are refused.
+    stats: Stats,
+    has_warned: bool,
+    /// Whether an update has begun that is not finished.
+    is_begun: bool,
+    /// Slots of which a collider was removed in this update.
+    removed: Vec<u32>,
+    reader: Reader,
+}
+
+impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
+    /// A table without colliders.
+    pub(crate) fn new(settings: &Settings<R>) -> Self {
+        let Settings {
+            kernel,
+            layers,
+            foresight,
+            timed,
+            ..
+        } = *settings;
+        let mut tracker = PairTracker::new(kernel, layers, foresight);
+        tracker.stopwatch = Stopwatch::new(timed);
+        Self {
+            tracker,
+            generations: Vec::new(),
+            memos: Vec::new(),
+            stats: Stats::default(),
+            has_warned: false,
+            is_begun: false,
+            removed: Vec::new(),
+            reader: Reader::default(),
+        }
+    }
+
+    /// What it holds, and what the last update did. **O(1)**.
+    pub(crate) fn stats(&self) -> Stats {
+        let mut stats = self.stats;
+        self.tracker.describe(&mut stats);
+        stats
+    }
+
+    /// The slots that have a box, with their boxes.
+    pub(crate) fn boxes(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
+        self.tracker.proxies()
+    }
+
+    /// The held pairs, by slots, smaller first.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.tracker.pairs()
+    }
+
+    /// The handles of two slots whose colliders are known, as those of held pairs are.
+    pub(crate) fn handles<H: Handle>(&self, pair: [u32; 2]) -> [H; 2] {
+        handles(&self.generations, pair)
+    }
+
+    /// The slot of a handle, if its collider is the one that is known there.
+    pub(crate) fn slot_of(&self, handle: impl Handle) -> Option<u32> {
+        let (slot, generation) = handle.into_raw_parts();
+        let known = self.generations.get(slot as usize)?;
+        (*known == Some(generation)).then_some(slot)
+    }
+
+    /// Whether boxes or colliders have changed since the last [`finish`](Self::finish).
+    pub(crate) fn is_touched(&self) -> bool {
+        self.tracker.is_touched()
+    }
+
+    /// Removes a collider, if it is the one that is known in its slot; its pairs end without an event.
+    fn remove(&mut self, handle: impl Handle) {
+        let Some(slot) = self.slot_of(handle) else {
+            return;
+        };
+        let index = slot as usize;
+        self.generations[index] = None;
+        self.memos[index] = M::default();
+        if self.tracker.get(slot).is_some() {
+            self.stats.proxies -= 1;
+        } else {
+            self.stats.refused -= 1;
+        }
+        self.tracker.remove(slot);
+        self.removed.push(slot);
+    }
+
+    /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
+    /// renewed is loosened by `margin`.
+    pub(crate) fn update<S>(&mut self, [listed, removed]: [&[S::Handle]; 2], source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M>,
+    {
+        self.begin();
+        self.stats.listed += listed.len() + removed.len();
+        let lap = self.tracker.stopwatch.start();
+        // Removals first: a listed collider may already have the slot of a removed one.
+        for &handle in removed {
+            self.remove(handle);
+        }
+        let mut reader = std::mem::take(&mut self.reader);
+        reader.read(self, listed, source, margin);
+        self.reader = reader;
+        self.tracker.stopwatch.lap(lap, |times| &mut times.read);
+    }
+
+    /// Brings the box of a collider up to date with one that is handed over, without the margin, as a part of the next
+    /// [update](Self::update). The collider must exist: memory follows the highest slot.
+    #[cfg_attr(
+        not(test),
+        expect(
+            dead_code,
+            reason = "for engines that hand boxes over, as the pipelines of Rapier 0.36 do"
+        )
+    )]
+    pub(crate) fn hand_over(&mut self, handle: impl Handle, aabb: &Aabb<R, D>, margin: R) {
+        self.begin();
+        self.stats.listed += 1;
+        self.admit(handle, margin, |_| Some(*aabb));
+    }
+
+    /// Begins an update, if none has begun.
+    fn begin(&mut self) {
+        if !std::mem::replace(&mut self.is_begun, true) {
+            self.stats = Stats {
+                updates: self.stats.updates.wrapping_add(1),
+                listed: 0,
+                moved: 0,
+                added: 0,
+                deleted: 0,
+                ..self.stats
+            };
+            self.tracker.stopwatch.times = PhaseTimes::default();
+        }
+    }
+
+    /// Brings one collider up to date that may be anything: new, moved, gone, or in a slot that another one had.
+    fn admit<H: Handle>(
+        &mut self,
+        handle: H,
+        margin: R,
+        read: impl FnOnce(&mut M) -> Option<Aabb<R, D>>,
+    ) {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
+        let mut memo = match self.slot_of(handle) {
+            Some(_) => std::mem::take(&mut self.memos[index]),
+            None => M::default(),
+        };
+        let Some(aabb) = read(&mut memo) else {
+            // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
+            return self.remove(handle);
+        };
+        if index >= self.generations.len() {
+            self.generations.resize(index + 1, None);
+            self.memos.resize(index + 1, M::default());
+            // Also if its box is not sound: how much work an update is goes by the number of slots.
+            self.tracker.make_room(index + 1);
+        }
+        match self.generations[index] {
+            Some(known) if known == generation => {}
+            known => {
+                if let Some(outdated) = known {
+                    // Its removal was not reported.
+                    self.remove(H::from_raw_parts(slot, outdated));
+                }
+                self.generations[index] = Some(generation);
+                // Until its box is seen to be sound.
+                self.stats.refused += 1;
+            }
+        }
+        self.memos[index] = memo;
+        match Verdict::of(&self.tracker.slot_box(slot), &aabb, margin) {
+            Verdict::Keep => {}
+            Verdict::Renew(renewed) => {
+                self.tracker.place(slot, renewed);
+                self.stats.moved += 1;
+            }
+            Verdict::Recheck if aabb.is_valid() => {
+                // A new box gets no margin, as in Rapier: what never moves never needs one.
+                self.tracker.place(slot, aabb);
+                self.stats.moved += 1;
+                self.stats.proxies += 1;
+                self.stats.refused -= 1;
+            }
+            Verdict::Recheck => self.refuse(handle, aabb),
+        }
+    }
+
+    /// Leaves a collider out because its box is not sound.
+    #[cold]
+    fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
+        let slot = handle.into_raw_parts().0;
+        if self.tracker.get(slot).is_some() {
+            self.tracker.refuse(slot);
+            self.stats.moved += 1;
+            self.stats.proxies -= 1;
+            self.stats.refused += 1;
+        }
+        if !self.has_warned {
+            self.has_warned = true;
+            log::warn!(
+                "collider {handle:?} is left out of the broad phase until its box is sound again: \
+                 {aabb:?}. Further ones are only counted, in Stats::refused."
+            );
+        }
+    }
+
+    /// Ends an update: reports how the set of pairs has changed. `filter` may first leave out some of the changes, or add
+    /// others; it is also given the generations and the slots of which a collider was removed.
+    pub(crate) fn finish<H: Handle>(
+        &mut self,
+        changes: &mut Vec<PairChange>,
+        filter: impl FnOnce(&mut Vec<PairChange>, &[Option<u32>], &[u32]),
+        mut report: impl FnMut(PairEvent<H>),
+    ) {
+        self.tracker.finish(|change| changes.push(change));
+        let lap = self.tracker.stopwatch.start();
+        filter(changes, &self.generations, &self.removed);
+        self.removed.clear();
+        self.is_begun = false;
+        for change in changes.drain(..) {
+            match change {
+                PairChange::Added(pair) => {
+                    self.stats.added += 1;
+                    report(PairEvent::Added(handles(&self.generations, pair)));
+                }
+                PairChange::Deleted(pair) => {
+                    self.stats.deleted += 1;
+                    report(PairEvent::Deleted(handles(&self.generations, pair)));
+                }
+            }
+        }
+        self.tracker.stopwatch.lap(lap, |times| &mut times.events);
+    }
+}
+
+/// The handles of two slots whose colliders are known, as those of held pairs are.
+fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
+    pair.map(|slot| {
+        let generation = generations[slot as usize];
+        let generation = generation.expect("the colliders of a held pair are known");
+        H::from_raw_parts(slot, generation)
+    })
+}
+
+impl<R: Real, const D: usize, M> ProxyTable<R, D, M> {
+    /// Panics unless the books on colliders are in order, and the pairs those of a full search by `kernel`.
+    pub(crate) fn validate(&self, kernel: Kernel) {
+        assert_eq!(self.generations.len(), self.tracker.slots());
+        assert_eq!(self.generations.len(), self.memos.len());
+        let known = self.generations.iter().flatten().count();
+        assert_eq!(self.stats.proxies + self.stats.refused, known);
+        assert_eq!(self.stats.proxies, self.tracker.proxies().count());
+        for (slot, _) in self.tracker.proxies() {
+            assert!(self.generations[slot as usize].is_some());
+        }
+        self.tracker.validate(kernel);
+    }
+}

@@ -1,0 +1,300 @@
+//! In which order listed colliders are read: as listed, by index, or by index in parts.
+//!
+//! Rapier lists colliders in the order of its islands, which hops about in memory once bodies have met. In the
+//! order of their indices the processor can see the next ones coming, which in scenes too large for the caches
+//! halves the time of reading them. Very many are read in parts, runs of slots, each by one thread.
+//!
+//! The order decides nothing else: what is not a simple move, say a collider that is new, is left for afterwards, and
+//! everything is put together in the order in which one thread would have come to it.
+
+use super::verdict::Verdict;
+use super::{BoxSource, Handle, ProxyTable};
+use crate::bit_set::{BitSet, ones};
+use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
+use crate::{Aabb, Real, parallel};
+
+/// Goes through listed colliders; keeps its memory between updates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Reader {
+    /// The slots to read by index.
+    listed: BitSet,
+    /// By parts.
+    findings: Vec<Findings>,
+}
+
+/// What has come of reading a part, in the order of reading.
+#[derive(Clone, Debug, Default)]
+struct Findings {
+    /// Slots whose box was renewed, and those of them that have left their fat box.
+    moved: Vec<u32>,
+    escaped: Vec<u32>,
+    left: Vec<Left>,
+}
+
+/// A collider that is more than a simple move.
+#[derive(Clone, Copy, Debug)]
+struct Left {
+    slot: u32,
+    generation: u32,
+    /// How many had moved and escaped before its turn.
+    moved: usize,
+    escaped: usize,
+}
+
+/// A run of slots, and what is kept under them.
+struct Part<'a, R, const D: usize, M> {
+    first_slot: usize,
+    generations: &'a [Option<u32>],
+    memos: &'a mut [M],
+    boxes: &'a mut [Aabb<R, D>],
+    fat_boxes: &'a [Aabb<R, D>],
+    findings: &'a mut Findings,
+}
+
+impl Findings {
+    fn clear(&mut self) {
+        self.moved.clear();
+        self.escaped.clear();
+        self.left.clear();
+    }
+
+    fn leave(&mut self, slot: usize, generation: u32) {
+        self.left.push(Left {
+            slot: slot as u32,
+            generation,
+            moved: self.moved.len(),
+            escaped: self.escaped.len(),
+        });
+    }
+}
+
+impl<R: Real, const D: usize, M> Part<'_, R, D, M> {
+    /// Reads the collider of the slot `i` of the part.
+    #[inline(always)]
+    fn read<S: BoxSource<R, D, Memo = M>>(
+        &mut self,
+        i: usize,
+        generation: u32,
+        source: &S,
+        margin: R,
+    ) {
+        let slot = self.first_slot + i;
+        let handle = S::Handle::from_raw_parts(slot as u32, generation);
+        let verdict = match source.read(handle, &mut self.memos[i]) {
+            Some(aabb) => Verdict::of(&self.boxes[i], &aabb, margin),
+            None => Verdict::Recheck,
+        };
+        match verdict {
+            Verdict::Keep => {}
+            Verdict::Renew(renewed) => {
+                self.boxes[i] = renewed;
+                self.findings.moved.push(slot as u32);
+                if !self.fat_boxes[i].contains(&renewed) {
+                    self.findings.escaped.push(slot as u32);
+                }
+            }
+            Verdict::Recheck => self.findings.leave(slot, generation),
+        }
+    }
+
+    /// Reads handles as they are listed; the part must be all slots.
+    fn read_as_listed<S: BoxSource<R, D, Memo = M>>(
+        &mut self,
+        handles: &[S::Handle],
+        source: &S,
+        margin: R,
+    ) {
+        for handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            match self.generations.get(slot as usize) {
+                Some(&Some(known)) if known == generation => {
+                    self.read(slot as usize, generation, source, margin);
+                }
+                _ => self.findings.leave(slot as usize, generation),
+            }
+        }
+    }
+
+    /// Reads the slots of the part whose bits are set, by index.
+    fn read_by_index<S: BoxSource<R, D, Memo = M>>(
+        &mut self,
+        listed: &[u64],
+        source: &S,
+        margin: R,
+    ) {
+        for (first, &word) in (0..).step_by(64).zip(listed) {
+            for i in ones(word).map(|bit| first + bit) {
+                // Its collider may be gone since it was listed, for a newer one that has been read in its stead.
+                if let Some(generation) = self.generations[i] {
+                    self.read(i, generation, source, margin);
+                }
+            }
+        }
+    }
+}
+
+impl Reader {
+    /// Reads the listed colliders into the table.
+    pub(super) fn read<R: Real, const D: usize, S: BoxSource<R, D>>(
+        &mut self,
+        table: &mut ProxyTable<R, D, S::Memo>,
+        handles: &[S::Handle],
+        source: &S,
+        margin: R,
+    ) {
+        // The order must not depend on the number of threads.
+        let are_many = handles.len() >= THREADS_FROM;
+        if !are_many && is_favourable(handles) {
+            self.findings.resize_with(1, Findings::default);
+            let mut all = Rest::of(table).part(usize::MAX, &mut self.findings[0]);
+            all.read_as_listed(handles, source, margin);
+        } else {
+            let is_shared = are_many && parallel::threads() > 1;
+            for handle in self.list(handles, &table.generations, is_shared) {
+                table.admit(handle, margin, |memo| source.read(handle, memo));
+            }
+            self.listed.resize(table.generations.len());
+            // Some more parts than threads, for some will be faster than others.
+            let parts = if is_shared {
+                4 * parallel::threads()
+            } else {
+                1
+            };
+            let words = self.listed.words();
+            let words_a_part = words.len().div_ceil(parts).max(1);
+            let listed = words.chunks(words_a_part);
+            self.findings.resize_with(listed.len(), Findings::default);
+            let mut rest = Rest::of(table);
+            let parts = listed.zip(&mut self.findings);
+            let mut parts: Vec<_> = parts
+                .map(|(listed, findings)| (listed, rest.part(64 * words_a_part, findings)))
+                .collect();
+            parallel::for_each(&mut parts, |(listed, part)| {
+                part.read_by_index(listed, source, margin);
+            });
+            self.listed.clear();
+        }
+        for findings in &self.findings {
+            table.take_in(findings, source, margin);
+        }
+    }
+
+    /// Lists the slots of those handles whose collider is known, and returns the others, in their order.
+    fn list<H: Handle>(
+        &mut self,
+        handles: &[H],
+        generations: &[Option<u32>],
+        is_shared: bool,
+    ) -> Vec<H> {
+        self.listed.resize(generations.len());
+        if !is_shared {
+            return list_known(handles, generations, &mut self.listed);
+        }
+        let chunk = handles.len().div_ceil(parallel::threads()).max(1);
+        let mut lists: Vec<_> = handles
+            .chunks(chunk)
+            .map(|handles| (handles, BitSet::default(), Vec::new()))
+            .collect();
+        parallel::for_each(&mut lists, |(handles, listed, unknown)| {
+            listed.resize(generations.len());
+            *unknown = list_known(handles, generations, listed);
+        });
+        let mut all_unknown = Vec::new();
+        for (_, listed, mut unknown) in lists {
+            self.listed.extend_from(&listed);
+            all_unknown.append(&mut unknown);
+        }
+        all_unknown
+    }
+}
+
+impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
+    /// Takes in what has come of a part, in the order of reading.
+    fn take_in<S: BoxSource<R, D, Memo = M>>(
+        &mut self,
+        findings: &Findings,
+        source: &S,
+        margin: R,
+    ) {
+        let (mut moved, mut escaped) = (0, 0);
+        for left in &findings.left {
+            self.note(
+                &findings.moved[moved..left.moved],
+                &findings.escaped[escaped..left.escaped],
+            );
+            (moved, escaped) = (left.moved, left.escaped);
+            let handle = S::Handle::from_raw_parts(left.slot, left.generation);
+            self.admit(handle, margin, |memo| source.read(handle, memo));
+        }
+        self.note(&findings.moved[moved..], &findings.escaped[escaped..]);
+    }
+
+    fn note(&mut self, moved: &[u32], escaped: &[u32]) {
+        self.stats.moved += moved.len();
+        self.tracker.note(moved, escaped);
+    }
+}
+
+/// The slots that are in no part yet.
+struct Rest<'a, R, const D: usize, M> {
+    first_slot: usize,
+    generations: &'a [Option<u32>],
+    memos: &'a mut [M],
+    boxes: &'a mut [Aabb<R, D>],
+    fat_boxes: &'a [Aabb<R, D>],
+}
+
+impl<'a, R: Real, const D: usize, M> Rest<'a, R, D, M> {
+    /// All slots.
+    fn of(table: &'a mut ProxyTable<R, D, M>) -> Self {
+        let (boxes, fat_boxes) = table.tracker.boxes_and_fat_boxes();
+        Self {
+            first_slot: 0,
+            generations: &table.generations,
+            memos: &mut table.memos,
+            boxes,
+            fat_boxes,
+        }
+    }
+
+    /// The next slots, at most this many, with a place for what comes of reading them.
+    fn part(&mut self, slots: usize, findings: &'a mut Findings) -> Part<'a, R, D, M> {
+        findings.clear();
+        let first_slot = self.first_slot;
+        let count = slots.min(self.generations.len());
+        self.first_slot += count;
+        let off = "there are as many slots left";
+        Part {
+            first_slot,
+            generations: self.generations.split_off(..count).expect(off),
+            memos: self.memos.split_off_mut(..count).expect(off),
+            boxes: self.boxes.split_off_mut(..count).expect(off),
+            fat_boxes: self.fat_boxes.split_off(..count).expect(off),
+            findings,
+        }
+    }
+}
+
+/// Adds the slots of those handles whose collider is known, and returns the others, in their order.
+fn list_known<H: Handle>(
+    handles: &[H],
+    generations: &[Option<u32>],
+    listed: &mut BitSet,
+) -> Vec<H> {
+    let mut unknown = Vec::new();
+    for &handle in handles {
+        let (slot, generation) = handle.into_raw_parts();
+        if generations.get(slot as usize) == Some(&Some(generation)) {
+            listed.insert(slot as usize);
+        } else {
+            unknown.push(handle);
+        }
+    }
+    unknown
+}
+
+/// Whether the order of these handles is good enough as it is.
+fn is_favourable<H: Handle>(handles: &[H]) -> bool {
+    let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
+    handles.len() <= READ_AS_LISTED_UP_TO || is_sorted()
+}

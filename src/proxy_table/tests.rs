@@ -1,0 +1,374 @@
+//! The table against a model, by random sequences, from both sources of boxes and in every order of reading.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use oorandom::Rand32;
+
+use super::{BoxSource, Handle, PairEvent, ProxyTable};
+use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
+use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings};
+
+const MARGIN: f32 = 0.125;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Id {
+    slot: u32,
+    generation: u32,
+}
+
+impl Handle for Id {
+    fn from_raw_parts(slot: u32, generation: u32) -> Self {
+        Self { slot, generation }
+    }
+
+    fn into_raw_parts(self) -> (u32, u32) {
+        (self.slot, self.generation)
+    }
+}
+
+/// The engine's colliders, by slot.
+#[derive(Clone, Default)]
+struct Colliders {
+    slots: Vec<Collider>,
+}
+
+#[derive(Clone, Copy)]
+struct Collider {
+    generation: u32,
+    aabb: Aabb<f32, 2>,
+    exists: bool,
+    is_enabled: bool,
+}
+
+impl Colliders {
+    fn get(&self, id: Id) -> Option<&Collider> {
+        let collider = self.slots.get(id.slot as usize)?;
+        (collider.exists && collider.generation == id.generation).then_some(collider)
+    }
+
+    fn id(&self, slot: u32) -> Id {
+        Id {
+            slot,
+            generation: self.slots[slot as usize].generation,
+        }
+    }
+}
+
+/// What is remembered is whose memory it is: it must never be another collider's.
+#[derive(Clone, Default)]
+struct Memo {
+    owner: Option<Id>,
+}
+
+impl BoxSource<f32, 2> for Colliders {
+    type Handle = Id;
+    type Memo = Memo;
+
+    fn read(&self, id: Id, memo: &mut Memo) -> Option<Aabb<f32, 2>> {
+        assert!(
+            memo.owner.is_none_or(|owner| owner == id),
+            "the memo of another collider"
+        );
+        let collider = self.get(id)?;
+        memo.owner = Some(id);
+        collider.is_enabled.then_some(collider.aabb)
+    }
+}
+
+/// What the table should hold.
+#[derive(Default)]
+struct Model {
+    /// Colliders that are known, and the boxes of those that are not refused.
+    known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
+    held: BTreeSet<[u32; 2]>,
+    moved: usize,
+}
+
+impl Model {
+    fn remove(&mut self, id: Id) {
+        if self
+            .known
+            .get(&id.slot)
+            .is_some_and(|known| known.0 == id.generation)
+        {
+            self.known.remove(&id.slot);
+            self.held.retain(|pair| !pair.contains(&id.slot));
+        }
+    }
+
+    fn read(&mut self, id: Id, aabb: Option<Aabb<f32, 2>>) {
+        let Some(aabb) = aabb else {
+            return self.remove(id);
+        };
+        if let Some(&(generation, _)) = self.known.get(&id.slot) {
+            if generation != id.generation {
+                self.remove(Id { generation, ..id });
+            }
+        }
+        let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
+        let renewed = match held {
+            Some(held) if held.contains(&aabb) => return,
+            Some(_) if aabb.is_valid() => Some(aabb.loosened(MARGIN)),
+            None if !aabb.is_valid() => return,
+            _ => aabb.is_valid().then_some(aabb),
+        };
+        *held = renewed;
+        self.moved += 1;
+    }
+
+    /// The pairs that are added and deleted.
+    fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
+        let boxes = self
+            .known
+            .iter()
+            .filter_map(|(&slot, known)| Some((slot, known.1?)));
+        let (slots, boxes): (Vec<_>, Vec<_>) = boxes.unzip();
+        let mut pairs = Vec::new();
+        // Which the oracle's tests hold to the oracle.
+        GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
+        let held = pairs.iter().map(|pair| pair.map(|i| slots[i as usize]));
+        let before = std::mem::replace(&mut self.held, held.collect());
+        let added = self.held.difference(&before).copied().collect();
+        let deleted = before.difference(&self.held).copied().collect();
+        [added, deleted]
+    }
+}
+
+struct World {
+    random: Rand32,
+    side: f32,
+    colliders: Colliders,
+    table: ProxyTable<f32, 2, Memo>,
+    model: Model,
+}
+
+impl World {
+    fn new(slots: u32, seed: u64) -> Self {
+        Self {
+            random: Rand32::new(seed),
+            side: (slots as f32 * 1.5).sqrt(),
+            colliders: Colliders::default(),
+            table: ProxyTable::new(&Settings::default()),
+            model: Model::default(),
+        }
+    }
+
+    fn random_box(&mut self) -> Aabb<f32, 2> {
+        let corner = [(); 2].map(|()| self.random.rand_float() * self.side);
+        Aabb::new(corner, corner.map(|x| x + 1.0))
+    }
+
+    /// Changes the collider of a slot somehow, and says what is to be listed as modified and as removed.
+    fn change(&mut self, slot: u32, modified: &mut Vec<Id>, removed: &mut Vec<Id>) {
+        let id = self.colliders.id(slot);
+        let anywhere = self.random_box();
+        let choice = self.random.rand_range(0..100);
+        let step = (self.random.rand_float() - 0.5) * 0.5;
+        let collider = &mut self.colliders.slots[slot as usize];
+        match choice {
+            // It is gone, and another one may have its slot; what was listed before may come after that.
+            0..6 if collider.exists => {
+                collider.exists = false;
+                match choice {
+                    0 => removed.push(id),
+                    1 => modified.push(id),
+                    2 => removed.extend([id, id]),
+                    _ => {
+                        collider.exists = true;
+                        collider.generation += 1;
+                        collider.aabb = anywhere;
+                        collider.is_enabled = true;
+                        let newer = Id {
+                            generation: id.generation + 1,
+                            ..id
+                        };
+                        match choice {
+                            3 => removed.push(id),
+                            4 => modified.push(id),
+                            _ => {}
+                        }
+                        modified.push(newer);
+                        modified.extend((choice == 5).then_some(id));
+                    }
+                }
+            }
+            _ if !collider.exists => {
+                collider.exists = true;
+                collider.generation += 1;
+                collider.aabb = anywhere;
+                collider.is_enabled = true;
+                modified.push(self.colliders.id(slot));
+            }
+            6..9 => {
+                collider.is_enabled = !collider.is_enabled;
+                modified.push(id);
+                removed.extend((choice == 6 && !collider.is_enabled).then_some(id));
+            }
+            9 | 10 => {
+                collider.aabb.mins[1] = f32::NAN;
+                modified.push(id);
+            }
+            11 | 12 => {
+                collider.aabb = anywhere;
+                modified.extend([id, id]);
+            }
+            13 => modified.push(Id {
+                generation: id.generation + 7,
+                ..id
+            }),
+            _ => {
+                for k in 0..2 {
+                    collider.aabb.mins[k] += step;
+                    collider.aabb.maxs[k] += step;
+                }
+                modified.push(id);
+            }
+        }
+    }
+
+    /// One update of both, with the boxes of some handed over.
+    fn update(&mut self, handed_over: &[Id], modified: &[Id], removed: &[Id]) {
+        self.model.moved = 0;
+        let known = |collider: &Collider| collider.is_enabled.then_some(collider.aabb);
+        for &id in handed_over {
+            if let Some(aabb) = self.colliders.get(id).and_then(known) {
+                self.table.hand_over(id, &aabb, MARGIN);
+                self.model.read(id, Some(aabb));
+            }
+        }
+        self.table
+            .update([modified, removed], &self.colliders, MARGIN);
+        removed.iter().for_each(|&id| self.model.remove(id));
+        for &id in modified {
+            self.model.read(id, self.colliders.get(id).and_then(known));
+        }
+
+        let [mut added, mut deleted] = self.model.finish();
+        let counts = [added.len(), deleted.len()];
+        let mut changes = Vec::new();
+        self.table.finish(
+            &mut changes,
+            |_, _, _| (),
+            |event: PairEvent<Id>| {
+                let (due, pair) = match event {
+                    PairEvent::Added(pair) => (&mut added, pair),
+                    PairEvent::Deleted(pair) => (&mut deleted, pair),
+                };
+                for id in pair {
+                    let known = self.model.known.get(&id.slot);
+                    assert!(
+                        known.is_some_and(|known| known.0 == id.generation),
+                        "{id:?}"
+                    );
+                }
+                assert!(
+                    due.remove(&pair.map(|id| id.slot)),
+                    "{event:?} is spurious"
+                );
+            },
+        );
+        assert!(added.is_empty(), "not added: {added:?}");
+        assert!(deleted.is_empty(), "not deleted: {deleted:?}");
+
+        let stats = self.table.stats();
+        let proxies = self
+            .model
+            .known
+            .values()
+            .filter(|known| known.1.is_some())
+            .count();
+        assert_eq!([stats.added, stats.deleted], counts);
+        assert_eq!(stats.proxies, proxies);
+        assert_eq!(stats.refused, self.model.known.len() - proxies);
+        assert_eq!(stats.pairs, self.model.held.len());
+        assert!(self.table.pairs().collect::<BTreeSet<_>>() == self.model.held);
+        for (slot, aabb) in self.table.boxes() {
+            assert_eq!(self.model.known[&slot].1.as_ref(), Some(aabb));
+        }
+        self.table.validate(Kernel::GridSweep);
+    }
+
+    /// Lists in no order, or ascending.
+    fn arrange(&mut self, ids: &mut [Id], is_sorted: bool) {
+        if is_sorted {
+            ids.sort();
+        } else {
+            for i in (1..ids.len()).rev() {
+                ids.swap(i, self.random.rand_range(0..i as u32 + 1) as usize);
+            }
+        }
+    }
+}
+
+fn check(slots: u32, updates: usize, seed: u64) {
+    let mut world = World::new(slots, seed);
+    for _ in 0..slots {
+        let aabb = world.random_box();
+        world.colliders.slots.push(Collider {
+            generation: 0,
+            aabb,
+            exists: true,
+            is_enabled: true,
+        });
+    }
+    let all: Vec<_> = (0..slots).map(|slot| world.colliders.id(slot)).collect();
+    world.update(&all[..slots as usize / 10], &all, &[]);
+    for update in 0..updates {
+        let [mut modified, mut removed] = [vec![], vec![]];
+        let stride = [1, 1, 7, 3, 40][update % 5];
+        for slot in (0..slots).step_by(stride) {
+            world.change(slot, &mut modified, &mut removed);
+        }
+        world.arrange(&mut modified, update % 3 == 0);
+        let mut handed_over = Vec::new();
+        if update % 2 == 0 {
+            // These are known, or new; none is the older one of a slot that was used again.
+            handed_over = modified.split_off(modified.len() / 2);
+            handed_over.retain(|&id| world.colliders.get(id).is_some());
+        }
+        world.update(&handed_over, &modified, &removed);
+    }
+}
+
+#[test]
+fn colliders_read_as_listed_agree_with_the_model() {
+    for (slots, seed) in [(1, 1), (8, 2), (READ_AS_LISTED_UP_TO as u32 / 2, 3)] {
+        check(slots, 200, seed);
+    }
+}
+
+#[test]
+fn colliders_read_by_index_agree_with_the_model() {
+    check(4 * READ_AS_LISTED_UP_TO as u32, 60, 4);
+}
+
+#[test]
+fn colliders_read_in_parts_agree_with_the_model() {
+    check(THREADS_FROM as u32 * 5 / 4, 10, 5);
+}
+
+#[test]
+fn moved_colliders_are_counted_once() {
+    let mut world = World::new(4, 6);
+    let aabb = Aabb::new([0.0; 2], [1.0; 2]);
+    let collider = Collider {
+        generation: 0,
+        aabb,
+        exists: true,
+        is_enabled: true,
+    };
+    world.colliders.slots.push(collider);
+    let id = world.colliders.id(0);
+    world.update(&[id], &[id, id], &[]);
+    let stats = world.table.stats();
+    assert_eq!(
+        [stats.updates as usize, stats.listed, stats.moved],
+        [1, 3, 1]
+    );
+    world.update(&[], &[id], &[]);
+    let stats = world.table.stats();
+    assert_eq!(
+        [stats.updates as usize, stats.listed, stats.moved],
+        [2, 1, 0]
+    );
+}

@@ -1,0 +1,96 @@
+//! What a user may choose.
+
+use crate::{Kernel, Real};
+
+/// How a broad phase works. The default suits every scene.
+///
+/// `R` is the scalar of the engine; each adapter's `Settings` is this type with its own. What is left out where settings
+/// are read by serde is as by default. Settings may be added in later versions, so they are made from the default:
+///
+/// ```
+/// use unisize::{Kernel, Settings};
+///
+/// let settings = Settings::<f32>::default().with_margin(0.05).with_foresight(8);
+/// assert_eq!((settings.margin, settings.kernel), (Some(0.05), Kernel::GridSweep));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        default,
+        bound(
+            serialize = "R: serde::Serialize",
+            deserialize = "R: Real + serde::Deserialize<'de>"
+        )
+    )
+)]
+#[non_exhaustive]
+pub struct Settings<R> {
+    /// What finds the pairs. It decides the speed, never the answer. Default: [`Kernel::GridSweep`].
+    pub kernel: Kernel,
+    /// How far a collider may move before its box is renewed once more, on every side, in multiples of Rapier's
+    /// `IntegrationParameters::length_unit`.
+    ///
+    /// A new box has no margin, until its collider first moves. The larger, the less often boxes change and the more pairs
+    /// are reported that do not touch. Usual values are between 0 and a tenth of a collider's size; negative and NaN ones
+    /// count as 0. Default: `None`, the margin of Rapier's own broad phase, 0.01 in version 0.27 and 0.04 in 0.36, which
+    /// makes the boxes the same as there.
+    pub margin: Option<R>,
+    /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
+    /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
+    /// densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than 64
+    /// count as 64. A number that is too large for the scene costs time and memory.
+    pub foresight: Option<u16>,
+    /// Whether the few colliders that have moved otherwise than was foreseen are looked up among the others. If not,
+    /// every search is for all. It decides the speed, never the answer. Default: `true`.
+    pub layers: bool,
+    /// Whether each update takes the time of its phases, for [`Stats::times`](crate::Stats::times). Default: no, so that
+    /// no update looks at the clock.
+    pub timed: bool,
+}
+
+impl<R> Default for Settings<R> {
+    fn default() -> Self {
+        Self {
+            kernel: Kernel::default(),
+            margin: None,
+            foresight: None,
+            layers: true,
+            timed: false,
+        }
+    }
+}
+
+impl<R: Real> Settings<R> {
+    /// The same with another [`kernel`](Self::kernel).
+    pub fn with_kernel(self, kernel: Kernel) -> Self {
+        Self { kernel, ..self }
+    }
+
+    /// The same with another [`margin`](Self::margin).
+    pub fn with_margin(self, margin: R) -> Self {
+        Self {
+            margin: Some(margin),
+            ..self
+        }
+    }
+
+    /// The same with a fixed [`foresight`](Self::foresight).
+    pub fn with_foresight(self, moves: u16) -> Self {
+        Self {
+            foresight: Some(moves),
+            ..self
+        }
+    }
+
+    /// The same with [`layers`](Self::layers), or without.
+    pub fn with_layers(self, layers: bool) -> Self {
+        Self { layers, ..self }
+    }
+
+    /// The same with times of phases, or without: see [`timed`](Self::timed).
+    pub fn with_timed(self, timed: bool) -> Self {
+        Self { timed, ..self }
+    }
+}

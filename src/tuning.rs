@@ -1,0 +1,130 @@
+//! Every number that decides speed and nothing else.
+//!
+//! No answer depends on them: the tests hold with any value. Each has its unit, what goes wrong above and below, and the
+//! command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache a core; a factor of two to either side costs a
+//! few per cent, which is why none is a setting.
+
+/// Sorting and sweeping: `GridSweep`. Shown by `cargo bench --bench kernels` and `--bench phases`.
+pub(crate) mod kernel {
+    /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below: choosing
+    /// a grid takes longer than the sweep.
+    pub(crate) const ONE_TUBE_UP_TO: usize = 24;
+
+    /// Boxes, a range. One box in eight is looked at to choose the grid, within this range. Above: tens of microseconds a
+    /// run. Below: a pattern in the order of the boxes misleads.
+    pub(crate) const GRID_SAMPLE: [usize; 2] = [16, 128];
+
+    /// Box sizes, with one and with two cut axes: the width of a strip. Above: more candidates a box. Below: more boxes on a
+    /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
+    pub(crate) const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
+
+    /// Candidates a box. Strips are narrowed where boxes lie so densely that a window would hold more: one step of the sweep
+    /// decides eight. Above: two steps a box. Below: more ghosts.
+    pub(crate) const CANDIDATES_A_BOX: f64 = 8.0;
+
+    /// Factors on the width of the strips, tried in turn where most boxes are too large for the grid that was chosen. Fewer:
+    /// mixed sizes end in one tube. More: each try is a pass over the boxes.
+    pub(crate) const STRIP_WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];
+
+    /// Tubes. A box that spans up to this many looks each of them up in the table; a wider one searches the occupied ones.
+    /// Above: empty tubes are visited. Below: a binary search where a load would do.
+    #[cfg_attr(not(feature = "_adapter"), allow(dead_code))]
+    pub(crate) const TABLE_LOOKUPS_UP_TO: u64 = 16;
+
+    /// Entries of a tube. Up to this many are sorted by insertion alone. Above: insertion is quadratic. Below: dealing into
+    /// buckets costs more than it saves.
+    pub(crate) const INSERTION_UP_TO: usize = 12;
+
+    /// Entries of a bucket. With more, the bucket is sorted on its own before insertion. Above: quadratic time where entries
+    /// crowd. Below: a call where a few moves would do.
+    pub(crate) const CROWDED_BUCKET: u32 = 24;
+
+    /// Boxes. Fewer are not worth a second thread. Below: the threads wait for each other longer than they work.
+    pub(crate) const THREADS_FROM: usize = 1 << 13;
+
+    /// Boxes that are looked at to cut the tubes into slabs of equal work. Below: one thread gets more than its share.
+    pub(crate) const SLAB_SAMPLE: usize = 2048;
+}
+
+/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --bench update`, and over whole worlds by the
+/// examples `compare` and `tradeoff`.
+#[cfg(feature = "_adapter")]
+pub(crate) mod update {
+    /// Listed colliders. Up to this many are read in the order in which they are listed, for they fit the caches in any order;
+    /// more are read by index. Above: islands make the reads hop about in memory, at twice the time. Below: a pass over the
+    /// bits of all slots for a handful.
+    pub(crate) const READ_AS_LISTED_UP_TO: usize = 256;
+
+    /// Items: listed colliders, candidates. Fewer are not worth a second thread. Below: slower, for the work moves to a core
+    /// whose caches are cold.
+    pub(crate) const THREADS_FROM: usize = 1 << 14;
+
+    /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
+    pub(crate) const SLOTS_A_TASK: usize = 1 << 14;
+
+    /// One proxy in this many. If more have moved, all candidates are compared, in order; if fewer, only those of what has
+    /// moved are picked. Above: picking costs as much as comparing. Below: comparisons that cannot have turned.
+    pub(crate) const COMPARE_ALL_FROM_ONE_IN: usize = 3;
+
+    /// Candidates. Walking the list of one proxy costs about as much as picking from this many: 20 to 50 ns of waiting for
+    /// memory against 0.7 ns each. Above: lists are left unused where few move. Below: lists are walked where picking is
+    /// faster.
+    pub(crate) const WALK_COST: usize = 32;
+
+    /// Picks from all candidates. Making the lists costs about as much as this many. Above: the lists come late. Below: they
+    /// are made, and dropped unused at the next full run.
+    pub(crate) const LISTS_COST: u32 = 8;
+
+    /// Boxes of a full run. Looking one box up in the base layer costs about as much. Above: full runs where a look-up would
+    /// do. Below: tens of thousands are looked up one by one.
+    pub(crate) const LOOKUP_COST: usize = 6;
+
+    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer.
+    pub(crate) const DELTA_LOOKUP_COST: usize = 2;
+
+    /// A factor, and one proxy in this many. If so many times as many leave their fat boxes in one update as usual, and more
+    /// than that part of all, there is a full run: fat boxes made at one time are left at one time. Above: the wave is looked
+    /// up box by box. Below: full runs for what was chance.
+    pub(crate) const WAVE: [u64; 2] = [8, 24];
+
+    /// Boxes or pairs. With more, what only a full run needs is given back after it. Above: half of all memory lies unused in
+    /// nine updates of ten. Below: small worlds allocate in every full run.
+    pub(crate) const KEEP_SCRATCH_UP_TO: usize = 1 << 12;
+
+    /// Comparisons of a candidate. Searching for one box costs about as much. Above: fat boxes are longer than pays. Below:
+    /// full runs come too often. `tradeoff` draws the time over fixed foresights.
+    pub(crate) const SEARCH_COST: f64 = 16.0;
+
+    /// Moves. The longest foresight: sooner or later things turn.
+    pub(crate) const LONGEST_FORESIGHT: f64 = 64.0;
+
+    /// Moves. The foresight while nothing has moved yet.
+    pub(crate) const FIRST_FORESIGHT: f64 = 8.0;
+
+    /// A part of how far the fat box goes ahead: how far it goes to all sides. Above: more candidates. Below: crowds, whose
+    /// members keep turning, leave their fat boxes a third more often.
+    pub(crate) const SKIN: f64 = 0.125;
+
+    /// A part of the box's size: the most that the skin may be.
+    pub(crate) const WIDEST_SKIN: f64 = 0.25;
+
+    /// Box sizes a move, on average. Where things are faster there is no foresight: a fat box would be left at once.
+    pub(crate) const TOO_FAST: f64 = 0.5;
+
+    /// Full runs an update. Where searching costs more in spite of foresight, there is none for a while: things collide all
+    /// the time, say. Above: fat boxes that nobody stays in. Below: foresight is given up where it pays.
+    pub(crate) const TOO_DEAR: f64 = 0.5;
+
+    /// Full runs without foresight before it is tried again: the first time, and at most, for each failure doubles it.
+    pub(crate) const PAUSES: [u32; 2] = [8, 128];
+
+    /// Candidates for each proxy and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
+    /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
+    pub(crate) const MOST_CANDIDATES: usize = 8;
+
+    /// What foresight is divided by when there are too many candidates, and below how many moves it is given up.
+    pub(crate) const SHORTENING: [f64; 2] = [4.0, 2.0];
+
+    /// Proxies that are looked at to learn how fast things move. Below: a few outliers decide.
+    pub(crate) const SPEED_SAMPLE: usize = 128;
+}
