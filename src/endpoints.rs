@@ -15,10 +15,7 @@ pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 /// Refuses more boxes than have numbers for their endpoints.
 pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
     if count > MAX_BOXES {
-        return Err(InvalidBox {
-            index: MAX_BOXES,
-            reason: InvalidBoxReason::TooMany,
-        });
+        return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
     }
     Ok(())
 }

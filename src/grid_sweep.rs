@@ -106,11 +106,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
     ) -> Result<(), InvalidBox> {
         pairs.clear();
         if boxes.len() > MAX_BOXES {
-            let reason = InvalidBoxReason::TooMany;
-            return Err(InvalidBox {
-                index: MAX_BOXES,
-                reason,
-            });
+            return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
         }
         self.stopwatch.times = PhaseTimes::default();
         let lap = self.stopwatch.start();

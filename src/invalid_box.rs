@@ -10,7 +10,7 @@ use thiserror::Error;
 /// let boxes = [Aabb::new([0.0, 0.0], [1.0, 1.0]), Aabb::new([0.0, f32::NAN], [1.0, 1.0])];
 /// let mut pairs = vec![[3, 4]];
 /// let error = GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap_err();
-/// assert_eq!((error.index(), error.reason), (1, InvalidBoxReason::NotANumber { axis: 1 }));
+/// assert_eq!((error.index, error.reason), (1, InvalidBoxReason::NotANumber { axis: 1 }));
 /// assert_eq!(error.to_string(), "box 1 has a NaN on axis 1");
 /// assert!(pairs.is_empty());
 /// ```
@@ -25,9 +25,16 @@ pub struct InvalidBox {
 }
 
 impl InvalidBox {
-    /// The index of the first offending box in the slice that was given.
-    pub const fn index(&self) -> usize {
-        self.index
+    /// The error about the first offending box, for kernels of one's own.
+    ///
+    /// ```
+    /// use unisize::{InvalidBox, InvalidBoxReason};
+    ///
+    /// let error = InvalidBox::new(7, InvalidBoxReason::TooMany);
+    /// assert_eq!(error.to_string(), "box 7 is one more than this kernel takes");
+    /// ```
+    pub const fn new(index: usize, reason: InvalidBoxReason) -> Self {
+        Self { index, reason }
     }
 }
 
@@ -47,7 +54,7 @@ pub enum InvalidBoxReason {
         /// The first inverted axis.
         axis: usize,
     },
-    /// Pairs hold 32-bit indices, so there can be no box with this index.
-    #[error("is out of reach: a pair holds 32-bit indices")]
+    /// The kernel numbers boxes, or entries of boxes, with 32 bits, and there are more. Its docs say how many it takes.
+    #[error("is one more than this kernel takes")]
     TooMany,
 }

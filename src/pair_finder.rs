@@ -36,8 +36,8 @@ pub trait PairFinder<R, const D: usize> {
     /// it is the same in every run.
     ///
     /// # Errors
-    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first beyond the reach of
-    /// 32-bit indices; `pairs` is then empty.
+    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first of more boxes than the kernel can
+    /// number; `pairs` is then empty.
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -47,7 +47,7 @@ pub trait PairFinder<R, const D: usize> {
 
 /// Checks what [`PairFinder::find_pairs`] asks of its input, in **O(n)**.
 pub(crate) fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), InvalidBox> {
-    let invalid = |index, reason| Err(InvalidBox { index, reason });
+    let invalid = |index, reason| Err(InvalidBox::new(index, reason));
     if boxes.len() > u32::MAX as usize {
         return invalid(u32::MAX as usize, InvalidBoxReason::TooMany);
     }

@@ -15,11 +15,9 @@ use crate::endpoints::{Endpoints, SortKey, check_count};
 use crate::pair_finder::{check_boxes, ordered};
 use crate::parallel;
 use crate::stopwatch::Stopwatch;
+use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
 use crate::{Aabb, InvalidBox, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
-
-/// With fewer boxes, a second thread for the second axis is not worth it.
-const WORTH_A_THREAD: usize = 1 << 14;
 
 /// The ranks of so many endpoints are fetched before these are swept. They lie all over the place, and fetching them at
 /// once takes little longer than fetching one; taken one by one, the sweep takes a tenth more time in all.
@@ -148,7 +146,7 @@ impl Sweep {
             ranks,
             ..
         } = self;
-        let sort_both = D > 1 && boxes.len() >= WORTH_A_THREAD && parallel::threads() > 1;
+        let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
         let mut rank_first = || {
             first.sort(boxes, 0, order);
             ranks::rank_endpoints(&first.keys, order, lows, ranks)

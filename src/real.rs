@@ -3,19 +3,34 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
-mod sealed {
-    use crate::lanes::{F32x8, F64x8, Lanes};
+use crate::lanes::{F32x8, F64x8};
 
-    /// Keeps [`Real`](super::Real) to the two scalars, and holds what is nobody else's business.
+mod sealed {
+    use crate::lanes::Lanes;
+
+    /// Keeps [`Real`](super::Real) to the two scalars, and holds what only kernels need.
     pub trait Sealed: Sized {
         /// Eight of them at once.
         type Lanes: Lanes<Self>;
-    }
-    impl Sealed for f32 {
-        type Lanes = F32x8;
-    }
-    impl Sealed for f64 {
-        type Lanes = F64x8;
+
+        const ZERO: Self;
+        const ONE: Self;
+        const INFINITY: Self;
+        const NEG_INFINITY: Self;
+        /// The greatest finite number.
+        const MAX: Self;
+        const NAN: Self;
+
+        fn is_nan(self) -> bool;
+        fn is_finite(self) -> bool;
+        /// The least number greater than this one; infinity and NaN are kept.
+        fn next_up(self) -> Self;
+        /// An integer that is ordered as the numbers are, with both zeros alike. Of NaN nothing is promised.
+        ///
+        /// Only as many of the low bits are used as the scalar has.
+        fn order_key(self) -> u64;
+        /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
+        fn to_u32_saturating(self) -> u32;
     }
 }
 
@@ -35,40 +50,28 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// Zero.
-    const ZERO: Self;
-    /// One.
-    const ONE: Self;
-    /// Greater than every number.
-    const INFINITY: Self;
-    /// Less than every number.
-    const NEG_INFINITY: Self;
-    /// The greatest finite number.
-    const MAX: Self;
-    /// Not a number: every comparison with it is false.
-    const NAN: Self;
-
-    /// Whether this is NaN.
-    fn is_nan(self) -> bool;
-    /// Whether this is neither NaN nor infinite.
-    fn is_finite(self) -> bool;
-    /// The least number greater than this one; infinity and NaN are kept.
-    fn next_up(self) -> Self;
-    /// An integer that is ordered as the numbers are, with both zeros alike. Of NaN nothing is promised.
-    ///
-    /// Only as many of the low bits are used as the scalar has.
-    fn order_key(self) -> u64;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
     /// The nearest of this type to an `f64`.
     fn from_f64(x: f64) -> Self;
-    /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
-    fn to_u32_saturating(self) -> u32;
 }
 
 macro_rules! impl_real {
-    ($real:ident, $bits:ident) => {
+    ($real:ident, $bits:ident, $lanes:ident) => {
         impl Real for $real {
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as Self
+            }
+        }
+
+        impl sealed::Sealed for $real {
+            type Lanes = $lanes;
+
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const INFINITY: Self = $real::INFINITY;
@@ -98,14 +101,6 @@ macro_rules! impl_real {
                 u64::from(bits ^ mask)
             }
             #[inline]
-            fn to_f64(self) -> f64 {
-                f64::from(self)
-            }
-            #[inline]
-            fn from_f64(x: f64) -> Self {
-                x as Self
-            }
-            #[inline]
             fn to_u32_saturating(self) -> u32 {
                 self as u32
             }
@@ -113,8 +108,8 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f32, u32);
-impl_real!(f64, u64);
+impl_real!(f32, u32, F32x8);
+impl_real!(f64, u64, F64x8);
 
 #[cfg(test)]
 mod tests {

@@ -42,6 +42,9 @@ pub(crate) mod kernel {
     /// Boxes. Fewer are not worth a second thread. Below: the threads wait for each other longer than they work.
     pub(crate) const THREADS_FROM: usize = 1 << 13;
 
+    /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads.
+    pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
+
     /// Boxes that are looked at to cut the tubes into slabs of equal work. Below: one thread gets more than its share.
     pub(crate) const SLAB_SAMPLE: usize = 2048;
 }

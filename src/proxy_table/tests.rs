@@ -261,10 +261,7 @@ impl World {
                         "{id:?}"
                     );
                 }
-                assert!(
-                    due.remove(&pair.map(|id| id.slot)),
-                    "{event:?} is spurious"
-                );
+                assert!(due.remove(&pair.map(|id| id.slot)), "{event:?} is spurious");
             },
         );
         assert!(added.is_empty(), "not added: {added:?}");
