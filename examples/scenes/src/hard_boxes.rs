@@ -148,7 +148,7 @@ impl HardBoxes {
             }
             Self::SixOrders => {
                 let sides: Vec<_> = (0..count)
-                    .map(|_| [random.log_range(1e-3, 1e3); D])
+                    .map(|_| [1e-3 * (1e3 / 1e-3_f32).powf(random.range(0.0, 1.0)); D])
                     .collect();
                 scatter(random, &sides, |_| true)
             }

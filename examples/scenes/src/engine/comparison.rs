@@ -40,9 +40,12 @@ pub use timing::Timing;
 /// The broad phase that is compared with the default: how to make one, and what it can be asked.
 ///
 /// ```
+/// # #[cfg(feature = "rapier3d")]
+/// # {
 /// use unisize_scenes::dim3::{Candidate, rapier::prelude::DefaultBroadPhase};
 ///
 /// let itself = Candidate::new(DefaultBroadPhase::new);
+/// # }
 /// ```
 pub struct Candidate<C> {
     create: Box<dyn Fn() -> C>,
@@ -80,6 +83,8 @@ impl<C: BroadPhase> Candidate<C> {
 /// What is to be compared: a scene, and how closely to look.
 ///
 /// ```
+/// # #[cfg(feature = "rapier2d")]
+/// # {
 /// use unisize_scenes::SceneKind;
 /// use unisize_scenes::dim2::{Candidate, Comparison, rapier::prelude::DefaultBroadPhase};
 ///
@@ -89,6 +94,7 @@ impl<C: BroadPhase> Candidate<C> {
 /// };
 /// let outcome = comparison.run(&Candidate::new(DefaultBroadPhase::new), |_| {});
 /// assert_eq!(outcome.first_difference, None);
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comparison {
