@@ -12,14 +12,28 @@
 //! of the work, between the two largest numbers of cubes: 1 where they grow in proportion.
 
 mod common;
-#[path = "hard_motions/dim2.rs"]
-mod dim2;
-#[path = "hard_motions/dim3.rs"]
-mod dim3;
 
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
 use std::time::Duration;
+
+#[path = "hard_motions"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "hard_motions"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;

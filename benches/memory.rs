@@ -8,16 +8,30 @@
 //! events is not part of it, for they go into a list of the caller's.
 
 mod common;
-#[path = "memory/dim2.rs"]
-mod dim2;
-#[path = "memory/dim3.rs"]
-mod dim3;
 #[path = "update/motion.rs"]
 mod motion;
 
 use motion::Motion;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
+
+#[path = "memory"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "memory"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;

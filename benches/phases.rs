@@ -14,10 +14,6 @@
 //! frame.
 
 mod common;
-#[path = "phases/dim2.rs"]
-mod dim2;
-#[path = "phases/dim3.rs"]
-mod dim3;
 #[path = "phases/floor.rs"]
 mod floor;
 #[path = "phases/kernel.rs"]
@@ -27,6 +23,24 @@ mod motion;
 
 use motion::Motion;
 use std::time::Duration;
+
+#[path = "phases"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "phases"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
 
 fn main() {
     common::set_threads();

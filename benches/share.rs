@@ -7,10 +7,24 @@
 //! A table in Markdown. Balls fall, land and are about to come to rest; all steps count.
 
 mod common;
-#[path = "share/dim2.rs"]
-mod dim2;
-#[path = "share/dim3.rs"]
-mod dim3;
+
+#[path = "share"]
+mod dim2 {
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "share"]
+mod dim3 {
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
 
 /// The numbers of balls.
 const COUNTS: [usize; 2] = [8_000, 20_000];

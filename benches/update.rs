@@ -10,16 +10,30 @@
 //! colliders only.
 
 mod common;
-#[path = "update/dim2.rs"]
-mod dim2;
-#[path = "update/dim3.rs"]
-mod dim3;
 #[path = "update/motion.rs"]
 mod motion;
 #[path = "common/settings.rs"]
 mod settings;
 
 use motion::Motion;
+
+#[path = "update"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::bench;
+}
+
+#[path = "update"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::bench;
+}
 
 fn main() {
     let mut criterion = settings::criterion();

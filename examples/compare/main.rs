@@ -9,8 +9,6 @@
 //! is told in `examples/scenes/src/engine/comparison.rs`. Ends with 1 if anything differs, and with 2 if it
 //! was called wrongly.
 
-mod dim2;
-mod dim3;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
@@ -24,6 +22,28 @@ use progress::progress_bar;
 use report::Report;
 use std::fs::File;
 use std::process::ExitCode;
+
+#[path = "."]
+mod dim2 {
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    const DIM: u8 = 2;
+
+    mod dimension;
+    pub(super) use dimension::compare;
+}
+
+#[path = "."]
+mod dim3 {
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    const DIM: u8 = 3;
+
+    mod dimension;
+    pub(super) use dimension::compare;
+}
 
 fn main() -> ExitCode {
     let options = Options::parse();

@@ -1,9 +1,9 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{REPLAYS, UnisizeBroadPhase};
+use super::{PairEvent, REPLAYS, UnisizeBroadPhase};
 use crate::hash::Hash;
-use crowd::{Crowd, Event};
+use crowd::Crowd;
 use rapier::math::{DIM, Real};
 
 #[path = "../crowd/mod.rs"]
@@ -49,11 +49,13 @@ const fn replay(
     }
 }
 
-fn write(hash: &mut Hash, events: &[Event]) {
+fn write(hash: &mut Hash, events: &[PairEvent]) {
     hash.write(events.len() as u32);
-    for &(is_added, pair) in events {
-        hash.write(u32::from(is_added));
-        for (index, generation) in pair.map(|handle| handle.into_raw_parts()) {
+    for event in events {
+        hash.write(u32::from(event.is_add()));
+        let pair = event.pair();
+        for handle in [pair.collider1, pair.collider2] {
+            let (index, generation) = handle.into_raw_parts();
             hash.write(index);
             hash.write(generation);
         }
@@ -130,16 +132,16 @@ fn threads_do_not_matter() {
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {
-    use super::{SCENES, Scene};
+    use super::{Observed, SCENES, Scene};
     use unisize_scenes::SceneKind;
 
     let hash = |kind| {
         let mut scene = Scene::build(kind, 60, 1);
-        let mut broad_phase = crowd::Recorded::default();
+        let mut broad_phase = Observed::new(UnisizeBroadPhase::new()).with_events();
         let mut hash = Hash::default();
         for _ in 0..100 {
             scene.step(&mut broad_phase, &(), &());
-            write(&mut hash, &std::mem::take(&mut broad_phase.events));
+            write(&mut hash, &broad_phase.take_events());
         }
         hash.0
     };

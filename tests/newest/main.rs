@@ -4,5 +4,18 @@
 //! with what its narrow phase holds, and `queries` asks both the same. What is random here is checked against a model too, in
 //! `tests/sequences`.
 
-mod dim2;
-mod dim3;
+#[path = "."]
+mod dim2 {
+    use rapier2d_0_36 as rapier;
+    use unisize::rapier2d_0_36::{Settings, UnisizeBroadPhase};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3 {
+    use rapier3d_0_36 as rapier;
+    use unisize::rapier3d_0_36::{Settings, UnisizeBroadPhase};
+
+    mod suite;
+}

@@ -6,11 +6,11 @@
 
 use arbitrary::{Result, Unstructured};
 
+use crate::flavours::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 use crate::ops::{
     BodyKind, FAR, FAR_INDICES, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List, MARGINS,
     NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple, Types,
 };
-use crate::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 
 /// How many colliders there may be; the model looks at every pair of them.
 const MOST: usize = 80;

@@ -9,12 +9,9 @@
 //! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer. `fuzzed` is
 //! what the fuzzer plays, and `replay` plays it with the inputs that the fuzzer has kept.
 
-mod dim2;
-mod dim2_0_36;
-mod dim2_f64;
-mod dim3;
-mod dim3_0_36;
-mod dim3_f64;
+// With this attribute, its modules are looked for beside it and not in a folder of its name.
+#[path = "flavours.rs"]
+mod flavours;
 mod fuzzed;
 mod ops;
 mod replay;

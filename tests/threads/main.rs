@@ -1,6 +1,33 @@
 //! With any number of threads, the same events in the same order.
 
-mod dim2;
-mod dim2_f64;
-mod dim3;
-mod dim3_f64;
+#[path = "."]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::{Stats, UnisizeBroadPhase};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::{Stats, UnisizeBroadPhase};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim2_f64 {
+    use rapier2d_f64 as rapier;
+    use unisize::rapier2d_f64::{Stats, UnisizeBroadPhase};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3_f64 {
+    use rapier3d_f64 as rapier;
+    use unisize::rapier3d_f64::{Stats, UnisizeBroadPhase};
+
+    mod suite;
+}

@@ -32,14 +32,6 @@ mod random;
 mod stampede;
 
 pub mod boxes;
-#[cfg(feature = "rapier2d")]
-pub mod dim2;
-#[cfg(feature = "rapier2d-f64")]
-pub mod dim2_f64;
-#[cfg(feature = "rapier3d")]
-pub mod dim3;
-#[cfg(feature = "rapier3d-f64")]
-pub mod dim3_f64;
 
 pub use backbone::Backbone;
 pub use boxes::DriftingBoxes;
@@ -48,3 +40,57 @@ pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
 pub use stampede::Stampede;
+
+#[cfg(feature = "rapier2d")]
+pub mod dim2 {
+    //! The scenes for rapier2d.
+
+    pub use rapier2d as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier3d")]
+pub mod dim3 {
+    //! The scenes for rapier3d.
+
+    pub use rapier3d as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier2d-f64")]
+#[path = "dim2"]
+pub mod dim2_f64 {
+    //! The scenes for rapier2d-f64.
+
+    pub use rapier2d_f64 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier3d-f64")]
+#[path = "dim3"]
+pub mod dim3_f64 {
+    //! The scenes for rapier3d-f64.
+
+    pub use rapier3d_f64 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}

@@ -40,7 +40,7 @@ impl Watched {
         let World {
             bodies, colliders, ..
         } = &mut self.world;
-        let (unisize, default) = (&self.watchers.unisize, &self.watchers.default);
+        let (unisize, default) = (&self.watchers.unheard, &self.watchers.heard);
 
         let ours = question(&unisize.as_query_pipeline(dispatcher, bodies, colliders, filter));
         let mutably = unisize.as_query_pipeline_mut(dispatcher, bodies, colliders, filter);

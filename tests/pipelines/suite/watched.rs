@@ -5,43 +5,14 @@ use std::collections::BTreeSet;
 use super::rapier::parry::partitioning::{Bvh, TraversalAction};
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use super::{Settings, UnisizeBroadPhase, World, mesh_floor, spin};
+use super::{Settings, Tee, UnisizeBroadPhase, World, mesh_floor, spin};
 use crate::questions::{Body, Change, Filter, NewCollider, Pick, Pose, Shape, Triple};
-
-/// Two broad phases in the place of one. Rapier gets the events of its own.
-#[derive(Default)]
-pub(super) struct BothBroadPhases {
-    pub(super) unisize: UnisizeBroadPhase,
-    pub(super) default: DefaultBroadPhase,
-}
-
-impl BroadPhase for BothBroadPhases {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let Self { unisize, default } = self;
-        unisize.update(
-            params,
-            colliders,
-            bodies,
-            modified,
-            removed,
-            &mut Vec::new(),
-        );
-        default.update(params, colliders, bodies, modified, removed, events);
-    }
-}
 
 /// A world in which nothing collides, so that it stays what it was made: bodies fly through each other.
 pub(super) struct Watched {
     pub(super) world: World,
-    pub(super) watchers: BothBroadPhases,
+    /// Rapier gets the events of its own.
+    pub(super) watchers: Tee<DefaultBroadPhase, UnisizeBroadPhase>,
     /// The colliders, in the order in which they were inserted.
     handles: Vec<ColliderHandle>,
 }
@@ -60,17 +31,17 @@ impl Watched {
         }
         Self {
             world,
-            watchers: BothBroadPhases {
-                unisize: UnisizeBroadPhase::with_settings(settings),
-                default: DefaultBroadPhase::new(),
-            },
+            watchers: Tee::new(
+                DefaultBroadPhase::new(),
+                UnisizeBroadPhase::with_settings(settings),
+            ),
             handles: Vec::new(),
         }
     }
 
     pub(super) fn step(&mut self) {
         self.world.step(&mut self.watchers, &(), &());
-        self.watchers.unisize.validate();
+        self.watchers.unheard.validate();
     }
 
     pub(super) fn change(&mut self, change: Change) {
@@ -155,7 +126,7 @@ impl Watched {
             .collect();
         let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
         let bodies = &self.world.bodies;
-        let BothBroadPhases { unisize, default } = &self.watchers;
+        let (default, unisize) = (&self.watchers.heard, &self.watchers.unheard);
         let ours = unisize.as_query_pipeline(dispatcher, bodies, colliders, filter);
         assert_eq!(leaves(ours.bvh, enabled.len()).as_ref(), Some(&enabled));
         let theirs = default.as_query_pipeline(dispatcher, bodies, colliders, filter);

@@ -73,7 +73,7 @@ impl HeldPairs {
         new
     }
 
-    /// Drops every pair of a removed or disabled collider without a word, as the narrow phase does.
+    /// Drops every pair of a removed or disabled collider, as the narrow phase does without being told.
     pub(super) fn remove(&mut self, removed: &[ColliderHandle]) {
         if removed.is_empty() {
             return;

@@ -1,8 +1,7 @@
 //! The result of a comparison.
 
-use super::Sanity;
 use super::both::Both;
-use super::timing::Timing;
+use super::{Sanity, Timing};
 use std::time::Duration;
 
 /// The result of a comparison.

@@ -1,8 +1,8 @@
 //! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
 
 use super::contacts::ContactCheck;
+use super::ledger::Ledger;
 use super::rapier::{na, prelude::*};
-use super::tee::Tee;
 use super::{Candidate, Comparison, Outcome, Side, World};
 use crate::SceneKind;
 use std::sync::{Arc, Mutex};
@@ -248,7 +248,7 @@ fn a_broken_invariant_is_reported() {
 /// A world of balls of radius 1 without gravity, and two narrow phases that watch it.
 struct Watched {
     world: World,
-    tee: Tee<Faulty>,
+    ledger: Ledger<Faulty>,
     check: ContactCheck,
 }
 
@@ -256,7 +256,7 @@ impl Watched {
     fn new(fault: Fault) -> Self {
         Self {
             world: World::new(na::zero()),
-            tee: Tee::new(Faulty::new(fault)),
+            ledger: Ledger::new(Faulty::new(fault)),
             check: ContactCheck::default(),
         }
     }
@@ -277,12 +277,13 @@ impl Watched {
     }
 
     fn step(&mut self) {
-        self.tee.begin_step();
-        self.world.step(&mut self.tee, &(), &());
+        self.world.step(&mut self.ledger.tee, &(), &());
+        self.ledger.enter_step();
     }
 
     fn difference(&mut self) -> Option<String> {
-        self.check.check(&self.world, &mut self.tee.journals, &())
+        self.check
+            .check(&self.world, &mut self.ledger.journals, &())
     }
 
     /// Advances by one step, and expects this many contacts and intersections on both sides.

@@ -71,8 +71,7 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
         // A product of two draws makes small ones frequent.
         let half = match index {
             0 => GRAIN[0],
-            _ => log_range(random, GRAIN[0], GRAIN[1])
-                .min(log_range(random, GRAIN[0], GRAIN[1])),
+            _ => log_range(random, GRAIN[0], GRAIN[1]).min(log_range(random, GRAIN[0], GRAIN[1])),
         };
         insert_body(&mut world, index, half, center);
     }
