@@ -1,11 +1,11 @@
-//! The memory that a broad phase holds, ours and Rapier's own, by a counting allocator.
+//! The memory that a broad phase holds, ours and Rapier's own, measured by a counting allocator.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench memory
 //! ```
 //!
-//! Bytes for each collider once the broad phase has followed some frames: what is freed when it is dropped. That of its
-//! events is not part of it, for they go into a list of the caller's.
+//! Bytes per collider after the broad phase has followed some frames: what dropping it frees. Events do not count, since
+//! they go into the caller's list.
 
 mod common;
 #[path = "update/motion.rs"]
@@ -46,7 +46,7 @@ fn main() {
     }
 }
 
-/// The bytes that are freed by dropping a thing.
+/// The bytes that dropping a value frees.
 fn bytes_held<T>(thing: T) -> usize {
     let before = ALLOCATOR.stats();
     drop(thing);

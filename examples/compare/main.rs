@@ -4,10 +4,10 @@
 //! cargo run --release --features rapier2d,rapier3d,parallel --example compare
 //! ```
 //!
-//! simulates every scene in two and three dimensions with both broad phases side by side, compares what they
-//! hold and what touches after every step, and prints a table for each dimension. What exactly is compared
-//! is told in `examples/scenes/src/engine/comparison.rs`. Ends with 1 if anything differs, and with 2 if it
-//! was called wrongly.
+//! simulates every scene in two and three dimensions with both broad phases side by side, compares the pairs
+//! they hold and the contacts after every step, and prints a table for each dimension.
+//! `examples/scenes/src/engine/comparison.rs` lists what is compared. Exits with 1 if anything differs, and
+//! with 2 on a usage error.
 
 mod options;
 #[path = "../progress/bar.rs"]

@@ -1,11 +1,11 @@
-//! Does unisize go on and on, and in the same memory?
+//! Does unisize run forever in the same memory?
 //!
 //! ```text
 //! cargo run --release --all-features --example soak
 //! ```
 //!
-//! makes a million updates in two and in three dimensions: colliders rest, drift, tremble, jump, come, go, and are
-//! disabled, resized and spoilt, by turns. Ends with 1 if memory grows, and with 2 if it was called wrongly.
+//! makes a million updates in two and in three dimensions, in which colliders rest, drift, tremble, jump, come and go,
+//! and are disabled, resized and given NaN poses. Exits with 1 if memory grows, and with 2 on a usage error.
 
 mod memory;
 mod options;

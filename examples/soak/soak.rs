@@ -1,4 +1,4 @@
-//! A world without end: colliders that rest, drift, jump, come and go, in a mode that changes every few updates.
+//! An endless world: colliders that rest, drift, jump, come and go, in a mode that changes every few updates.
 //!
 //! Rapier's collision pipeline makes the lists of each update. The events amount to a set of pairs, which is checked;
 //! they are kept from the narrow phase.
@@ -13,7 +13,7 @@ const MODE_LENGTH: u64 = 8;
 /// One collider in this many is one of a few.
 const FEW: usize = 50;
 
-/// What happens in each of some updates that follow each other.
+/// What happens during a few consecutive updates.
 #[derive(Clone, Copy, Debug)]
 enum Mode {
     /// All sleep: nothing is listed.
@@ -28,11 +28,11 @@ enum Mode {
     Teleport,
     /// A few are removed, and others inserted under their indices.
     Replace,
-    /// There become fewer, then more.
+    /// Their number falls, then rises.
     Fluctuate,
     /// A few are disabled, others enabled.
     Blink,
-    /// A few are at no place at all, others come back from there.
+    /// A few get a position of NaN, others recover from it.
     Spoil,
     /// A few get another size.
     Resize,
@@ -51,7 +51,7 @@ const MODES: [Mode; 10] = [
     Mode::Resize,
 ];
 
-/// The world, and what has become of it.
+/// The world and its state.
 pub(crate) struct Soak {
     random: Rand32,
     colliders: ColliderSet,
@@ -111,7 +111,7 @@ impl Soak {
         assert_eq!(self.broad_phase.held_fault(), None, "a contradiction");
     }
 
-    /// Panics unless the broad phase is in order, and holds the pairs that its events tell of.
+    /// Panics unless the broad phase is valid, and holds the pairs that its events amount to.
     pub(crate) fn check(&self) {
         let (inner, held) = (&self.broad_phase.inner, self.broad_phase.held());
         inner.validate();
@@ -120,7 +120,7 @@ impl Soak {
             count += 1;
             assert!(held.contains(&pair), "{pair:?}");
         }
-        assert_eq!(count, held.len(), "pairs held, and pairs told of");
+        assert_eq!(count, held.len(), "pairs held, and pairs by events");
         let stats = inner.stats();
         let known = stats.proxies + stats.refused;
         assert_eq!(known, self.colliders.iter_enabled().count());
@@ -233,7 +233,7 @@ impl Soak {
         collider.set_translation(place);
     }
 
-    /// Moves a collider on its way, which is always the same, and on from the other side where the world ends.
+    /// Moves a collider at its constant velocity, and wraps it around at the ends of the world.
     fn drift(&mut self, handle: ColliderHandle) {
         let index = handle.into_raw_parts().0 as usize;
         let velocity = Vector::from_fn(|k, _| 0.02 * (((index + 1) * (3 + k)) % 7) as Real - 0.06);

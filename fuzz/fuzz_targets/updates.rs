@@ -1,4 +1,4 @@
-//! The broad phase over time against a model, on sequences from bytes.
+//! The broad phase over time against a model, on sequences decoded from bytes.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Colliders that move about, come, go and are spoilt, without a simulation. One source for every flavour: the module
+//! Colliders that move about, come, go and get NaN positions, without a simulation. One source for every flavour: the module
 //! that includes it names the engine as `rapier`.
 //!
 //! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
@@ -90,7 +90,7 @@ impl Crowd {
         }
     }
 
-    /// Makes the place of the last collider not a number.
+    /// Sets the position of the last collider to NaN.
     pub(super) fn spoil_last(&mut self) {
         self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
     }
@@ -99,7 +99,7 @@ impl Crowd {
         self.colliders[self.handles[i]].set_translation(place);
     }
 
-    /// Exchanges a collider for another.
+    /// Replaces a collider by another.
     fn replace(&mut self, i: usize) {
         let (mut islands, handle) = (IslandManager::new(), self.handles[i]);
         self.colliders

@@ -15,13 +15,13 @@ struct Replay {
     count: usize,
     /// How far a collider goes in an update at most, along each axis.
     speed: Real,
-    /// For each ten updates, of how many colliders one moves.
+    /// For every ten updates, the stride: one collider in this many moves.
     strides: &'static [usize],
     /// Whether all turn back after each update.
     is_to_and_fro: bool,
 }
 
-/// One replay is of as many colliders as are worth several threads.
+/// One replay has enough colliders to be worth several threads.
 const ALL: [Replay; REPLAYS.len()] = [
     replay("drifting", 1000, 0.05, &[1, 1, 1, 1, 1, 1]),
     replay("fast", 1000, 0.6, &[1, 1, 1, 1]),
@@ -65,7 +65,7 @@ fn write(hash: &mut Hash, events: &[PairEvent]) {
 impl Replay {
     /// The hash of all events; with `is_cloned`, of clones that take each other's place.
     fn hash(&self, is_cloned: bool) -> u64 {
-        // About two to five overlapping pairs for three colliders, without a root of the count.
+        // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
             (2, _) => 160.0,
@@ -73,7 +73,7 @@ impl Replay {
             _ => 36.0,
         };
         let mut crowd = Crowd::new(self.count, side, self.speed);
-        // It is refused until it is placed anew.
+        // It is refused until it gets a sound position.
         crowd.spoil_last();
         let mut broad_phase = UnisizeBroadPhase::new();
         let mut hash = Hash::default();
@@ -128,7 +128,7 @@ fn threads_do_not_matter() {
     }
 }
 
-/// Whole simulations, whose numbers are the same everywhere only with this feature.
+/// Whole simulations, which are the same on every platform only with this feature.
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {

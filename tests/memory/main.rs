@@ -1,6 +1,6 @@
-//! How much memory the broad phase holds, counted by an allocator of this program's own.
+//! How much memory the broad phase holds, counted by this program's own allocator.
 //!
-//! It counts what all threads hold, so the tests take turns.
+//! The allocator counts the memory of all threads, so the tests take turns.
 
 mod handles;
 #[path = "../../examples/soak/memory.rs"]

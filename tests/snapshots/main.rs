@@ -1,5 +1,5 @@
-//! A broad phase that is written in the midst of a simulation and read again goes on as if nothing had happened: the same
-//! events in the same order. And whatever is read that was not so written does no harm.
+//! A broad phase that is saved in the middle of a simulation and restored goes on as if nothing had happened: the same
+//! events in the same order. And malformed snapshots do no harm.
 
 mod boxes;
 

@@ -8,7 +8,7 @@ use super::rapier::prelude::*;
 use super::{Settings, Tee, UnisizeBroadPhase, World, mesh_floor, spin};
 use crate::questions::{Body, Change, Filter, NewCollider, Pick, Pose, Shape, Triple};
 
-/// A world in which nothing collides, so that it stays what it was made: bodies fly through each other.
+/// A world in which nothing collides, so that it stays as it was made: bodies fly through each other.
 pub(super) struct Watched {
     pub(super) world: World,
     /// Rapier gets the events of its own.
@@ -23,7 +23,7 @@ impl Watched {
             margin: margin.into(),
             ..Settings::default()
         };
-        // They stay. Rapier's tree runs in circles, or panics, after it has lost all but one of its colliders.
+        // These are never removed. Rapier's tree loops forever, or panics, once it has lost all but one of its colliders.
         let mut world = World::new(Vector::zeros());
         for x in [-20.0, 0.0, 20.0] {
             let collider = ColliderBuilder::ball(0.5).translation(vector([x, 15.0, 0.0]));
@@ -133,7 +133,7 @@ impl Watched {
         assert_eq!(leaves(theirs.bvh, enabled.len()), Some(enabled));
     }
 
-    /// Rapier's filter, which has its predicate from the caller.
+    /// Rapier's filter; the caller adds the predicate.
     pub(super) fn filter(&self, filter: Filter) -> QueryFilter<'static> {
         let body_of = filter.body_of.and_then(|pick| self.nth(pick));
         let groups = filter.groups.map(Group::from_bits_truncate);
@@ -147,7 +147,7 @@ impl Watched {
     }
 }
 
-/// What is in a tree, by index, or `None` if it runs in circles.
+/// The leaves of a tree, by index, or `None` if it has a cycle.
 fn leaves(tree: &Bvh, most: usize) -> Option<BTreeSet<u32>> {
     let (mut leaves, mut nodes) = (BTreeSet::new(), 0);
     tree.traverse(|node| {
@@ -161,7 +161,7 @@ fn leaves(tree: &Bvh, most: usize) -> Option<BTreeSet<u32>> {
     (nodes <= 2 * most).then_some(leaves)
 }
 
-/// A collider of this shape, or the shape alone.
+/// A collider of this shape.
 pub(super) fn builder(shape: Shape) -> ColliderBuilder {
     match shape {
         Shape::Ball(radius) => ColliderBuilder::ball(radius.into()),

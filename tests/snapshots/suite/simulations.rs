@@ -1,4 +1,4 @@
-//! Whole simulations: Rapier's sets are written and read together with the broad phase.
+//! Whole simulations: Rapier's sets are saved and restored together with the broad phase.
 
 use unisize_scenes::SceneKind;
 
@@ -7,13 +7,13 @@ use super::{Observed, Scene, UnisizeBroadPhase};
 
 const BODIES: usize = 100;
 
-/// The steps before which everything is written and read.
+/// The steps before which everything is saved and restored.
 const SNAPSHOTS: [usize; 5] = [0, 1, 10, 45, 120];
 
-/// How long the last one goes on.
+/// The number of steps after the last one.
 const STEPS_AFTER: usize = 300;
 
-/// Writes everything that a step depends on and reads it again.
+/// Saves everything that a step depends on and restores it.
 fn renew(scene: &mut Scene, broad_phase: &mut Observed<UnisizeBroadPhase>) {
     let world = &mut scene.world;
     let bytes = postcard::to_stdvec(&(
@@ -33,7 +33,7 @@ fn renew(scene: &mut Scene, broad_phase: &mut Observed<UnisizeBroadPhase>) {
     broad_phase.inner.validate();
 }
 
-/// The bits of where every body is and how it moves.
+/// The bits of the pose and velocity of every body.
 fn motion(scene: &Scene) -> Vec<u8> {
     let bodies = scene.world.bodies.iter();
     let motion = bodies.map(|(_, body)| (body.position(), body.linvel(), body.angvel()));

@@ -3,12 +3,12 @@
 //! The default broad phase drives the simulation, through a [`Tee`] that gives each update to the
 //! candidate as well. After each step it is checked that
 //!
-//! - both hold the same pairs, those aside that the narrow phase drops anyway;
-//! - the candidate's own list of pairs is what its events say, and none of them was redundant;
+//! - both hold the same pairs, apart from those that the narrow phase drops anyway;
+//! - the candidate's own list of pairs is what its events amount to, and none of them was redundant;
 //! - two [narrow phases](contacts), each fed with the pairs of one, find the same contacts and intersections;
 //! - every contact and intersection of the simulation is among the pairs of the candidate.
 //!
-//! The first difference ends the checks, not the simulation, and is kept as a sentence. In the end the scene
+//! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards the scene
 //! may be simulated once more on each broad phase [alone](independent).
 
 use super::observed::{Observed, PairEvent, Tee, Timing, Update};
@@ -105,7 +105,7 @@ pub struct Comparison {
     pub seed: u64,
     /// How many steps to simulate. Default: 300, five seconds.
     pub steps: usize,
-    /// The contacts are compared at every such number of steps, and at the last. Default: 1, at every step;
+    /// The contacts are compared once in this many steps, and at the last. Default: 1, at every step;
     /// 0 counts as 1. The comparison copies the world and computes every contact twice, which takes longer
     /// than the simulation itself.
     pub contacts_every: usize,

@@ -10,6 +10,8 @@ use std::time::Instant;
 mod event;
 mod held;
 mod tee;
+#[cfg(test)]
+mod tests;
 mod timing;
 
 pub use event::PairEvent;

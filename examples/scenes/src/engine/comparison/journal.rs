@@ -1,4 +1,4 @@
-//! What a broad phase has told the narrow phase since the last look, in its shortest form.
+//! What a broad phase has told the narrow phase since the last check, in its shortest form.
 //!
 //! A collider's removal ends its pairs, whatever was reported of them before. So the removals can be played first
 //! and the events after them, once the events of a collider from before its removal are struck out.
@@ -6,7 +6,7 @@
 use super::rapier::prelude::*;
 use super::{PairEvent, Update};
 
-/// What a broad phase has told the narrow phase since the last look.
+/// What a broad phase has told the narrow phase since the last check.
 #[derive(Default)]
 pub(super) struct Journal {
     /// The colliders that were removed or disabled, in order.
@@ -16,7 +16,7 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Takes down one update.
+    /// Records one update.
     pub(super) fn record(&mut self, update: &Update) {
         if !update.removed.is_empty() && !self.events.is_empty() {
             let removed: std::collections::HashSet<_> = update.removed.iter().collect();

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex};
 enum Fault {
     /// Nothing.
     None,
-    /// Every hundredth new pair with a moving body is kept secret.
+    /// Every hundredth new pair with a moving body goes unreported.
     ForgetsSome,
     /// No pair is ever reported.
     AddsNothing,
@@ -20,7 +20,7 @@ enum Fault {
     AddsTwice,
     /// Ended pairs are reported twice.
     DeletesTwice,
-    /// The end of a pair is kept secret.
+    /// The end of a pair goes unreported.
     NeverDeletes,
     /// The list of pairs lacks the last.
     ListsTooFew,
@@ -60,7 +60,7 @@ impl Faulty {
         list
     }
 
-    /// How often an event goes out.
+    /// How often an event is sent.
     fn copies(&mut self, added: bool, pair: ColliderPair, moves: bool) -> usize {
         match (self.fault, added) {
             (Fault::AddsNothing, true) | (Fault::NeverDeletes, false) => 0,
@@ -317,7 +317,7 @@ fn narrow_phases_follow_what_is_toggled() {
     watched.step();
     watched.collider(a).set_enabled(true);
     watched.collider(a).set_sensor(false);
-    // Two steps between two looks.
+    // Two steps between two checks.
     watched.expect(2, 0);
     let none = InteractionGroups::none();
     watched.collider(b).set_collision_groups(none);

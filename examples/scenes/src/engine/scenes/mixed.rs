@@ -1,7 +1,7 @@
 //! Bodies of mixed sizes, falling onto half-spaces, whose boxes are as large as boxes get.
 //!
-//! A broad phase for boxes of about the same size is at home with a ratio of 1.5, has to work at 4 and 8, and has
-//! to treat the few large ones apart at 1,000.
+//! For a broad phase that is made for boxes of about the same size, a ratio of 1.5 is easy, 4 and 8 are work, and at
+//! 1,000 the few large ones need separate treatment.
 
 use super::rapier::prelude::*;
 use super::{
