@@ -1,13 +1,13 @@
-//! Boxes on which methods fail: how time and memory grow, for each kernel and for a bounding volume hierarchy.
+//! Boxes on which some methods break down: how time and memory grow, for each kernel and for a bounding volume hierarchy.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench hard_boxes
 //! ```
 //!
-//! A table in Markdown for each dimension. *Times uniform* is the time for each box and pair together, in that of boxes
-//! that are not hard. The *slopes* are those of the logarithm of time, and of memory, over the logarithm of the number of
-//! boxes and pairs: 1 where they grow in proportion, 2 where they grow with the square. A method that has taken more than
-//! a second is not asked for four times as many boxes.
+//! Prints a Markdown table for each dimension. *Times uniform* is the time per box or pair, relative to uniform boxes.
+//! The *slopes* are those of log time and log memory over the log of the number of boxes and pairs: 1 where they grow in
+//! proportion, 2 where they grow with the square. A method that took more than a second is not tried on four times as
+//! many boxes.
 
 mod common;
 #[path = "hard_boxes/hierarchy.rs"]
@@ -23,16 +23,16 @@ use unisize_scenes::HardBoxes;
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// The numbers of boxes.
+/// Numbers of boxes.
 const COUNTS: [usize; 4] = [1 << 12, 1 << 14, 1 << 16, 1 << 18];
 
-/// That of a smoke test.
+/// The number of boxes in a smoke test.
 const SMALL_COUNT: usize = 1 << 8;
 
 /// A run that took longer is not followed by one four times as large.
 const LONG: Duration = Duration::from_secs(1);
 
-/// Runs of which the median counts, and how long they go on at least.
+/// How many runs the median is taken of, and for how long they go on at least.
 const RUNS: usize = 5;
 const ENOUGH: Duration = Duration::from_millis(200);
 
@@ -70,7 +70,7 @@ struct Figures {
     bytes: f64,
 }
 
-/// Prints a line for the largest number of boxes within reach.
+/// Prints a line for the largest number of boxes that was tried.
 fn print<K: PairFinder<f32, D> + Default, const D: usize>(
     kind: HardBoxes,
     method: &str,

@@ -1,38 +1,51 @@
-//! Motions on which broad phases fail: how the time of an update and the memory grow, for Rapier's own broad phase, this
-//! one, and this one with the kernel of the paper.
+//! Motions on which broad phases break down: how update time and memory grow, for Rapier's own broad phase, for
+//! unisize, and for unisize with the kernel of the paper.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench hard_motions
 //! ```
 //!
-//! A table in Markdown for each dimension. Times are for one update, the mean and the worst of 60, or of as many as four
-//! seconds are enough for. *Work* is the number of cubes, of pairs held
-//! and of events, on average: what a broad phase cannot do without. *Times drifting* is the time for each piece of it, in
-//! that of cubes that drift. The *slopes* are those of the logarithm of the mean time, and of memory, over the logarithm
-//! of the work, between the two largest numbers of cubes: 1 where they grow in proportion.
+//! Prints a Markdown table for each dimension. Times are for one update: the mean and the worst of 60, or of as many as
+//! fit in four seconds. *Work* is the mean number of cubes, held pairs and events together, the least that a broad phase
+//! has to process. *Times drifting* is the time per unit of work, relative to drifting cubes. The *slopes* are those of
+//! log mean time and log memory over log work, between the two largest numbers of cubes: 1 where they grow in proportion.
 
 mod common;
-#[path = "hard_motions/dim2.rs"]
-mod dim2;
-#[path = "hard_motions/dim3.rs"]
-mod dim3;
 
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
 use std::time::Duration;
 
+#[path = "hard_motions"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "hard_motions"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// The numbers of cubes.
+/// Numbers of cubes.
 const COUNTS: [usize; 3] = [1 << 12, 1 << 14, 1 << 16];
 
-/// That of a smoke test.
+/// The number of cubes in a smoke test.
 const SMALL_COUNT: usize = 1 << 8;
 
 const FRAMES: u32 = 60;
 
-/// No case goes on for longer, with however few frames, and none that did is followed by one with more cubes.
+/// A case stops after this time, whatever its number of frames, and is not tried with more cubes.
 const LONG: Duration = Duration::from_secs(4);
 
 fn main() {
@@ -67,7 +80,7 @@ impl Figures {
     }
 }
 
-/// Prints the line of one broad phase and motion. `drifting` is its time for a piece of work, once it is known.
+/// Prints the line of one broad phase and motion. `drifting` is its time per unit of work on drifting cubes, once known.
 fn print_row(motion: &str, name: &str, figures: &[Figures], drifting: &mut Option<f64>) {
     let Some(last) = figures.last() else { return };
     let each = last.seconds() / last.work() * 1e9;

@@ -6,7 +6,7 @@
 //!
 //! With the feature `baselines` the paper's reference algorithms are measured as well.
 //!
-//! The boxes drift on between any two runs, outside of the timing, as they would between two frames.
+//! Between runs the boxes drift, as they would between two frames; that is not timed.
 //! Throughput is in boxes a second.
 
 mod common;
@@ -22,16 +22,16 @@ use unisize::{Aabb, GridSweep, PairFinder, RankSweep, Real};
 use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 use unisize_scenes::DriftingBoxes;
 
-/// The numbers of boxes.
+/// Numbers of boxes.
 const COUNTS: [usize; 4] = [1 << 10, 1 << 14, 1 << 17, 1 << 20];
 
-/// The one number for `f64`.
+/// The number of boxes for `f64`.
 const F64_COUNT: usize = 1 << 17;
 
 /// In 3D, most candidates of the paper's kernel and of its reference algorithms fail; beyond this, they take seconds.
 const SWEEPS_3D_MAX: usize = 1 << 17;
 
-/// The largest number in a smoke test.
+/// The largest number of boxes in a smoke test.
 const SMOKE_TEST_MAX: usize = 1 << 17;
 
 fn main() {
@@ -112,7 +112,7 @@ fn kernel<K: PairFinder<R, D> + Default, R: Real, const D: usize>(
     });
 }
 
-/// The box of a lower corner.
+/// The unit box at a lower corner.
 fn unit_box<R: Real, const D: usize>(mins: &[f32; D]) -> Aabb<R, D> {
     let mins = mins.map(|x| R::from_f64(f64::from(x)));
     let size = R::from_f64(f64::from(DriftingBoxes::<D>::SIZE));

@@ -1,23 +1,37 @@
-//! The memory that a broad phase holds, ours and Rapier's own, by a counting allocator.
+//! The memory that a broad phase holds, ours and Rapier's own, measured by a counting allocator.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench memory
 //! ```
 //!
-//! Bytes for each collider once the broad phase has followed some frames: what is freed when it is dropped. That of its
-//! events is not part of it, for they go into a list of the caller's.
+//! Bytes per collider after the broad phase has followed some frames: what dropping it frees. Events do not count, since
+//! they go into the caller's list.
 
 mod common;
-#[path = "memory/dim2.rs"]
-mod dim2;
-#[path = "memory/dim3.rs"]
-mod dim3;
 #[path = "update/motion.rs"]
 mod motion;
 
 use motion::Motion;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
+
+#[path = "memory"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "memory"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -32,7 +46,7 @@ fn main() {
     }
 }
 
-/// The bytes that are freed by dropping a thing.
+/// The bytes that dropping a value frees.
 fn bytes_held<T>(thing: T) -> usize {
     let before = ALLOCATOR.stats();
     drop(thing);

@@ -1,23 +1,17 @@
-//! Where the time goes: the phases of the kernel and of an update, beside the least that any of it could take.
+//! Where the time goes: the phases of the kernel and of an update, beside a lower bound.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench phases
 //! ```
 //!
-//! Tables in Markdown. Of the kernel each phase is the median over some frames, between which the boxes drift on. The
-//! *floor* is measured on the same frames: reading every box once, bringing every box to its strip by one counting sort
-//! with one pass over the boxes to count and one to place them, and writing every pair once. The *slope* is that of the
-//! logarithm of time over the logarithm of the number of boxes, between two lines of the table: 1 where time is
-//! proportional to the number.
+//! Prints Markdown tables. For the kernel, each phase is the median over some frames, between which the boxes drift. The
+//! *floor* is measured on the same frames: reading every box once, moving every box to its strip by one counting sort
+//! (one pass over the boxes to count, one to place them), and writing every pair once. The *slope* is that of log time
+//! over the log of the number of boxes, between two lines of the table: 1 where time is proportional to the number.
 //!
-//! Of an update it is the mean over 60 frames, for one in some of them is a search and the others are not, and the worst
-//! frame.
+//! For an update, it is the mean over 60 frames, since only some frames search, and the worst frame.
 
 mod common;
-#[path = "phases/dim2.rs"]
-mod dim2;
-#[path = "phases/dim3.rs"]
-mod dim3;
 #[path = "phases/floor.rs"]
 mod floor;
 #[path = "phases/kernel.rs"]
@@ -28,6 +22,24 @@ mod motion;
 use motion::Motion;
 use std::time::Duration;
 
+#[path = "phases"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "phases"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
 fn main() {
     common::set_threads();
     kernel::print::<2>([0.2, 0.8]);
@@ -36,7 +48,7 @@ fn main() {
     dim3::print();
 }
 
-/// Microseconds, with the digits that mean something.
+/// Microseconds, with significant digits only.
 fn microseconds(time: Duration) -> String {
     let time = time.as_secs_f64() * 1e6;
     let decimals = if time < 100.0 { 1 } else { 0 };

@@ -1,24 +1,38 @@
-//! What part of a whole step of Rapier the broad phase takes: falling balls, with Rapier's own and with this one.
+//! The share of a whole Rapier step that the broad phase takes: falling balls, with Rapier's own and with unisize.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench share
 //! ```
 //!
-//! A table in Markdown. Balls fall, land and are about to come to rest; all steps count.
+//! Prints a Markdown table. Balls fall, land and begin to settle; all steps count.
 
 mod common;
-#[path = "share/dim2.rs"]
-mod dim2;
-#[path = "share/dim3.rs"]
-mod dim3;
 
-/// The numbers of balls.
+#[path = "share"]
+mod dim2 {
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+#[path = "share"]
+mod dim3 {
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    mod dimension;
+    pub(crate) use dimension::print;
+}
+
+/// Numbers of balls.
 const COUNTS: [usize; 2] = [8_000, 20_000];
 
-/// That of a smoke test.
+/// The number of balls in a smoke test.
 const SMALL_COUNT: usize = 100;
 
-/// Two seconds.
+/// Two simulated seconds.
 const STEPS: u32 = 120;
 
 fn main() {

@@ -1,11 +1,11 @@
-//! Whole steps of the physics pipeline: 2,000 falling balls, with Rapier's own broad phase and with this one.
+//! Whole steps of the physics pipeline: 2,000 falling balls, with Rapier's own broad phase and with unisize.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench step
 //! ```
 //!
-//! What is timed is the simulation from the start until most of the balls have landed: a pile costs more than
-//! balls in the air, so single steps could not be compared. Throughput is in steps a second.
+//! Times the simulation from the start until most of the balls have landed: a pile costs more than balls in the
+//! air, so single steps are not comparable. Throughput is in steps per second.
 
 mod common;
 #[path = "common/settings.rs"]
@@ -18,7 +18,7 @@ use unisize_scenes::{SceneKind, dim2, dim3};
 
 const BALLS: usize = 2_000;
 
-/// Two seconds.
+/// Two simulated seconds.
 const STEPS: usize = 120;
 
 fn main() {
@@ -70,7 +70,7 @@ fn for_each_dimension(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Times simulations, each from a new world of which `build` returns the step.
+/// Times simulations. `build` makes a new world and returns the function that steps it.
 fn simulation<S: FnMut()>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     name: &str,

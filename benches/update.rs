@@ -1,25 +1,38 @@
-//! `BroadPhase::update` alone: Rapier's own broad phase against this one, on the same frames.
+//! `BroadPhase::update` alone: Rapier's own broad phase against unisize, on the same frames.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d,parallel --bench update -- 3D/all-move
 //! ```
 //!
-//! Colliders are cubes of side 1 that drift about. Some of them are moved and listed as modified, outside of
-//! the timing; then the one update is timed. What moves is always the same part of the colliders, spread
-//! over the whole environment. Reading the clock takes some 50 ns and is included, which matters for 10
-//! colliders only.
+//! Colliders are drifting cubes of side 1. Moving some of them and listing them as modified is not timed, only the
+//! update that follows. The same colliders move in every frame; they are spread over the whole environment. Reading
+//! the clock takes some 50 ns, which is included and matters for 10 colliders only.
 
 mod common;
-#[path = "update/dim2.rs"]
-mod dim2;
-#[path = "update/dim3.rs"]
-mod dim3;
 #[path = "update/motion.rs"]
 mod motion;
 #[path = "common/settings.rs"]
 mod settings;
 
 use motion::Motion;
+
+#[path = "update"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::bench;
+}
+
+#[path = "update"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d as ours;
+
+    mod dimension;
+    pub(crate) use dimension::bench;
+}
 
 fn main() {
     let mut criterion = settings::criterion();

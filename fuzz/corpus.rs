@@ -1,4 +1,4 @@
-//! The inputs that the fuzzer has kept, for tests that need no fuzzer.
+//! The inputs that the fuzzer has kept, for tests that run without a fuzzer.
 
 use std::fs;
 use std::path::Path;

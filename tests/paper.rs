@@ -23,8 +23,8 @@ fn collisions_are_as_many_as_in_the_paper() {
             let unit = |mins: &[f32; 2]| Aabb::new(*mins, mins.map(|x| x + 1.0));
             boxes.extend(drifting.mins().iter().map(unit));
             finder.find_pairs(&boxes, &mut pairs).unwrap();
-            // Pairs are all but independent of each other, so each of the two numbers is all but Poisson distributed; and
-            // the paper's is rounded to thousands.
+            // Pairs are nearly independent of each other, so each of the two numbers is nearly Poisson distributed. The
+            // paper's is rounded to thousands.
             let expected = thousands * 1e3;
             let allowed = 500.0 + 4.0 * (2.0 * expected).sqrt();
             let found = pairs.len() as f64;

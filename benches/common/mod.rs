@@ -1,4 +1,4 @@
-//! What all benches share: on how many threads they run, and whether they measure at all.
+//! Shared by all benches: the number of threads, and whether this is only a smoke test.
 
 /// One thread, unless `RAYON_NUM_THREADS` says otherwise.
 pub(crate) fn set_threads() {
@@ -8,8 +8,8 @@ pub(crate) fn set_threads() {
     }
 }
 
-/// Whether every bench only runs once, to see that it does: with `--test`, and without the `--bench` that
-/// `cargo bench` adds. The largest inputs, which take seconds to build, are left out then.
+/// Whether every bench runs only once, without measuring: with `--test`, or without the `--bench` that
+/// `cargo bench` adds. The largest inputs, which take seconds to build, are then left out.
 pub(crate) fn is_smoke_test() -> bool {
     let given = |flag| std::env::args().any(|argument| argument == flag);
     given("--test") || !given("--bench")

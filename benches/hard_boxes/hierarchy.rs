@@ -1,4 +1,4 @@
-//! Parry's bounding volume hierarchy, built anew for each call and traversed against itself.
+//! Parry's bounding volume hierarchy, rebuilt for each call and traversed against itself.
 
 use unisize::{Aabb, InvalidBox, PairFinder};
 

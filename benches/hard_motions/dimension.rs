@@ -49,7 +49,7 @@ fn for_counts(counts: &[usize], measure: impl Fn(usize) -> Figures) -> Vec<Figur
     all
 }
 
-/// Cubes in motion, and what the broad phase is told of them.
+/// Measures one broad phase on one motion.
 fn follow<B: BroadPhase>(motion: HardMotion, count: usize, mut broad_phase: B) -> Figures {
     let mut frames = HardFrames::<DIM>::new(motion, count, 7);
     let params = IntegrationParameters::default();
@@ -98,7 +98,7 @@ fn follow<B: BroadPhase>(motion: HardMotion, count: usize, mut broad_phase: B) -
         figures.events += events.len();
         note(&events, &mut held);
     }
-    // Pairs of what is taken away end without an event.
+    // Pairs of a removed collider end without an event.
     let is_there = |collider| colliders.contains(collider);
     held.retain(|pair| is_there(pair.collider1) && is_there(pair.collider2));
     figures.pairs = held.len();

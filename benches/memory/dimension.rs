@@ -11,12 +11,12 @@ use frames::{Frames, Parents};
 
 const COUNT: usize = 1 << 16;
 
-/// In a smoke test.
+/// The number of colliders in a smoke test.
 const SMALL_COUNT: usize = 1_000;
 
 const FRAMES: usize = 60;
 
-/// What would be good: so many bytes a proxy, and so many a pair.
+/// The aim, in bytes per proxy and per pair.
 const AIM: [f64; 2] = [96.0, 24.0];
 
 /// Prints the line of one motion.

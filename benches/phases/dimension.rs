@@ -11,13 +11,13 @@ use frames::{Frames, Parents};
 use std::time::Duration;
 use unisize::PhaseTimes;
 
-/// The numbers of colliders.
+/// Numbers of colliders.
 const COUNTS: [usize; 4] = [1_000, 10_000, 1 << 17, MOST];
 
-/// Measured where all are listed and on no bodies only, for the gain by a second thread.
+/// Measured only where all are listed and none has a body, for the gain from a second thread.
 const MOST: usize = 1 << 20;
 
-/// The largest of them in a smoke test.
+/// The largest number of colliders in a smoke test.
 const SMOKE_TEST_MAX: usize = 1_000;
 
 const FRAMES_TO_SETTLE: usize = 20;
@@ -50,7 +50,7 @@ pub(crate) fn print() {
     println!();
 }
 
-/// The times of the phases, of all of them and of the worst frame, as cells of the table.
+/// The times of each phase, of all together and of the worst frame, as cells of the table.
 fn measure(motion: Motion, parents: Parents, count: usize) -> String {
     let mut broad_phase = UnisizeBroadPhase::with_settings(Settings {
         timed: true,

@@ -1,4 +1,4 @@
-//! The least that finding pairs could take on this machine.
+//! A lower bound on the time to find pairs on this machine.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -17,7 +17,7 @@ pub(crate) struct Floor<const D: usize> {
 }
 
 impl<const D: usize> Floor<D> {
-    /// How long it takes to read the boxes, to bring them to their strips along the second axis, and to write the pairs.
+    /// How long it takes to read the boxes, to move them to their strips along the second axis, and to write the pairs.
     pub(crate) fn measure(&mut self, boxes: &[Aabb<f32, D>], pairs: &[[u32; 2]]) -> Duration {
         let Self {
             cursors,

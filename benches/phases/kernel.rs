@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder};
 use unisize_scenes::DriftingBoxes;
 
-/// Logarithms of the numbers of boxes.
+/// Base-2 logarithms of the numbers of boxes.
 const SIZES: [u32; 6] = [10, 12, 14, 16, 18, 20];
 
 /// The largest of them in a smoke test.
 const SMOKE_TEST_MAX: u32 = 12;
 
-/// So many boxes in all the frames of a case together, within these limits.
+/// The frames of a case hold about this many boxes together, but their number stays within the limits below.
 const BOXES: usize = 1 << 24;
 const FRAMES: [usize; 2] = [15, 501];
 

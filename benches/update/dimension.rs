@@ -12,16 +12,16 @@ use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput};
 use frames::{Frames, Parents};
 use std::time::Duration;
 
-/// The numbers of colliders.
+/// Numbers of colliders.
 const COUNTS: [usize; 5] = [10, 100, 1_000, 10_000, 1 << 17];
 
-/// The one number for colliders on bodies.
+/// The number of colliders where they have bodies.
 const COUNT_ON_BODIES: usize = 10_000;
 
-/// The largest number in a smoke test.
+/// The largest number of colliders in a smoke test.
 const SMOKE_TEST_MAX: usize = 10_000;
 
-/// Rapier's broad phase goes on mending its tree for some frames after the first.
+/// Rapier's broad phase goes on optimizing its tree for some frames after the first.
 const FRAMES_TO_SETTLE: usize = 5;
 
 /// Every motion with every number of colliders and both broad phases.
@@ -30,7 +30,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(format!("update/{DIM}D/{}", motion.name()));
         for count in COUNTS {
             let is_too_large = common::is_smoke_test() && count > SMOKE_TEST_MAX;
-            // Fewer colliders than one in so many: no other case than one in as many as there are.
+            // With fewer colliders than the stride, only one moves: the same case as a stride of their number.
             if !is_too_large && motion.stride() <= count {
                 both(&mut group, count, motion, Parents::None);
             }

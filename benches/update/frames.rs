@@ -6,13 +6,13 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 use unisize_scenes::DriftingBoxes;
 
-/// With this, there are 0.8 overlapping pairs for each box in either dimension.
+/// Gives 0.8 overlapping pairs per box in either dimension.
 const DENSITY: f64 = 1.6 / (1 << DIM) as f64;
 
-/// So much farther than the margin that every box is renewed.
+/// Far enough beyond the margin to renew every box.
 const LEAP: Real = 0.1;
 
-/// Half of the margin of both broad phases.
+/// Half the margin of both broad phases.
 const NUDGE: Real = 0.005;
 
 /// What the colliders are attached to.
@@ -39,7 +39,7 @@ pub(super) struct Frames {
 }
 
 impl Frames {
-    /// So many colliders before the first frame, already known to this broad phase.
+    /// This many colliders before the first frame, already known to the broad phase.
     pub(super) fn new(
         count: usize,
         motion: Motion,
@@ -52,7 +52,7 @@ impl Frames {
         let mut insert = |min: &[Real; DIM]| {
             let cuboid = SharedShape::new(Cuboid::new(Vector::repeat(half)));
             let collider = ColliderBuilder::new(cuboid)
-                // Without bodies, pairs would be no business of the narrow phase otherwise.
+                // Otherwise the narrow phase would drop the pairs of colliders without bodies.
                 .active_collision_types(ActiveCollisionTypes::all());
             match parents {
                 Parents::None => colliders.insert(collider.translation(center(min))),
@@ -86,7 +86,7 @@ impl Frames {
                 self.boxes.advance();
                 0.0
             }
-            // The first frame takes boxes out of their place, for only then do they get a margin.
+            // The first frame moves every box out of its place, since only then does it get a margin.
             Motion::InMargin => LEAP + NUDGE * (self.frame % 2) as Real,
         };
         self.frame += 1;
@@ -102,7 +102,7 @@ impl Frames {
         }
     }
 
-    /// How long the broad phase takes to learn of this frame.
+    /// How long the broad phase takes to process this frame.
     pub(super) fn update(&mut self, broad_phase: &mut dyn BroadPhase) -> Duration {
         self.events.clear();
         let start = Instant::now();

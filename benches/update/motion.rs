@@ -3,7 +3,7 @@
 /// Which colliders are listed, and how they have moved.
 #[derive(Clone, Copy)]
 pub(crate) enum Motion {
-    /// One of so many drifts on, and only these are listed.
+    /// One collider in this many drifts on, and only those are listed.
     OneIn(usize),
     /// All are listed, and none has left the margin around its box.
     InMargin,

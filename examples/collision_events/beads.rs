@@ -31,7 +31,7 @@ impl Beads {
             handles.push(colliders.insert(watched(bead)));
             velocities.push(vector(4.0));
         }
-        // It is behind the beads, so that each handle's index is that of its velocity.
+        // Inserted after the beads, so that the index of a bead's handle is that of its velocity.
         let zone = ColliderBuilder::cuboid(reach / 3.0, reach / 3.0, reach / 3.0);
         handles.push(colliders.insert(watched(zone)));
         velocities.push(Vector::ZERO);
@@ -61,7 +61,8 @@ impl Beads {
         }
     }
 
-    /// Beads that touch and approach each other exchange their speeds along the normal, as elastic ones of one mass do.
+    /// Beads that touch and approach each other exchange their velocities along the normal: elastic collisions of
+    /// equal masses.
     pub(crate) fn bounce(&mut self, pairs: impl Iterator<Item = [ColliderHandle; 2]>) {
         for pair in pairs {
             let [first, second] = pair.map(|handle| handle.into_raw_parts().0 as usize);
@@ -89,7 +90,8 @@ impl Beads {
     }
 }
 
-/// Nothing but noticed: two colliders without bodies count as fixed, whose pairs are not reported unless they ask for it.
+/// A collider that only notices others. Two colliders without bodies count as fixed, and pairs of fixed colliders are
+/// only reported on request.
 fn watched(collider: ColliderBuilder) -> ColliderBuilder {
     collider
         .sensor(true)

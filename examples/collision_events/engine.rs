@@ -6,7 +6,7 @@ use rapier3d_0_36::prelude::*;
 
 use crate::beads::Beads;
 
-/// Beads in the same places, looked at by Rapier's own broad and narrow phase.
+/// Beads in the same places, under Rapier's own broad and narrow phase.
 pub(crate) struct Engine {
     colliders: ColliderSet,
     bodies: RigidBodySet,
@@ -33,7 +33,7 @@ impl Engine {
         }
     }
 
-    /// Puts the beads where they are and tells what Rapier makes of it.
+    /// Puts the beads in their places and returns Rapier's events.
     pub(crate) fn step(
         &mut self,
         beads: &Beads,

@@ -1,10 +1,10 @@
-//! Rapier 0.36 without its pipelines: beads with dynamics of their own, whose contacts are found by Parry among the
-//! pairs of `UnisizeBroadPhase` and told as Rapier's `CollisionEvent`s.
+//! Rapier 0.36 without its pipelines: beads with dynamics of their own. Parry finds their contacts among the pairs of
+//! `UnisizeBroadPhase`, and these are reported as Rapier's `CollisionEvent`s.
 //!
 //! `cargo run --release --features rapier3d_0_36 --example collision_events`
 //!
-//! The beads fly about in a box and bounce off each other; in its middle is a zone that only notices them. With
-//! `--verify` Rapier's own `CollisionPipeline` looks at the same beads, and must tell the same events in every step.
+//! The beads fly about in a box and bounce off each other; in its middle is a zone that only senses them. With
+//! `--verify` Rapier's own `CollisionPipeline` sees the same beads, and must report the same events in every step.
 
 mod beads;
 mod engine;
@@ -49,7 +49,7 @@ fn main() -> anyhow::Result<()> {
     for step in 0..options.steps {
         beads.fly(params.dt);
         let begin = Instant::now();
-        // All of them have moved, and none is ever removed.
+        // All of them have moved; none is ever removed.
         broad_phase.update(
             &params,
             &beads.colliders,

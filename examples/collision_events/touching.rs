@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use rapier3d_0_36::parry::query;
 use rapier3d_0_36::prelude::*;
 
-/// The pairs of the broad phase, and whether they touch: a narrow phase for colliders that only notice each other.
+/// The pairs of the broad phase, and whether they touch: a narrow phase without contact forces.
 #[derive(Default)]
 pub(crate) struct Touching {
     pairs: BTreeMap<(u32, u32), (ColliderPair, bool)>,
 }
 
 impl Touching {
-    /// Takes in how the pairs have changed, looks at each, and tells whose contact has begun or ended.
+    /// Applies the changes of the pair set, tests each pair, and returns the contacts that began or ended.
     pub(crate) fn renew(
         &mut self,
         changes: &mut Vec<BroadPhasePairEvent>,
@@ -44,14 +44,14 @@ impl Touching {
         events
     }
 
-    /// Those that touch.
+    /// The pairs that touch.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [ColliderHandle; 2]> {
         let touching = self.pairs.values().filter(|(_, touches)| *touches);
         touching.map(|(pair, _)| [pair.collider1, pair.collider2])
     }
 }
 
-/// The events in an order that does not depend on who tells them.
+/// The events in an order that does not depend on their source.
 pub(crate) fn sorted(events: &[CollisionEvent]) -> Vec<(bool, [(u32, u32); 2])> {
     let mut sorted: Vec<_> = events
         .iter()

@@ -4,13 +4,11 @@
 //! cargo run --release --features rapier2d,rapier3d,parallel --example compare
 //! ```
 //!
-//! simulates every scene in two and three dimensions with both broad phases side by side, compares what they
-//! hold and what touches after every step, and prints a table for each dimension. What exactly is compared
-//! is told in `examples/scenes/src/engine/comparison.rs`. Ends with 1 if anything differs, and with 2 if it
-//! was called wrongly.
+//! simulates every scene in two and three dimensions with both broad phases side by side, compares the pairs
+//! they hold and the contacts after every step, and prints a table for each dimension.
+//! `examples/scenes/src/engine/comparison.rs` lists what is compared. Exits with 1 if anything differs, and
+//! with 2 on a usage error.
 
-mod dim2;
-mod dim3;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
@@ -24,6 +22,28 @@ use progress::progress_bar;
 use report::Report;
 use std::fs::File;
 use std::process::ExitCode;
+
+#[path = "."]
+mod dim2 {
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    const DIM: u8 = 2;
+
+    mod dimension;
+    pub(super) use dimension::compare;
+}
+
+#[path = "."]
+mod dim3 {
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    const DIM: u8 = 3;
+
+    mod dimension;
+    pub(super) use dimension::compare;
+}
 
 fn main() -> ExitCode {
     let options = Options::parse();

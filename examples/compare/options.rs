@@ -16,9 +16,9 @@ const STEPS: usize = 300;
 
 /// Compares unisize with Rapier's own broad phase, on every scene.
 ///
-/// The default broad phase drives the simulation, unisize gets the same updates; after every step what they
-/// hold, and the contacts and intersections that follow from it, are compared. Then each scene is simulated
-/// on either broad phase alone. Ends with 1 if anything differs.
+/// The default broad phase drives the simulation, and unisize gets the same updates. After every step the pairs
+/// that they hold, and the contacts and intersections that follow, are compared. Then each scene is simulated
+/// on either broad phase alone. Exits with 1 if anything differs.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
@@ -37,7 +37,7 @@ pub(super) struct Options {
     /// What finds the pairs in unisize
     #[arg(long, value_enum, default_value = "grid-sweep")]
     pub(super) kernel: Kernel,
-    /// How many threads unisize may use, which only pays for very many bodies; Rapier's has one
+    /// How many threads unisize may use, which pays only for very many bodies; Rapier's own uses one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
     /// The seed of the scenes' randomness

@@ -16,9 +16,9 @@ pub(super) struct Row {
     pub(super) first_difference: Option<String>,
     /// The default's time over ours.
     pub(super) ratio: f64,
-    /// Held at the end, without those that the narrow phase drops anyway.
+    /// Pairs held at the end, without those that the narrow phase drops anyway.
     pub(super) pairs: Sides<usize>,
-    /// Held at the end, all together.
+    /// Pairs held at the end, all together.
     pub(super) pairs_with_dropped: Sides<usize>,
     pub(super) contacts: Total,
     pub(super) intersections: Total,
@@ -30,7 +30,7 @@ pub(super) struct Row {
     pub(super) independent: Option<Sides<End>>,
 }
 
-/// Something of Rapier's broad phase and of ours.
+/// A value for Rapier's broad phase and one for ours.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Sides<T> {
     pub(super) default: T,

@@ -1,14 +1,12 @@
-//! Does unisize go on and on, and in the same memory?
+//! Does unisize run forever in the same memory?
 //!
 //! ```text
 //! cargo run --release --all-features --example soak
 //! ```
 //!
-//! makes a million updates in two and in three dimensions: colliders rest, drift, tremble, jump, come, go, and are
-//! disabled, resized and spoilt, by turns. Ends with 1 if memory grows, and with 2 if it was called wrongly.
+//! makes a million updates in two and in three dimensions, in which colliders rest, drift, tremble, jump, come and go,
+//! and are disabled, resized and given NaN poses. Exits with 1 if memory grows, and with 2 on a usage error.
 
-mod dim2;
-mod dim3;
 mod memory;
 mod options;
 #[path = "../progress/bar.rs"]
@@ -21,6 +19,26 @@ use options::Options;
 use progress::progress_bar;
 use std::process::ExitCode;
 use std::time::Instant;
+
+#[path = "."]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::UnisizeBroadPhase;
+    use unisize_scenes::dim2::Observed;
+
+    mod soak;
+    pub(crate) use soak::Soak;
+}
+
+#[path = "."]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::UnisizeBroadPhase;
+    use unisize_scenes::dim3::Observed;
+
+    mod soak;
+    pub(crate) use soak::Soak;
+}
 
 /// Makes the updates in one dimension, and returns the peaks and the number of pairs held at the end.
 macro_rules! soaked {

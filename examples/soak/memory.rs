@@ -12,7 +12,7 @@ pub(crate) fn live_bytes() -> usize {
     stats.bytes_allocated.wrapping_sub(stats.bytes_deallocated)
 }
 
-/// The greatest numbers of bytes that were held, early in a run and later.
+/// The peak numbers of bytes held, early in a run and later.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Peaks {
     pub(crate) early: usize,
@@ -20,7 +20,7 @@ pub(crate) struct Peaks {
 }
 
 impl Peaks {
-    /// Takes note of what is held after `done` of `all` updates. The first tenth of them is early.
+    /// Notes what is held after `done` of `all` updates. The first tenth of them counts as early.
     pub(crate) fn note(&mut self, done: u64, all: u64) {
         let peak = if done <= all / 10 {
             &mut self.early
@@ -30,7 +30,7 @@ impl Peaks {
         *peak = live_bytes().max(*peak);
     }
 
-    /// Whether no more memory was held later than early on, but for a half: buffers keep the size of the largest
+    /// Whether at most half as much memory again was held later than early on: buffers keep the size of the largest
     /// crowd so far, and a larger one may always come.
     pub(crate) fn are_flat(&self) -> bool {
         self.late <= self.early + self.early / 2

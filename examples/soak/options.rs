@@ -2,17 +2,17 @@
 
 use clap::{Parser, ValueEnum};
 
-/// Makes very many updates of a world in which everything changes, and sees that memory does not grow.
+/// Makes very many updates of a world in which everything changes, and checks that memory does not grow.
 ///
-/// After every so many updates the broad phase checks itself, and its pairs are compared with its events. Ends with 1
-/// if more than half as much memory again is held after the first tenth of the updates than during it.
+/// At intervals the broad phase checks itself, and its pairs are compared with its events. Exits with 1 if memory
+/// later peaks at more than one and a half times its peak in the first tenth of the updates.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "soak")]
 pub(super) struct Options {
     /// How many updates to make
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(10..))]
     pub(super) updates: u64,
-    /// How many colliders there are at most
+    /// The greatest number of colliders
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(super) colliders: u32,
     /// The seed of everything that happens
@@ -21,7 +21,7 @@ pub(super) struct Options {
     /// In how many dimensions
     #[arg(long, value_enum, default_value = "both")]
     dim: Dim,
-    /// Check after every so many updates
+    /// The number of updates between two checks
     #[arg(long, value_name = "N", default_value_t = 1_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub(super) check_every: u64,
 }

@@ -1,4 +1,4 @@
-//! Every kernel against the oracle, on boxes from bytes.
+//! Every kernel against the oracle, on boxes decoded from bytes.
 
 #![no_main]
 

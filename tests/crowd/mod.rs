@@ -1,46 +1,12 @@
-//! Colliders that move about, come, go and are spoilt, without an engine, and a broad phase with a record of its events.
-//! One source for every flavour: the module that includes it names the engine as `rapier`.
+//! Colliders that move about, come, go and get NaN positions, without a simulation. One source for every flavour: the module
+//! that includes it names the engine as `rapier`.
 //!
 //! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
 
 use oorandom::Rand32;
 
-use super::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-
-/// Whether a pair was added, and the two colliders.
-pub(super) type Event = (bool, [ColliderHandle; 2]);
-
-/// Our broad phase, with a record of its events.
-#[derive(Default)]
-pub(super) struct Recorded {
-    pub(super) inner: UnisizeBroadPhase,
-    /// In their order.
-    pub(super) events: Vec<Event>,
-}
-
-impl BroadPhase for Recorded {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let first = events.len();
-        self.inner
-            .update(params, colliders, bodies, modified, removed, events);
-        self.events.extend(events[first..].iter().map(|event| {
-            let (is_added, pair) = match event {
-                BroadPhasePairEvent::AddPair(pair) => (true, pair),
-                BroadPhasePairEvent::DeletePair(pair) => (false, pair),
-            };
-            (is_added, [pair.collider1, pair.collider2])
-        }));
-    }
-}
+use super::{PairEvent, UnisizeBroadPhase};
 
 /// The colliders, and which of them are to be listed.
 #[derive(Clone)]
@@ -89,7 +55,7 @@ impl Crowd {
         Vector::from_fn(|_, _| self.share() * self.side)
     }
 
-    /// Moves every so manieth collider on, and changes a few in other ways.
+    /// Moves one collider in `stride` on, and changes a few in other ways.
     pub(super) fn advance(&mut self, stride: usize) {
         self.modified.clear();
         self.removed.clear();
@@ -124,7 +90,7 @@ impl Crowd {
         }
     }
 
-    /// Makes the place of the last collider not a number.
+    /// Sets the position of the last collider to NaN.
     pub(super) fn spoil_last(&mut self) {
         self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
     }
@@ -133,7 +99,7 @@ impl Crowd {
         self.colliders[self.handles[i]].set_translation(place);
     }
 
-    /// Exchanges a collider for another.
+    /// Replaces a collider by another.
     fn replace(&mut self, i: usize) {
         let (mut islands, handle) = (IslandManager::new(), self.handles[i]);
         self.colliders
@@ -144,20 +110,16 @@ impl Crowd {
     }
 
     /// The events of the update that is due.
-    pub(super) fn update(&self, broad_phase: &mut UnisizeBroadPhase) -> Vec<Event> {
-        let mut recorded = Recorded {
-            inner: std::mem::take(broad_phase),
-            ..Recorded::default()
-        };
-        recorded.update(
+    pub(super) fn update(&self, broad_phase: &mut UnisizeBroadPhase) -> Vec<PairEvent> {
+        let mut events = Vec::new();
+        broad_phase.update(
             &IntegrationParameters::default(),
             &self.colliders,
             &self.bodies,
             &self.modified,
             &self.removed,
-            &mut Vec::new(),
+            &mut events,
         );
-        *broad_phase = recorded.inner;
-        recorded.events
+        events.iter().map(PairEvent::from).collect()
     }
 }

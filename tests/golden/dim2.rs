@@ -2,8 +2,9 @@
 
 use rapier2d as rapier;
 use unisize::rapier2d::UnisizeBroadPhase;
+use unisize_scenes::dim2::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
-use unisize_scenes::dim2::Scene;
+use unisize_scenes::dim2::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [

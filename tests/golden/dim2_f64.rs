@@ -2,8 +2,9 @@
 
 use rapier2d_f64 as rapier;
 use unisize::rapier2d_f64::UnisizeBroadPhase;
+use unisize_scenes::dim2_f64::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
-use unisize_scenes::dim2_f64::Scene;
+use unisize_scenes::dim2_f64::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [

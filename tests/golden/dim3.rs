@@ -2,8 +2,9 @@
 
 use rapier3d as rapier;
 use unisize::rapier3d::UnisizeBroadPhase;
+use unisize_scenes::dim3::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
-use unisize_scenes::dim3::Scene;
+use unisize_scenes::dim3::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [

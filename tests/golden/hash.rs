@@ -9,7 +9,7 @@ impl Default for Hash {
 }
 
 impl Hash {
-    /// Takes a number in, its least byte first.
+    /// Hashes a number, its least significant byte first.
     pub(crate) fn write(&mut self, number: u32) {
         for byte in number.to_le_bytes() {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);

@@ -1,8 +1,8 @@
-//! The same input gives the same events in the same order: again, on any number of threads, in a clone, and on every
-//! platform and in every version from which a golden hash was kept.
+//! The same input gives the same events in the same order: in another run, on any number of threads, in a clone, on
+//! every platform, and in every version since a golden hash was taken.
 //!
-//! A hash that has changed means that events come in another order, or are others. If that is intended, the table that
-//! the test prints is the new one.
+//! A changed hash means that the events, or their order, have changed. If that is intended, the test prints the new
+//! table.
 
 mod dim2;
 mod dim2_f64;

@@ -1,9 +1,9 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{REPLAYS, UnisizeBroadPhase};
+use super::{PairEvent, REPLAYS, UnisizeBroadPhase};
 use crate::hash::Hash;
-use crowd::{Crowd, Event};
+use crowd::Crowd;
 use rapier::math::{DIM, Real};
 
 #[path = "../crowd/mod.rs"]
@@ -15,13 +15,13 @@ struct Replay {
     count: usize,
     /// How far a collider goes in an update at most, along each axis.
     speed: Real,
-    /// For each ten updates, of how many colliders one moves.
+    /// For every ten updates, the stride: one collider in this many moves.
     strides: &'static [usize],
     /// Whether all turn back after each update.
     is_to_and_fro: bool,
 }
 
-/// One replay is of as many colliders as are worth several threads.
+/// One replay has enough colliders to be worth several threads.
 const ALL: [Replay; REPLAYS.len()] = [
     replay("drifting", 1000, 0.05, &[1, 1, 1, 1, 1, 1]),
     replay("fast", 1000, 0.6, &[1, 1, 1, 1]),
@@ -49,11 +49,13 @@ const fn replay(
     }
 }
 
-fn write(hash: &mut Hash, events: &[Event]) {
+fn write(hash: &mut Hash, events: &[PairEvent]) {
     hash.write(events.len() as u32);
-    for &(is_added, pair) in events {
-        hash.write(u32::from(is_added));
-        for (index, generation) in pair.map(|handle| handle.into_raw_parts()) {
+    for event in events {
+        hash.write(u32::from(event.is_add()));
+        let pair = event.pair();
+        for handle in [pair.collider1, pair.collider2] {
+            let (index, generation) = handle.into_raw_parts();
             hash.write(index);
             hash.write(generation);
         }
@@ -63,7 +65,7 @@ fn write(hash: &mut Hash, events: &[Event]) {
 impl Replay {
     /// The hash of all events; with `is_cloned`, of clones that take each other's place.
     fn hash(&self, is_cloned: bool) -> u64 {
-        // About two to five overlapping pairs for three colliders, without a root of the count.
+        // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
             (2, _) => 160.0,
@@ -71,7 +73,7 @@ impl Replay {
             _ => 36.0,
         };
         let mut crowd = Crowd::new(self.count, side, self.speed);
-        // It is refused until it is placed anew.
+        // It is refused until it gets a sound position.
         crowd.spoil_last();
         let mut broad_phase = UnisizeBroadPhase::new();
         let mut hash = Hash::default();
@@ -126,20 +128,20 @@ fn threads_do_not_matter() {
     }
 }
 
-/// Whole simulations, whose numbers are the same everywhere only with this feature.
+/// Whole simulations, which are the same on every platform only with this feature.
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {
-    use super::{SCENES, Scene};
+    use super::{Observed, SCENES, Scene};
     use unisize_scenes::SceneKind;
 
     let hash = |kind| {
         let mut scene = Scene::build(kind, 60, 1);
-        let mut broad_phase = crowd::Recorded::default();
+        let mut broad_phase = Observed::new(UnisizeBroadPhase::new()).with_events();
         let mut hash = Hash::default();
         for _ in 0..100 {
             scene.step(&mut broad_phase, &(), &());
-            write(&mut hash, &std::mem::take(&mut broad_phase.events));
+            write(&mut hash, &broad_phase.take_events());
         }
         hash.0
     };

@@ -1,9 +1,9 @@
-//! Handles may have any index, and memory must not be as large as those that were never given out.
+//! Handles may have any index; memory must not grow with indices that were never given out.
 
 use crate::memory::live_bytes;
 use crate::turn;
 
-/// What one collider and a list of a few hundred handles may take. An array of all indices would take gigabytes.
+/// The most that one collider and a list of a few hundred handles may take. An array of all indices would take gigabytes.
 const BOUND: usize = 64 << 10;
 
 /// One source for both dimensions.
@@ -21,7 +21,7 @@ macro_rules! check {
             .iter()
             .flat_map(|&index| [(index, 0), (index, u32::MAX)])
             .map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation))
-            // More than are read in the order in which they are listed.
+            // Long enough that colliders are no longer read in the order of the list.
             .cycle()
             .take(400)
             .chain([ball])

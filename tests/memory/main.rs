@@ -1,11 +1,7 @@
-//! How much memory the broad phase holds, counted by an allocator of this program's own.
+//! How much memory the broad phase holds, counted by this program's own allocator.
 //!
-//! It counts what all threads hold, so the tests take turns.
+//! The allocator counts the memory of all threads, so the tests take turns.
 
-#[path = "../../examples/soak/dim2.rs"]
-mod dim2;
-#[path = "../../examples/soak/dim3.rs"]
-mod dim3;
 mod handles;
 #[path = "../../examples/soak/memory.rs"]
 mod memory;
@@ -13,6 +9,26 @@ mod soak;
 mod trees;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+#[path = "../../examples/soak"]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::UnisizeBroadPhase;
+    use unisize_scenes::dim2::Observed;
+
+    mod soak;
+    pub(crate) use soak::Soak;
+}
+
+#[path = "../../examples/soak"]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::UnisizeBroadPhase;
+    use unisize_scenes::dim3::Observed;
+
+    mod soak;
+    pub(crate) use soak::Soak;
+}
 
 /// Waits until no other test of this program is running.
 fn turn() -> MutexGuard<'static, ()> {

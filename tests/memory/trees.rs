@@ -1,11 +1,11 @@
-//! The tree for queries is there from the first query on, until a box changes.
+//! The query tree exists from the first query until a box changes.
 
 use crate::memory::live_bytes;
 use crate::turn;
 
 const COLLIDERS: usize = 500;
 
-/// Less than any tree of so many colliders takes.
+/// Less than any tree of this many colliders takes.
 const LEAST: usize = 16 * COLLIDERS;
 
 /// One source for both dimensions.

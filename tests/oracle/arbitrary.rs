@@ -1,4 +1,4 @@
-//! Inputs that nobody thought of, from proptest, which also reduces those that go wrong.
+//! Random inputs, from proptest, which also shrinks those that fail.
 
 use core::ops::Range;
 use std::any::type_name;
@@ -67,7 +67,7 @@ fn boxes<R: Real, const D: usize>(
         .prop_map(|ends: [(R, R); D]| Aabb::new(ends.map(|e| e.0), ends.map(|e| e.1)))
 }
 
-/// Numbers such as scenes have: whole and not.
+/// Numbers as in scenes: whole and not.
 fn ordinary<R: Real>() -> BoxedStrategy<R> {
     let whole = (-8..8_i32).prop_map(|x| R::from_f64(f64::from(x)));
     let real = (-8.0..8.0_f64).prop_map(R::from_f64);

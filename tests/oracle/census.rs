@@ -14,7 +14,7 @@ fn count<const D: usize>() {
         "{D}D: {} lists of {boxes} boxes with {pairs} pairs",
         inputs.len()
     );
-    // A suite of lists without pairs would agree on nothing.
+    // A suite of lists without pairs would test nothing.
     assert!(inputs.len() > 100 && boxes > 30_000 && pairs > boxes);
 }
 

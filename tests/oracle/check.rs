@@ -13,7 +13,7 @@ use crate::report;
 /// Every overlapping pair, in ascending order, by a definition of its own: boxes overlap unless, on some
 /// axis, one ends before the other begins.
 ///
-/// It shares no code with the library, so that `BruteForce` can be put to the same test as every kernel.
+/// It shares no code with the library, so that `BruteForce` can be tested like every other kernel.
 pub(crate) fn expected_pairs<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
     let apart = |a: &Aabb<R, D>, b: &Aabb<R, D>| {
         (0..D).any(|k| a.maxs[k] < b.mins[k] || b.maxs[k] < a.mins[k])
@@ -59,7 +59,7 @@ where
     );
 }
 
-/// Checks that a finder that has seen all that came before answers each input as a new one does.
+/// Checks that a finder that has seen all earlier inputs answers each input as a new one does.
 pub(crate) fn one_finder_serves<F, R, const D: usize>(inputs: &[Input<R, D>])
 where
     F: PairFinder<R, D> + Default,
@@ -77,7 +77,7 @@ where
     }
 }
 
-/// Whether everything holds for these boxes; if not, what does not.
+/// An error that says what does not hold for these boxes, if anything.
 pub(crate) fn holds<F, R, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), String>
 where
     F: PairFinder<R, D> + Default,
@@ -118,7 +118,7 @@ where
     .map_err(|what| format!("in another order of the boxes: {what}"))
 }
 
-/// What the finder answers, into a list that already holds something; or why it does not.
+/// The finder's answer, into a list that already holds something; or the error.
 pub(crate) fn find<F, R, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],

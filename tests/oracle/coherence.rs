@@ -1,4 +1,4 @@
-//! What a finder keeps of one list must only make it faster on the next: boxes that drift, jump, change their sizes,
+//! What a finder keeps from one list may only make it faster on the next: boxes that drift, jump, change their sizes,
 //! come and go.
 
 use std::any::type_name;
@@ -20,20 +20,20 @@ const MOST: usize = 150;
 /// Where boxes begin, at most, on each axis. Half of all steps are whole, so boxes often touch.
 const EXTENT: f64 = 12.0;
 
-/// What becomes of the boxes from one list to the next.
+/// What happens to the boxes from one list to the next.
 #[derive(Clone, Copy, Debug)]
 enum Change {
     /// Nothing.
     Stay,
-    /// Each moves on each axis by so much or less, either way.
+    /// Each moves on each axis by this much or less, either way.
     Drift(f64),
     /// Each moves by one in some direction, so that many endpoints become equal.
     Step,
     /// Some move anywhere, with this probability each.
     Jump(f64),
-    /// They are mirrored: every order is turned around.
+    /// They are mirrored: every order is reversed.
     Mirror,
-    /// They change their numbers among each other.
+    /// Their indices are shuffled.
     Shuffle,
     /// Some become larger or smaller, with this probability each.
     Resize(f64),

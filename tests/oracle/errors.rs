@@ -1,4 +1,4 @@
-//! What must hold for inputs that are to be refused.
+//! What must hold for inputs that must be refused.
 
 use unisize::InvalidBoxReason::{Inverted, NotANumber};
 use unisize::{Aabb, InvalidBoxReason, PairFinder, Real};
@@ -51,7 +51,7 @@ fn refuses<F, R, const D: usize>(
     assert!(pairs.is_empty(), "pairs were left after an error: {bad:?}");
 }
 
-/// Everything that can be wrong with a box, on each axis, and how it is called.
+/// Everything that can be wrong with a box, on each axis, with a name.
 fn invalid_versions<R: Real, const D: usize>(
     valid: Aabb<R, D>,
 ) -> Vec<(Aabb<R, D>, InvalidBoxReason)> {
@@ -80,7 +80,7 @@ fn invalid_versions<R: Real, const D: usize>(
             version.mins[axis] = low;
             version.maxs[axis] = high;
             versions.push((version, reason));
-            // There is nothing wrong with being flat on the others.
+            // Being flat on the others is valid.
             for other in (0..D).filter(|&other| other != axis) {
                 version.maxs[other] = version.mins[other];
             }

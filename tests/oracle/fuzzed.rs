@@ -1,8 +1,8 @@
-//! What the fuzzer runs: bytes say which boxes there are, and every kernel must find the pairs of the oracle.
+//! What the fuzzer runs: bytes encode boxes, and every kernel must find the pairs of the oracle.
 //!
-//! Two lists are read, and each kernel is given the first, the second and the first again, for what it keeps of one
-//! must not show in the next. Few bytes are enough for many boxes, most of them on a lattice, where they touch as
-//! often as not. Bytes that run out are zeros, so everything has a meaning.
+//! Two lists are read, and each kernel is given the first, the second and the first again, since what it keeps of one
+//! must not affect the next. A few bytes are enough for many boxes, most of them on a lattice, where about half of
+//! neighbours touch. Bytes that run out read as zeros, so every input is valid.
 
 use std::array::from_fn;
 use std::num::NonZero;
@@ -26,10 +26,10 @@ const PITCHES: [f64; 8] = [1.0, 1.0, 0.1, 1e-45, 1e-38, 1e7, 1e30, 1e37];
 /// Where the lattice begins.
 const ORIGINS: [f64; 4] = [0.0, -2.0, 1e7, -1e30];
 
-/// Checks all kernels on what the bytes say.
+/// Checks all kernels on the boxes that the bytes encode.
 pub(crate) fn check(bytes: &[u8]) {
     let mut bytes = Unstructured::new(bytes);
-    // Nothing here can fail, but that the type of `Unstructured` says so.
+    // Nothing here can fail, but `Unstructured`'s types do not know that.
     let _ = match bytes.int_in_range(0..=7).unwrap_or(0) {
         0 => check_in::<f32, 1>(&mut bytes),
         1 => check_in::<f32, 2>(&mut bytes),
@@ -66,7 +66,7 @@ fn check_in<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
     Ok(())
 }
 
-/// Kernels and what to call them.
+/// Kernels with their names.
 type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>;
 
 /// The kernels of which only the pairs are compared.

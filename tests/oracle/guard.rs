@@ -1,4 +1,4 @@
-//! A call that may panic, so that a report can say on which input it did.
+//! A call that may panic, so that a report can name the input on which it did.
 
 use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};

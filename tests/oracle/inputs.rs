@@ -10,7 +10,7 @@ use crate::order;
 use crate::placement::{self, Meet};
 use crate::shapes;
 
-/// A list of boxes and what to call it in a report.
+/// A list of boxes with its name in a report.
 pub(crate) struct Input<R, const D: usize> {
     /// What kind of boxes these are.
     pub(crate) name: String,
@@ -75,7 +75,7 @@ pub(crate) fn clustered<R: Real, const D: usize>() -> Family<R, D> {
         .into()
 }
 
-/// Many times the same box.
+/// The same box many times.
 pub(crate) fn coincident<R: Real, const D: usize>() -> Family<R, D> {
     [(300, 1), (150, 2), (3, 100)]
         .map(|(n, stacks)| {
@@ -164,7 +164,7 @@ pub(crate) fn scales<R: Real, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Unit boxes where coordinates have few digits left, or none, for them.
+/// Unit boxes so far out that coordinates have few digits left for them, or none.
 pub(crate) fn far_from_origin<R: Real, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for offset in [1e5, -1e6, 1e7, -1e8, 1e15, 1e16, -1e30] {
@@ -178,7 +178,7 @@ pub(crate) fn far_from_origin<R: Real, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// One box that has nothing to do with the others.
+/// One stray box far from the others, or much larger.
 pub(crate) fn strays<R: Real, const D: usize>() -> Family<R, D> {
     let stray = |name: &str, at, side| input(name, limits::with_stray(12, 500, at, side));
     let mut family = vec![
@@ -279,7 +279,7 @@ pub(crate) fn plates<R: Real, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Numbers that are equal and not the same.
+/// Numbers that are equal but not identical: the two zeros.
 pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
     [2, 10, 200]
         .map(|n| {
@@ -289,13 +289,13 @@ pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
         .into()
 }
 
-/// Numbers too small to have all their digits.
+/// Numbers too small to have their full precision.
 pub(crate) fn denormals<R: Real, const D: usize>() -> Family<R, D> {
     let boxes = limits::from_alphabet(22, 200, &numbers::denormals());
     vec![input("boxes of a few least positive numbers", boxes)]
 }
 
-/// Boxes whose sides are too long to be a number.
+/// Boxes whose sides overflow.
 pub(crate) fn extremes<R: Real, const D: usize>() -> Family<R, D> {
     let boxes = limits::from_alphabet(23, 200, &numbers::extremes());
     let mut among_others = placement::uniform(24, 200, 0.8);
@@ -342,7 +342,7 @@ pub(crate) fn counts<R: Real, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Lists that are already in order, or in the worst one.
+/// Lists that are already sorted, or in the worst order.
 pub(crate) fn sorted<R: Real, const D: usize>() -> Family<R, D> {
     let boxes = placement::uniform(28, 500, 0.8);
     let mut family: Vec<_> =

@@ -1,5 +1,5 @@
-//! What numbers can do: generators at the limits of floating point, where a difference overflows, a margin
-//! rounds away, or two numbers are equal without being the same.
+//! The limits of numbers: generators at the limits of floating point, where a difference overflows, a margin
+//! rounds away, or two numbers are equal without being identical.
 
 use core::array::from_fn;
 

@@ -1,10 +1,10 @@
 //! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
 //!
-//! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of
-//! scene went wrong, and shows the fewest boxes found that still go wrong. `check` lists what must hold for
-//! every input; `coherence` does so for inputs that hardly change from one to the next, and `errors` for inputs that must
-//! be refused; `arbitrary` looks for inputs that nobody thought of. Raise `PROPTEST_CASES` to let it look for longer. `fuzzed` is what the fuzzer runs, and `replay`
-//! runs it on the inputs that the fuzzer has kept.
+//! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of scene went
+//! wrong, and shows the fewest boxes found that still fail. `check` lists what must hold for every input, `coherence`
+//! for inputs that hardly change from one to the next, and `errors` for inputs that must be refused. `arbitrary` makes
+//! random inputs; raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs
+//! that the fuzzer has kept.
 
 mod arbitrary;
 mod census;
@@ -56,7 +56,7 @@ macro_rules! oracle_suite {
     };
 }
 
-/// Turns every family of inputs into a test of its own.
+/// Makes a test of every family of inputs.
 macro_rules! test_family {
     ([$finder:ty, $real:ty, $dim:literal] $($family:ident)*) => {
         $(
@@ -83,7 +83,7 @@ oracle_suite!(grid_sweep_in_slabs_f32_3, InSlabs<f32, 3>, f32, 3);
 oracle_suite!(grid_sweep_in_slabs_f64_2, InSlabs<f64, 2>, f64, 2);
 oracle_suite!(grid_sweep_in_slabs_f64_3, InSlabs<f64, 3>, f64, 3);
 
-// Not what they are made for, but nothing forbids it.
+// Unusual dimensions, but allowed ones.
 oracle_suite!(grid_sweep_f32_1, GridSweep<f32, 1>, f32, 1);
 oracle_suite!(grid_sweep_f64_4, GridSweep<f64, 4>, f64, 4);
 
@@ -113,7 +113,7 @@ mod baselines {
     oracle_suite!(dual_axis_sweep_f64_2, DualAxisSweep<f64, 2>, f64, 2);
     oracle_suite!(dual_axis_sweep_f64_3, DualAxisSweep<f64, 3>, f64, 3);
 
-    // Nor are these made for it.
+    // Unusual for these as well.
     oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
     oracle_suite!(coherent_sweep_and_prune_f64_1, CoherentSweepAndPrune<f64, 1>, f64, 1);
     oracle_suite!(dual_axis_sweep_f32_1, DualAxisSweep<f32, 1>, f32, 1);
@@ -128,7 +128,7 @@ mod baselines {
     oracle_suite!(streamed_segment_tree_f64_3, StreamedSegmentTree<f64, 3>, f64, 3);
     oracle_suite!(streamed_segment_tree_f64_4, StreamedSegmentTree<f64, 4>, f64, 4);
 
-    // Split as far as it goes, and hardly ever.
+    // Split as far as possible, and hardly ever.
     oracle_suite!(streamed_segment_tree_cutoff_0_f32_2, WithCutoff<f32, 2, 0>, f32, 2);
     oracle_suite!(streamed_segment_tree_cutoff_0_f32_3, WithCutoff<f32, 3, 0>, f32, 3);
     oracle_suite!(streamed_segment_tree_cutoff_0_f64_2, WithCutoff<f64, 2, 0>, f64, 2);

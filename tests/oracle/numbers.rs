@@ -1,8 +1,8 @@
-//! The numbers at which something ends: zeros, the least and the greatest ones, infinities, close neighbours.
+//! Boundary numbers: zeros, the least and the greatest ones, infinities, close neighbours.
 
 use unisize::Real;
 
-/// The few numbers at which something ends: ties, both zeros, infinities, extremes, close neighbours.
+/// A few boundary numbers: ties, both zeros, infinities, extremes, close neighbours.
 pub(crate) fn alphabet<R: Real>() -> Vec<R> {
     let mut numbers = signed_zeros();
     numbers.extend([2.0, 3.0, 0.1, -0.1, 1e7, 1e30, -1e30, 1e-38].map(R::from_f64));
@@ -30,7 +30,7 @@ pub(crate) fn signed_zeros<R: Real>() -> Vec<R> {
     [-1.0, -0.0, 0.0, 1.0].map(R::from_f64).to_vec()
 }
 
-/// The least numbers that there are, of both signs.
+/// The least representable numbers of both signs.
 pub(crate) fn denormals<R: Real>() -> Vec<R> {
     (-20..=20).map(|ulps| stepped(R::ZERO, ulps)).collect()
 }

@@ -1,4 +1,4 @@
-//! In what order boxes come: the arrangements of a list that already has an order.
+//! The order of boxes: rearrangements of a list.
 
 use core::cmp::Ordering;
 
@@ -20,7 +20,7 @@ pub(crate) fn reversed<R: Real, const D: usize>(mut boxes: Vec<Aabb<R, D>>) -> V
 }
 
 /// The boxes by where they begin on `axis`, least first, but for a few neighbours that changed places, as
-/// from one frame to the next.
+/// happens from one frame to the next.
 pub(crate) fn almost_sorted<R: Real, const D: usize>(
     boxes: Vec<Aabb<R, D>>,
     axis: usize,

@@ -1,5 +1,4 @@
-//! Where boxes lie: generators of boxes of one size, or nearly, in every arrangement that a kernel may
-//! treat as special.
+//! Where boxes lie: generators of boxes of about one size, in every arrangement that a kernel may treat specially.
 
 use core::array::from_fn;
 
@@ -79,7 +78,7 @@ pub(crate) enum Meet {
 
 /// `per_axis` boxes along each axis, side by side, around the origin, in random order.
 ///
-/// Both sides of a face are computed alike, so that they are one number whatever the `pitch`.
+/// Both sides of a face are computed in the same way, so that they are equal for any `pitch`.
 pub(crate) fn lattice<R: Real, const D: usize>(
     seed: u64,
     per_axis: usize,

@@ -1,4 +1,4 @@
-//! The inputs that the fuzzer has kept, once more.
+//! Replays the inputs that the fuzzer has kept.
 
 use crate::fuzzed;
 

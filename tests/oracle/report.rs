@@ -10,7 +10,7 @@ const PAIRS_SHOWN: usize = 6;
 /// How many boxes a report shows.
 const BOXES_SHOWN: usize = 32;
 
-/// Whether `pairs` are exactly the `expected` ones, which ascend; if not, how they differ.
+/// An error that says how `pairs` differ from the `expected` ones, which ascend, if they do.
 pub(crate) fn compare<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
     expected: &[[u32; 2]],
@@ -49,7 +49,7 @@ pub(crate) fn compare<R: Real, const D: usize>(
     Err(text)
 }
 
-/// A few of the boxes for which `fails` still is true: as few as are found in some seconds by leaving out.
+/// A few of the boxes for which `fails` still is true: as few as leaving out finds in some seconds.
 pub(crate) fn fewest<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
     fails: impl Fn(&[Aabb<R, D>]) -> bool,

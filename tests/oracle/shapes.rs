@@ -48,7 +48,7 @@ pub(crate) fn few_large<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes of which every `period`-th, from the first on, is `ratio` times as large: a sample that
-/// takes one box in so many sees only these, or none.
+/// takes one box in every few sees only these, or none.
 pub(crate) fn large_by_turns<R: Real, const D: usize>(
     seed: u64,
     n: usize,

@@ -4,7 +4,7 @@ use std::num::NonZero;
 
 use unisize::{Aabb, GridSweep, InvalidBox, PairFinder, Real};
 
-/// [`GridSweep`] in three slabs, which must answer as it does in one, order included.
+/// [`GridSweep`] in three slabs, which must give the same pairs in the same order as one slab.
 pub(crate) struct InSlabs<R, const D: usize> {
     one: GridSweep<R, D>,
     three: GridSweep<R, D>,

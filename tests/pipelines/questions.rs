@@ -1,7 +1,7 @@
-//! Worlds and what is asked about them, in words that serve two and three dimensions.
+//! Worlds and queries on them, in terms that serve two and three dimensions.
 //!
 //! Some lengths and places come from short tables, so that several colliders are often exactly as near as each other.
-//! Colliders are named by a number that is taken modulo how many there are, so that every case, and every shortened
+//! Colliders are named by a number that is taken modulo how many there are, so that every case, and every shrunk
 //! one, makes sense.
 
 use std::fmt;
@@ -105,7 +105,7 @@ pub(crate) struct Cast {
     pub(crate) velocity: Triple,
     pub(crate) reach: f32,
     pub(crate) stop_at_penetration: bool,
-    /// How near to it is a hit.
+    /// A hit is at most this far from it.
     pub(crate) target_distance: f32,
 }
 
@@ -131,7 +131,7 @@ pub(crate) struct Round {
     pub(crate) questions: Vec<(Question, Filter)>,
 }
 
-/// What happens and is asked from an empty world on.
+/// What happens and is asked, starting from an empty world.
 #[derive(Clone)]
 pub(crate) struct Inquiry {
     /// The margin in the settings.

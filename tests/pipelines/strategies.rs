@@ -1,4 +1,4 @@
-//! Random worlds and questions, by proptest, which also shortens those that go wrong.
+//! Random worlds and questions, by proptest, which also shrinks those that fail.
 
 use proptest::collection::vec;
 use proptest::option;
@@ -83,7 +83,7 @@ fn places() -> impl Strategy<Value = Triple> {
     ]
 }
 
-/// Places that are not the centre of anything: what is nearest to the centre of a ball is not a number to Parry.
+/// Places that are not the centre of anything: the point nearest to the centre of a ball is NaN in Parry.
 fn points() -> impl Strategy<Value = Triple> {
     places().prop_map(|[x, y, z]| [x + 0.013, y - 0.017, z + 0.011])
 }

@@ -1,16 +1,16 @@
-//! What the fuzzer plays: bytes say what happens, and every update is checked as that of a random sequence is.
+//! What the fuzzer plays: bytes encode a sequence, whose updates are checked like those of a random one.
 //!
-//! Some bytes stand for a whole row of colliders, or for most of them in one list, which random sequences hardly come
-//! upon: there the way in which colliders are read, and searched for, is another. Bytes that run out are zeros, so
-//! everything has a meaning.
+//! Some bytes stand for a whole row of colliders, or for most of them in one list, which random sequences hardly ever
+//! have: colliders are then read, and searched for, in another way. Bytes that run out read as zeros, so every input is
+//! valid.
 
 use arbitrary::{Result, Unstructured};
 
+use crate::flavours::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 use crate::ops::{
     BodyKind, FAR, FAR_INDICES, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List, MARGINS,
     NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple, Types,
 };
-use crate::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 
 /// How many colliders there may be; the model looks at every pair of them.
 const MOST: usize = 80;
@@ -18,13 +18,13 @@ const MOST: usize = 80;
 /// How many updates a sequence may have.
 const MOST_UPDATES: usize = 60;
 
-/// More than are read in the order in which they are listed.
+/// Long enough that colliders are no longer read in the order of the list.
 const LONG_LIST: usize = 300;
 
-/// Plays what the bytes say.
+/// Plays the sequence that the bytes encode.
 pub(crate) fn play(bytes: &[u8]) {
     let mut bytes = Bytes(Unstructured::new(bytes));
-    // Nothing here can fail, but that the type of `Unstructured` says so.
+    // Nothing here can fail, but `Unstructured`'s types do not know that.
     let Ok((way, sequence)) = bytes.way_and_sequence() else {
         return;
     };
@@ -42,7 +42,7 @@ pub(crate) fn play(bytes: &[u8]) {
 struct Bytes<'a>(Unstructured<'a>);
 
 impl Bytes<'_> {
-    /// How to play it, and what.
+    /// Which flavour and kernel to play with, and what.
     fn way_and_sequence(&mut self) -> Result<(usize, Sequence)> {
         let way = self.0.int_in_range(0..=17)?;
         let mut sequence = Sequence {

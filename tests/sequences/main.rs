@@ -1,20 +1,17 @@
 //! The broad phase over time: random sequences of what can happen to colliders, against a model.
 //!
 //! A [`Sequence`](ops::Sequence) is a list of updates, each a list of [`Op`](ops::Op)s. It is played in three
-//! ways: with lists of colliders that the test makes itself, odd ones included (`direct`); and in the steps of
+//! ways: with hand-made lists of colliders, odd ones included (`direct`); and in the steps of
 //! Rapier's own `CollisionPipeline` and `PhysicsPipeline`, so that the lists are the engine's. Each update is
-//! checked by `CheckedBroadPhase`, which hands it on and compares the answer with that of `Model`: a brute-force
-//! reading of the contract, written without regard to the implementation.
+//! checked by `CheckedBroadPhase`, which forwards it and compares the answer with that of `Model`: the contract by
+//! brute force, written without regard to the implementation.
 //!
-//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` to look for longer. `fuzzed` is
-//! what the fuzzer plays, and `replay` plays it with the inputs that the fuzzer has kept.
+//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` is
+//! what the fuzzer plays, and `replay` plays the inputs that the fuzzer has kept.
 
-mod dim2;
-mod dim2_0_36;
-mod dim2_f64;
-mod dim3;
-mod dim3_0_36;
-mod dim3_f64;
+// With this attribute, its modules are looked for beside it and not in a folder of its name.
+#[path = "flavours.rs"]
+mod flavours;
 mod fuzzed;
 mod ops;
 mod replay;

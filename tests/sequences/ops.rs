@@ -1,21 +1,21 @@
-//! What can happen to colliders between two updates, in words that serve two and three dimensions.
+//! What can happen to colliders between two updates, in terms that serve two and three dimensions.
 //!
 //! Lengths come from short tables, so that boxes often touch exactly, stay just inside their margin or leave
 //! it by a little. Colliders and bodies are named by a number that is taken modulo how many there are, so that
-//! every sequence, and every shortened one, makes sense.
+//! every sequence, and every shrunk one, makes sense.
 
 use std::fmt;
 
 /// Moves that stay inside a margin or just leave it.
 pub(crate) const SMALL: [f32; 8] = [0.0, 0.001, -0.001, 0.005, -0.009, 0.01, 0.011, -0.02];
 
-/// Moves that do not.
+/// Moves that leave it far behind.
 pub(crate) const LARGE: [f32; 9] = [0.0, 0.25, -0.25, 0.5, -0.5, 1.0, -1.0, 2.5, -2.5];
 
 /// Coordinates of places that are near each other.
 pub(crate) const NEAR: [f32; 9] = [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, 3.0];
 
-/// Coordinates of places that are not.
+/// Coordinates of places that are far apart.
 pub(crate) const FAR: [f32; 4] = [0.0, 1.0e3, -1.0e6, 1.0e18];
 
 /// Radii and half extents.
@@ -109,7 +109,7 @@ pub(crate) enum Op {
     Shift(Pick, Triple),
     /// Puts a collider, or its body, at rest somewhere.
     Teleport(Pick, Triple),
-    /// Makes the pose of a collider, or of its body, not a number.
+    /// Sets the pose of a collider, or of its body, to NaN.
     Spoil(Pick),
     Resize(Pick, Shape),
     Skin(Pick, f32),
@@ -138,7 +138,7 @@ pub(crate) enum Op {
     ListBogus(List, u32, u32),
 }
 
-/// What happens from an empty world on.
+/// What happens, starting from an empty world.
 #[derive(Clone)]
 pub(crate) struct Sequence {
     /// The length unit that it begins with.

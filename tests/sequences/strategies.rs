@@ -1,4 +1,4 @@
-//! Random sequences, by proptest, which also shortens those that go wrong.
+//! Random sequences, by proptest, which also shrinks those that fail.
 
 use proptest::collection::vec;
 use proptest::prelude::*;

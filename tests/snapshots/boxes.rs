@@ -1,4 +1,4 @@
-//! What belongs to no flavour: boxes and times.
+//! What does not depend on the flavour: boxes and times.
 
 use unisize::{Aabb, PhaseTimes};
 

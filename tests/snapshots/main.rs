@@ -1,8 +1,40 @@
-//! A broad phase that is written in the midst of a simulation and read again goes on as if nothing had happened: the same
-//! events in the same order. And whatever is read that was not so written does no harm.
+//! A broad phase that is saved in the middle of a simulation and restored goes on as if nothing had happened: the same
+//! events in the same order. And malformed snapshots do no harm.
 
 mod boxes;
-mod dim2;
-mod dim2_f64;
-mod dim3;
-mod dim3_f64;
+
+#[path = "."]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::{Kernel, Settings, Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim2::{Observed, PairEvent, Scene};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::{Kernel, Settings, Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim3::{Observed, PairEvent, Scene};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim2_f64 {
+    use rapier2d_f64 as rapier;
+    use unisize::rapier2d_f64::{Kernel, Settings, Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim2_f64::{Observed, PairEvent, Scene};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3_f64 {
+    use rapier3d_f64 as rapier;
+    use unisize::rapier3d_f64::{Kernel, Settings, Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim3_f64::{Observed, PairEvent, Scene};
+
+    mod suite;
+}

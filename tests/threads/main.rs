@@ -1,6 +1,37 @@
-//! With any number of threads, the same events in the same order.
+//! The same events in the same order, with any number of threads.
 
-mod dim2;
-mod dim2_f64;
-mod dim3;
-mod dim3_f64;
+#[path = "."]
+mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::{Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim2::PairEvent;
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::{Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim3::PairEvent;
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim2_f64 {
+    use rapier2d_f64 as rapier;
+    use unisize::rapier2d_f64::{Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim2_f64::PairEvent;
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3_f64 {
+    use rapier3d_f64 as rapier;
+    use unisize::rapier3d_f64::{Stats, UnisizeBroadPhase};
+    use unisize_scenes::dim3_f64::PairEvent;
+
+    mod suite;
+}

@@ -1,27 +1,16 @@
-//! Many colliders that move, come, go and are spoilt, with one thread and with three: one source for every flavour.
+//! Many colliders that move, come, go and get NaN positions, with one to three threads: one source for every flavour.
 
 use super::rapier::prelude::*;
-use super::{Stats, UnisizeBroadPhase};
+use super::{PairEvent, Stats, UnisizeBroadPhase};
 use oorandom::Rand32;
 
-/// Enough for every part of the work to be shared.
+/// Enough for every part of the work to be split.
 const COUNT: u32 = 20_000;
 
 const UPDATES: usize = 30;
 
-/// Whether a pair was added, and the two colliders.
-type Change = (bool, [ColliderHandle; 2]);
-
-fn change(event: &BroadPhasePairEvent) -> Change {
-    let (is_added, pair) = match event {
-        BroadPhasePairEvent::AddPair(pair) => (true, pair),
-        BroadPhasePairEvent::DeletePair(pair) => (false, pair),
-    };
-    (is_added, [pair.collider1, pair.collider2])
-}
-
-/// The statistics and events of each update of a world that depends on nothing but chance.
-fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
+/// The statistics and events of each update of a random world.
+fn updates(threads: usize) -> Vec<(Stats, Vec<PairEvent>)> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("there are threads to be had");
     let mut random = Rand32::new(7);
@@ -60,7 +49,8 @@ fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
         pool.install(|| {
             broad_phase.update(&params, &colliders, &bodies, &listed, &removed, &mut events);
         });
-        all.push((broad_phase.stats(), events.iter().map(change).collect()));
+        let events = events.iter().map(PairEvent::from).collect();
+        all.push((broad_phase.stats(), events));
         removed.clear();
         for (i, handle) in listed.iter_mut().enumerate() {
             let collider = &mut colliders[*handle];
@@ -70,7 +60,7 @@ fn updates(threads: usize) -> Vec<(Stats, Vec<Change>)> {
                 1 | 2 => collider.set_translation(somewhere(&mut random)),
                 3 => collider.set_enabled(update % 2 == 0),
                 5 => {
-                    // A new one, with an index of its own, to be read among known ones.
+                    // A new one with an index of its own, which is read among known ones.
                     let collider = ColliderBuilder::ball(0.5).translation(place);
                     *handle = colliders.insert(collider);
                 }

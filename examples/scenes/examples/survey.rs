@@ -1,6 +1,6 @@
 //! Steps every scene with Rapier's default broad phase and prints what it took and whether it stayed sane.
 //!
-//! `cargo run --release -p unisize-scenes --example survey -- [steps] [bodies]`
+//! `cargo run --release -p unisize-scenes --features rapier2d,rapier3d --example survey -- [steps] [bodies]`
 
 use std::time::Instant;
 use unisize_scenes::SceneKind;

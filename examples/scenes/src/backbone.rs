@@ -7,7 +7,7 @@ use crate::random::Random;
 /// Collision Detection for Unisize Boxes*.
 ///
 /// A link is 0.76 of a cube long: 3.8 of the 5 ångströms within which two alpha carbons are said to be in contact. The
-/// chain turns by chance and keeps within a ball of which the cubes fill [`DENSITY`](Self::DENSITY).
+/// chain turns at random and stays within a ball of which the cubes fill [`DENSITY`](Self::DENSITY).
 ///
 /// ```
 /// use unisize_scenes::Backbone;
@@ -30,14 +30,14 @@ const LINK: f32 = 0.76;
 /// How far a cube trembles from its place, along each axis.
 const TREMBLING: f32 = 0.1;
 
-/// How fast, in radians a frame.
+/// How fast, in radians per frame.
 const PACE: f32 = 0.3;
 
 impl Backbone {
     /// The part of the ball that the cubes would fill if they did not overlap.
     pub const DENSITY: f32 = 0.7;
 
-    /// A chain of so many cubes. Equal arguments give equal cubes in every frame. **O(n)**.
+    /// A chain of `count` cubes. Equal arguments give equal cubes in every frame. **O(n)**.
     pub fn new(count: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let volume = count as f32 / Self::DENSITY;

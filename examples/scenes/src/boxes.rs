@@ -2,8 +2,8 @@
 
 use crate::random::Random;
 
-/// How far a box moves at most between two frames, along each axis: a tenth of its side, as a body of one
-/// metre does at six metres a second. Most boxes so leave the margin of a broad phase in every frame.
+/// The most that a box moves between two frames, along each axis: a tenth of its side, like a body of one metre
+/// at six metres per second. So most boxes leave the margin of a broad phase in every frame.
 const MAX_SPEED: f32 = 0.1;
 
 /// Boxes of side 1 that drift about in a square or cube and bounce from its borders, after the first
@@ -33,8 +33,8 @@ impl<const D: usize> DriftingBoxes<D> {
     /// The side of every box.
     pub const SIZE: f32 = 1.0;
 
-    /// So many boxes, in an environment of which they would fill `density`, a part of its area or volume, if
-    /// they did not overlap. Equal arguments give equal boxes in every frame. **O(n)**.
+    /// `count` boxes, in an environment of which they would fill the share `density` if they did not overlap.
+    /// Equal arguments give equal boxes in every frame. **O(n)**.
     ///
     /// The paper has densities between 0.1 and 1; any positive one will do. Where the environment would be
     /// smaller than a box, it is as large as one.
@@ -111,7 +111,7 @@ mod tests {
         let reach = (COUNT as f64 / 0.5).sqrt() - 1.0;
         let chance = ((2.0 * reach - 1.0) / (reach * reach)).powi(2);
         let expected = (COUNT * (COUNT - 1) / 2) as f64 * chance;
-        // Pairs are all but independent of each other, so their number is all but Poisson distributed.
+        // Pairs are nearly independent of each other, so their number is nearly Poisson distributed.
         let allowed = 5.0 * expected.sqrt();
         for frame in 0..3 {
             let found = overlapping_pairs(boxes.mins()) as f64;

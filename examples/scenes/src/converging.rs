@@ -1,4 +1,4 @@
-//! Squares that all fly to the centre, and on: the second experiment of the paper.
+//! Squares that all fly through the centre: the second experiment of the paper.
 
 use crate::random::Random;
 
@@ -6,8 +6,8 @@ use crate::random::Random;
 /// again on the other side: what Figure 4 of Capannini and Larsson, *Output Sensitive Collision Detection for Unisize
 /// Boxes*, is measured on.
 ///
-/// The paper says so much and no more. Here the squares fill a fifth of the area at first, and a square from the middle of a
-/// side reaches the centre in frame [`HALF_WAY`](Self::HALF_WAY) of 500. They are densest around then, for those that
+/// The paper specifies no more than that. Here the squares fill a fifth of the area at first, and a square from the
+/// middle of a side reaches the centre in frame [`HALF_WAY`](Self::HALF_WAY) of 500. They are densest around then, since those that
 /// start at one distance arrive at one time: at a distance of r from the centre there are about 1/r times as many as
 /// at first.
 ///
@@ -34,7 +34,7 @@ impl ConvergingBoxes {
     /// The frame in which a square from the middle of a side reaches the centre.
     pub const HALF_WAY: usize = 250;
 
-    /// So many squares around the origin. Equal arguments give equal squares in every frame. **O(n)**.
+    /// `count` squares around the origin. Equal arguments give equal squares in every frame. **O(n)**.
     pub fn new(count: usize, seed: u64) -> Self {
         let half_side = (count as f64 / DENSITY).sqrt() as f32 / 2.0;
         let speed = half_side / Self::HALF_WAY as f32;
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn they_gather_and_spread_out_again() {
         let mut boxes = ConvergingBoxes::new(5000, 7);
-        // That of a uniform square is 0.765 of half its side.
+        // The mean over a uniform square is 0.765 of half its side.
         let first = mean_distance(&boxes) / boxes.half_side();
         assert!((first - 0.765).abs() < 0.02, "{first}");
         let mut least = f32::MAX;

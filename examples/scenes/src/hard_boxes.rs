@@ -1,8 +1,8 @@
-//! Boxes on which methods fail: bare, of one moment.
+//! Boxes on which some methods break down: a single frame, without an engine.
 
 use crate::random::Random;
 
-/// How boxes lie that make one method or the other slow. Most have about 0.8 overlapping pairs a box, as
+/// Arrangements of boxes that make one method or another slow. Most have about 0.8 overlapping pairs a box, as
 /// [`DriftingBoxes`](crate::DriftingBoxes) have at their usual density.
 ///
 /// ```
@@ -14,9 +14,9 @@ use crate::random::Random;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HardBoxes {
-    /// Not hard: cubes of side 1, uniform in a cube. What the others are held against.
+    /// Not hard: cubes of side 1, uniform in a cube. The baseline for the others.
     Uniform,
-    /// Cubes all in one place: every two overlap.
+    /// Cubes all in one place: any two overlap.
     Coincident,
     /// 100 tight clusters, 10⁶ sides apart.
     Clusters,
@@ -46,7 +46,7 @@ pub enum HardBoxes {
     FarOut,
 }
 
-/// Overlapping pairs a box, where all are of one size.
+/// Overlapping pairs per box, where all are of one size.
 const PAIRS: f64 = 0.8;
 
 const CLUSTERS: usize = 100;
@@ -100,12 +100,12 @@ impl HardBoxes {
         }
     }
 
-    /// Whether so many would have more pairs than a bench can wait for, and a list of them can hold.
+    /// Whether `count` boxes would have more pairs than a bench can wait for, or a list can hold.
     pub fn are_too_many(self, count: usize) -> bool {
         self == Self::Coincident && count > 1 << 12
     }
 
-    /// The lower and the upper corner of each of so many boxes. Equal arguments give equal boxes. **O(n)**.
+    /// The lower and the upper corner of each of `count` boxes. Equal arguments give equal boxes. **O(n)**.
     pub fn boxes<const D: usize>(self, count: usize, seed: u64) -> Vec<[[f32; D]; 2]> {
         let random = &mut Random::new(seed);
         let unit = [1.0; D];
@@ -148,7 +148,7 @@ impl HardBoxes {
             }
             Self::SixOrders => {
                 let sides: Vec<_> = (0..count)
-                    .map(|_| [random.log_range(1e-3, 1e3); D])
+                    .map(|_| [1e-3 * (1e3 / 1e-3_f32).powf(random.range(0.0, 1.0)); D])
                     .collect();
                 scatter(random, &sides, |_| true)
             }
@@ -242,7 +242,7 @@ mod tests {
         for kind in HardBoxes::ALL {
             let range = match kind {
                 HardBoxes::Coincident => 1999.0..2000.0,
-                // Some lie on a border in common, and the diagonal is as long as a line.
+                // Some lie on a shared border, and the diagonal is as long as a line.
                 HardBoxes::FarOut => 0.8..2.0,
                 HardBoxes::Clusters => 0.4..1.2,
                 HardBoxes::OneToFour

@@ -1,11 +1,11 @@
-//! Cubes whose motion makes broad phases fail: bare, frame by frame.
+//! Cubes whose motion makes broad phases break down: frame by frame, without an engine.
 
 use crate::random::Random;
 
 /// How cubes move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HardMotion {
-    /// Not hard: all drift and bounce from the borders. What the others are held against.
+    /// Not hard: all drift and bounce from the borders. The baseline for the others.
     Drifting,
     /// All fly apart from a ball in which they are packed.
     Explosion,
@@ -21,13 +21,13 @@ pub enum HardMotion {
     Alternating,
 }
 
-/// How far a cube moves at most between two frames, along each axis.
+/// The most that a cube moves between two frames, along each axis.
 const SPEED: f32 = 0.1;
 
-/// The part of the way to or from the centre that cubes go in a frame.
+/// The share of the way to or from the centre that cubes cover in a frame.
 const PULL: f32 = 0.02;
 
-/// Overlapping pairs a cube, where they are uniform.
+/// Overlapping pairs per cube, where they are uniform.
 const PAIRS: f64 = 0.8;
 
 impl HardMotion {
@@ -79,7 +79,7 @@ pub struct HardFrames<const D: usize> {
 }
 
 impl<const D: usize> HardFrames<D> {
-    /// So many cubes before the first frame. **O(n)**.
+    /// `count` cubes before the first frame. **O(n)**.
     pub fn new(motion: HardMotion, count: usize, seed: u64) -> Self {
         let density = PAIRS * 2.0 / f64::from(1 << D);
         let reach = (count as f64 / density).powf(1.0 / D as f64) as f32;
@@ -120,7 +120,7 @@ impl<const D: usize> HardFrames<D> {
         &self.replaced
     }
 
-    /// On to the next frame. **O(n)**.
+    /// Moves on to the next frame. **O(n)**.
     pub fn advance(&mut self) {
         self.moved.clear();
         self.replaced.clear();
@@ -153,7 +153,7 @@ impl<const D: usize> HardFrames<D> {
         std::array::from_fn(|_| self.random.range(0.0, self.reach))
     }
 
-    /// Moves one in so many on.
+    /// Moves one cube in `stride` on.
     fn drift(&mut self, stride: usize) {
         for i in (0..self.mins.len()).step_by(stride) {
             for (x, v) in self.mins[i].iter_mut().zip(&mut self.velocities[i]) {
@@ -175,7 +175,7 @@ impl<const D: usize> HardFrames<D> {
         }
     }
 
-    /// Puts one in so many anywhere.
+    /// Puts one cube in `stride` at a random place.
     fn teleport(&mut self, stride: usize) {
         for i in (0..self.mins.len()).step_by(stride) {
             self.mins[i] = self.anywhere();

@@ -1,4 +1,4 @@
-//! The names of the scenes, and what can be said of each without building it.
+//! The names of the scenes, and what is known of each without building it.
 
 /// Which world to build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -117,7 +117,7 @@ impl SceneKind {
         }
     }
 
-    /// Whether every body moves at every step, so that keeping the boxes of resting bodies is of no use.
+    /// Whether every body moves at every step, so that caching the boxes of resting bodies is useless.
     pub const fn all_move(self) -> bool {
         matches!(self, Self::Gas | Self::Crowd | Self::Swarm)
     }

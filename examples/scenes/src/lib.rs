@@ -1,10 +1,12 @@
 //! The worlds that unisize is tested, measured and shown on.
 //!
-//! [`dim2`] and [`dim3`] are one source, compiled once against rapier2d and once against rapier3d, and so are
-//! [`dim2_f64`] and [`dim3_f64`] against the engines with numbers of 64 bits. A [`dim3::Scene`] is built from a [`SceneKind`], a number of bodies and a seed, and is stepped with any
-//! broad phase:
+//! `dim2`, `dim3`, `dim2_f64` and `dim3_f64` are one source, compiled once for each engine whose feature is on:
+//! `rapier2d`, `rapier3d`, `rapier2d-f64` and `rapier3d-f64`. A `dim3::Scene` is built from a [`SceneKind`], a number
+//! of bodies and a seed, and is stepped with any broad phase:
 //!
 //! ```
+//! # #[cfg(feature = "rapier3d")]
+//! # {
 //! use unisize_scenes::SceneKind;
 //! use unisize_scenes::dim3::{Scene, rapier::prelude::DefaultBroadPhase};
 //!
@@ -15,6 +17,7 @@
 //!     scene.step(&mut broad_phase, &(), &());
 //! }
 //! assert_eq!(scene.sanity_verdict(&initial), Ok(()));
+//! # }
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
@@ -29,12 +32,6 @@ mod random;
 mod stampede;
 
 pub mod boxes;
-pub mod dim2;
-#[cfg(feature = "f64")]
-pub mod dim2_f64;
-pub mod dim3;
-#[cfg(feature = "f64")]
-pub mod dim3_f64;
 
 pub use backbone::Backbone;
 pub use boxes::DriftingBoxes;
@@ -43,3 +40,57 @@ pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
 pub use stampede::Stampede;
+
+#[cfg(feature = "rapier2d")]
+pub mod dim2 {
+    //! The scenes for rapier2d.
+
+    pub use rapier2d as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier3d")]
+pub mod dim3 {
+    //! The scenes for rapier3d.
+
+    pub use rapier3d as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier2d-f64")]
+#[path = "dim2"]
+pub mod dim2_f64 {
+    //! The scenes for rapier2d-f64.
+
+    pub use rapier2d_f64 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}
+
+#[cfg(feature = "rapier3d-f64")]
+#[path = "dim3"]
+pub mod dim3_f64 {
+    //! The scenes for rapier3d-f64.
+
+    pub use rapier3d_f64 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+
+    pub use engine::*;
+}

@@ -1,6 +1,6 @@
 //! The generator that the scenes draw from: a thin cover of `oorandom` with the few draws they need.
 
-use rapier2d::na::{self, RealField};
+use std::ops::{Add, Mul, Sub};
 
 /// A generator whose draws depend on its seed alone.
 #[derive(Clone, Debug)]
@@ -11,19 +11,12 @@ impl Random {
         Self(oorandom::Rand32::new(seed))
     }
 
-    /// A number in `lo..hi`.
-    pub(crate) fn range<R: RealField + Copy>(&mut self, lo: R, hi: R) -> R {
-        lo + (hi - lo) * self.share()
-    }
-
-    /// A number in `lo..hi` whose logarithm is uniform.
-    pub(crate) fn log_range<R: RealField + Copy>(&mut self, lo: R, hi: R) -> R {
-        lo * (hi / lo).powf(self.share())
-    }
-
-    /// A number in `0..1`, with the bits of an `f32`.
-    fn share<R: RealField>(&mut self) -> R {
-        na::convert(f64::from(self.0.rand_float()))
+    /// A number in `lo..hi`, whose random part has the bits of an `f32`.
+    pub(crate) fn range<R>(&mut self, lo: R, hi: R) -> R
+    where
+        R: Copy + From<f32> + Add<Output = R> + Sub<Output = R> + Mul<Output = R>,
+    {
+        lo + (hi - lo) * R::from(self.0.rand_float())
     }
 
     /// An index in `0..count`, which must not be empty.

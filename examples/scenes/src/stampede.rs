@@ -1,12 +1,12 @@
-//! A herd that stampedes around in a ring, each animal out of the way of its neighbours.
+//! A herd that stampedes around a ring, each animal avoiding its neighbours.
 
 use crate::random::Random;
 
 /// A herd in two dimensions without an engine: animals run around in a ring, as fast as each can, and steer clear of those
 /// near them.
 ///
-/// Who is near is for others to find out: boxes of [`NEIGHBOURHOOD`](Self::NEIGHBOURHOOD) on every side of an animal overlap
-/// if two are within twice that distance along both axes, and the pairs of such boxes are handed to
+/// Finding out who is near is up to the caller: boxes of [`NEIGHBOURHOOD`](Self::NEIGHBOURHOOD) on every side of an
+/// animal overlap if two are within twice that distance along both axes, and the pairs of such boxes are handed to
 /// [`advance`](Self::advance). This is the neighbour search of section 6 of Capannini and Larsson, *Output Sensitive
 /// Collision Detection for Unisize Boxes*.
 ///
@@ -21,28 +21,28 @@ use crate::random::Random;
 pub struct Stampede {
     places: Vec<[f32; 2]>,
     velocities: Vec<[f32; 2]>,
-    /// Metres a second that each animal would like to run at.
+    /// The speed that each animal would like to run at, in metres per second.
     paces: Vec<f32>,
-    /// Metres a second gained in a second; scratch memory.
+    /// Accelerations, in metres per second squared; scratch memory.
     pushes: Vec<[f32; 2]>,
-    /// Of the middle of the ring.
+    /// The radius of the middle of the ring.
     radius: f32,
     half_width: f32,
 }
 
-/// Animals on a square metre.
+/// Animals per square metre.
 const DENSITY: f32 = 0.3;
 
-/// The width of the ring in its middle radius.
+/// The width of the ring as a share of its middle radius.
 const WIDTH: f32 = 0.4;
 
-/// Seconds within which an animal would be at its pace if nobody were in its way.
+/// The seconds that an animal takes to reach its pace if nothing is in its way.
 const EAGERNESS: f32 = 0.5;
 
-/// Metres a second gained in a second by two that are all but in one place.
+/// The acceleration of two animals that are nearly in one place, in metres per second squared.
 const SHYNESS: f32 = 60.0;
 
-/// The most that an animal can do, in metres a second gained in a second.
+/// The greatest acceleration of an animal, in metres per second squared.
 const STRENGTH: f32 = 25.0;
 
 impl Stampede {
@@ -55,7 +55,7 @@ impl Stampede {
     /// Seconds between two frames.
     pub const STEP: f32 = 1.0 / 60.0;
 
-    /// A herd of so many. Equal arguments, and equal pairs in every frame, make an equal stampede. **O(n)**.
+    /// A herd of `count` animals. Equal arguments, and equal pairs in every frame, make an equal stampede. **O(n)**.
     pub fn new(count: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
         // The area of the ring is 2 π · radius · width.
@@ -89,7 +89,7 @@ impl Stampede {
         &self.places
     }
 
-    /// Where they are going, in metres a second.
+    /// The velocities, in metres per second.
     pub fn velocities(&self) -> &[[f32; 2]] {
         &self.velocities
     }
@@ -99,8 +99,8 @@ impl Stampede {
         self.radius + self.half_width
     }
 
-    /// On to the next frame, in which animals avoid those that they make a pair with. Pairs that are not near are of no
-    /// consequence, and those of animals that do not exist are left out. **O(n + pairs)**.
+    /// Moves on to the next frame; animals avoid those that they form a pair with. Pairs that are not near have no
+    /// effect, and those of animals that do not exist are ignored. **O(n + pairs)**.
     pub fn advance(&mut self, pairs: impl IntoIterator<Item = [u32; 2]>) {
         self.pushes.clear();
         self.pushes.resize(self.places.len(), [0.0; 2]);
@@ -149,7 +149,7 @@ impl Stampede {
         ]
     }
 
-    /// How many of these pairs have run into each other: are less than two radii apart. **O(pairs)**.
+    /// How many of these pairs have collided, that is, are less than two radii apart. **O(pairs)**.
     pub fn collisions(&self, pairs: impl IntoIterator<Item = [u32; 2]>) -> usize {
         let collide = |[a, b]: &[u32; 2]| {
             let [a, b] = [a, b].map(|&i| self.places[i as usize]);
@@ -159,7 +159,7 @@ impl Stampede {
     }
 }
 
-/// What drives the first away from the second.
+/// The force that drives the first away from the second.
 fn shyness(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
     let way = [a[0] - b[0], a[1] - b[1]];
     let distance = way[0].hypot(way[1]);
@@ -176,7 +176,7 @@ fn shyness(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
 mod tests {
     use super::*;
 
-    /// Every pair, found the slow way.
+    /// Every pair, by brute force.
     fn pairs(herd: &Stampede) -> Vec<[u32; 2]> {
         let places = herd.places();
         let near = |i: usize, j: usize| {
@@ -197,7 +197,7 @@ mod tests {
             blind.advance([]);
             let seen = pairs(&seeing);
             seeing.advance(seen);
-            // What the start was like is forgotten.
+            // By then the start no longer matters.
             if frame >= 120 {
                 for (herd, count) in [&blind, &seeing].into_iter().zip(&mut collisions) {
                     *count += herd.collisions(pairs(herd));

@@ -13,42 +13,13 @@ macro_rules! scene_tests {
             use super::{STEPS, SceneKind};
             use std::hash::{DefaultHasher, Hash, Hasher};
             use unisize_scenes::$dim::rapier::prelude::*;
-            use unisize_scenes::$dim::{Sanity, Scene};
-
-            /// The default broad phase with its events in order.
-            ///
-            /// By itself it reports the ends of pairs in the order of a hash map with a random seed, and
-            /// the solver's result depends on that order in its last bits.
-            struct Ordered(DefaultBroadPhase);
-
-            impl BroadPhase for Ordered {
-                fn update(
-                    &mut self,
-                    params: &IntegrationParameters,
-                    colliders: &ColliderSet,
-                    bodies: &RigidBodySet,
-                    modified: &[ColliderHandle],
-                    removed: &[ColliderHandle],
-                    events: &mut Vec<BroadPhasePairEvent>,
-                ) {
-                    let inner = &mut self.0;
-                    inner.update(params, colliders, bodies, modified, removed, events);
-                    events.sort_by_key(|event| {
-                        let (is_end, pair) = match event {
-                            BroadPhasePairEvent::AddPair(pair) => (false, pair),
-                            BroadPhasePairEvent::DeletePair(pair) => (true, pair),
-                        };
-                        let first = pair.collider1.into_raw_parts();
-                        (is_end, first, pair.collider2.into_raw_parts())
-                    });
-                }
-            }
+            use unisize_scenes::$dim::{Observed, Sanity, Scene};
 
             /// Builds a scene and steps it.
             fn run(kind: SceneKind, bodies: usize, seed: u64, steps: usize) -> (Scene, Sanity) {
                 let mut scene = Scene::build(kind, bodies, seed);
                 let initial = scene.sanity();
-                let mut broad_phase = Ordered(DefaultBroadPhase::new());
+                let mut broad_phase = Observed::new(DefaultBroadPhase::new()).sorted();
                 for _ in 0..steps {
                     scene.step(&mut broad_phase, &(), &());
                 }

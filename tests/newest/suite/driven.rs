@@ -1,8 +1,8 @@
 //! Both broad phases called with the same lists, without a pipeline.
 //!
-//! From outside, Rapier's takes every listed collider for new, and keeps no margin. Without a margin, ours must
-//! report the same. Only where one collider is removed and another gets its index in the same update are they not
-//! compared: there Rapier's may keep pairs of the removed one, and report their end later.
+//! Called from outside, Rapier's treats every listed collider as new, and keeps no margin. Without a margin, ours must
+//! report the same. The two are not compared where one collider is removed and another gets its index in the same
+//! update: there Rapier's may keep pairs of the removed one, and report their end later.
 
 use super::*;
 
@@ -84,7 +84,7 @@ impl Driven {
         }
     }
 
-    /// One update of each, and the same events of both.
+    /// Updates both, and checks that their events are equal.
     fn update(&mut self) {
         self.modified
             .sort_unstable_by_key(|handle| handle.into_raw_parts());
@@ -105,7 +105,7 @@ impl Driven {
     }
 }
 
-/// Whether they are additions, and of which pairs.
+/// The events as pairs, each with whether it is added.
 fn sorted(events: &[BroadPhasePairEvent]) -> Vec<(bool, Pair)> {
     let mut sorted: Vec<_> = events
         .iter()
@@ -211,7 +211,7 @@ fn a_withheld_pair_is_reported_once_it_is_allowed_and_its_collider_listed() {
     colliders[handles[1]].set_active_collision_types(ActiveCollisionTypes::all());
     assert_eq!(update(&colliders, &[]), (0, 0, 1));
     assert_eq!(update(&colliders, &handles[1..]), (1, 1, 0));
-    // Rapier too leaves it to the narrow phase to drop what it once was told of.
+    // Rapier, too, leaves it to the narrow phase to drop pairs that were reported.
     colliders[handles[1]].set_active_collision_types(ActiveCollisionTypes::empty());
     assert_eq!(update(&colliders, &handles), (0, 1, 0));
     colliders[handles[0]].set_translation(Vector::X * 9.0);

@@ -36,7 +36,7 @@ fn the_same_answers() {
     for _ in 0..500 {
         let (from, to) = (within(&mut random, 10.0), within(&mut random, 1.0));
         let ray = Ray::new(from, to);
-        // Of several that a ray begins in, any may be named.
+        // If a ray begins inside several, any may be returned.
         let cast = |asked: QueryPipeline| {
             let hit = asked.cast_ray(&ray, 20.0, true);
             hit.map(|(handle, time)| (time, (time > 0.0).then_some(handle)))

@@ -1,5 +1,5 @@
-//! Beside Rapier's own `PhysicsPipeline`: before each step ours is told what has moved, and after it, its pairs must be
-//! those that the narrow phase holds.
+//! Beside Rapier's own `PhysicsPipeline`: before each step ours is given what has moved, and after it, its pairs must
+//! be those that the narrow phase holds.
 
 use super::*;
 
@@ -7,7 +7,7 @@ struct Stepped {
     world: PhysicsWorld,
     ours: UnisizeBroadPhase,
     removed: Vec<ColliderHandle>,
-    /// The most pairs so far, and the most that were withheld.
+    /// The greatest numbers of pairs and of withheld pairs so far.
     most: [usize; 2],
 }
 
@@ -55,7 +55,7 @@ impl Stepped {
         let PhysicsWorld {
             bodies, colliders, ..
         } = &self.world;
-        // Those that have not moved have not left their box.
+        // What has not moved has not left its box.
         let all: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
         let params = self.world.integration_parameters;
         self.ours.update(

@@ -8,7 +8,7 @@ use super::suite::twins::{Twins, at, cube, cuboid, dynamic, fixed, triple};
 struct Drive {
     twins: Twins,
     chassis: RigidBodyHandle,
-    /// That of our world and that of Rapier's.
+    /// One for our world and one for Rapier's.
     vehicles: [DynamicRayCastVehicleController; 2],
 }
 
@@ -39,7 +39,7 @@ impl Drive {
         }
     }
 
-    /// Drives for so many steps; all that is known of the wheels must be equal, and so is all that is seen of the worlds.
+    /// Drives for this many steps; both worlds, and the full state of the wheels, must stay equal.
     fn drive(&mut self, steps: usize, set: impl Fn(&mut [Wheel])) -> Vec<Wheel> {
         let filter = QueryFilter::new().exclude_rigid_body(self.chassis);
         let mut wheels = Vec::new();

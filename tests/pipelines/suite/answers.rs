@@ -1,4 +1,4 @@
-//! Asks both broad phases the same, in both of the ways in which Rapier asks, and compares the answers.
+//! Asks both broad phases the same, in both of the ways that Rapier offers, and compares the answers.
 
 use std::collections::BTreeSet;
 use std::fmt::Debug;
@@ -14,7 +14,7 @@ pub(super) struct Nearest {
     collider: (u32, u32),
     /// The bits of the distance or the time.
     distance: u64,
-    /// All that is told of it. Numbers are written such that they read back the same, to the last bit.
+    /// Everything else about it. Numbers are printed so that they read back the same, to the last bit.
     details: String,
 }
 
@@ -40,7 +40,7 @@ impl Watched {
         let World {
             bodies, colliders, ..
         } = &mut self.world;
-        let (unisize, default) = (&self.watchers.unisize, &self.watchers.default);
+        let (unisize, default) = (&self.watchers.unheard, &self.watchers.heard);
 
         let ours = question(&unisize.as_query_pipeline(dispatcher, bodies, colliders, filter));
         let mutably = unisize.as_query_pipeline_mut(dispatcher, bodies, colliders, filter);
@@ -64,7 +64,7 @@ impl Watched {
     ) -> bool {
         let (ours, theirs) = self.ask(filter, &question);
         if ours != theirs {
-            // Which of several that are equally near is found is up to the shape of the tree.
+            // Which of several equally near colliders is found depends on the shape of the tree.
             let nearest = ours.as_ref().zip(theirs.as_ref());
             let are_tied = nearest.is_some_and(|(ours, theirs)| {
                 ours.distance == theirs.distance && ours.collider != theirs.collider

@@ -1,4 +1,4 @@
-//! What is fast: continuous collision detection, hard and soft.
+//! Fast bodies: continuous collision detection, hard and soft.
 
 use super::rapier::prelude::*;
 use super::spin;
@@ -45,7 +45,7 @@ fn spinning_soft_ccd_bullet() {
 
 #[test]
 fn short_soft_ccd_predictions() {
-    // The prediction reaches less far than the body goes: it may pass, but alike in both worlds.
+    // The prediction is shorter than the step of the body: it may pass, but must do so in both worlds.
     for reach in [0.1, 0.5, 1.0, 2.0] {
         for lane in 0..5 {
             let mut twins = Twins::weightless();

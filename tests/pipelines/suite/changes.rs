@@ -28,7 +28,7 @@ impl Resting {
         }
     }
 
-    /// Makes a change that must end the contact, and one that must bring it back.
+    /// Makes a change that must end the contact, and one that must restore it.
     fn part_and_meet(mut self, part: impl Fn(&mut Self), meet: impl Fn(&mut Self), removed: bool) {
         for _ in 0..3 {
             part(&mut self);

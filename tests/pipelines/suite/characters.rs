@@ -1,4 +1,4 @@
-//! Rapier's controller of characters, which asks the broad phase at every turn: the same movements.
+//! Rapier's character controller, which queries the broad phase all the time: the same movements.
 
 use super::rapier::control::{
     CharacterAutostep, CharacterCollision, CharacterLength, EffectiveCharacterMovement,
@@ -87,7 +87,7 @@ impl Walk {
         movement
     }
 
-    /// Walks ahead for so many steps, and returns the greatest height on the way.
+    /// Walks ahead for this many steps, and returns the greatest height on the way.
     fn ahead(&mut self, steps: usize) -> Real {
         let mut highest = self.place().y;
         for _ in 0..steps {

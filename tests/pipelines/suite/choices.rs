@@ -1,4 +1,4 @@
-//! What the broad phase chooses by itself shows in its statistics, and can be fixed in its settings.
+//! What the broad phase chooses by itself shows in its statistics, and its settings can fix it.
 
 use super::rapier::prelude::*;
 use super::{Settings, UnisizeBroadPhase};
@@ -33,7 +33,7 @@ impl Plane {
         plane
     }
 
-    /// Moves one ball in so many, and tells of it.
+    /// Moves one ball in `stride`, and lists it.
     fn advance(&mut self, stride: usize) {
         let listed: Vec<_> = self.handles.iter().copied().step_by(stride).collect();
         for &handle in &listed {

@@ -46,7 +46,7 @@ impl DebugRenderBackend for Lines {
     }
 }
 
-/// Something of everything that can be drawn.
+/// One of everything that can be drawn.
 fn exhibition() -> Twins {
     let mut twins = Twins::heavy();
     twins.insert_floor();

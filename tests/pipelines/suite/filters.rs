@@ -1,4 +1,4 @@
-//! What decides that two colliders which touch do not collide, and events about those that do.
+//! Filters that keep touching colliders from colliding, and events of those that do collide.
 
 use super::hinge;
 use super::rapier::prelude::*;

@@ -1,4 +1,4 @@
-//! Input that no sound program makes, given to the broad phase itself: each kind with what comes of it.
+//! Input that no sound program makes, given to the broad phase directly, and what must happen for each kind.
 
 use super::rapier::prelude::*;
 use super::{Settings, UnisizeBroadPhase, World};
@@ -6,7 +6,7 @@ use super::{Settings, UnisizeBroadPhase, World};
 /// Whether a pair is added, and its colliders.
 type Event = (bool, [ColliderHandle; 2]);
 
-/// Colliders, and a broad phase that is told of them by hand.
+/// Colliders, and a broad phase that gets hand-made lists of them.
 #[derive(Default)]
 struct Desk {
     colliders: ColliderSet,
@@ -101,7 +101,7 @@ fn infinite_boxes_are_boxes() {
     assert_eq!(events, pairs.map(|pair| (true, pair)));
     desk.place(far, Real::NEG_INFINITY);
     assert_eq!(desk.update(&[far], &[]), [(false, [far, beside])]);
-    // An infinite number less an infinite number is none.
+    // Infinity minus infinity is NaN.
     desk.place(all, Real::INFINITY);
     assert_eq!(desk.update(&[all], &[]).len(), 3);
     assert_eq!(desk.counts(), [3, 1, 0]);
@@ -121,7 +121,7 @@ fn denormals_and_negative_zeros_are_numbers() {
     met.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
     let expected = [0, 1, 2, 3].map(|i| (true, [points[i], ball]));
     assert_eq!(met, expected);
-    // Another zero is no move.
+    // From one zero to the other is no move.
     desk.place(points[0], 0.0);
     assert_eq!(desk.update(&[points[0]], &[]), []);
     assert_eq!(desk.broad_phase.stats().moved, 0);
@@ -146,7 +146,7 @@ fn one_listed_as_removed_and_as_modified_is_removed_first() {
     let mut desk = Desk::default();
     let [a, b] = [desk.ball(0.5, 0.0), desk.ball(0.5, 0.9)];
     desk.update(&[a, b], &[]);
-    // It is there still, so it is new: its pairs end in silence and are added again.
+    // It still exists, so it counts as new: its pairs end without events and are added again.
     assert_eq!(desk.update(&[b], &[b]), [(true, [a, b])]);
     // It is disabled or gone, so it stays away.
     desk.colliders[b].set_enabled(false);
@@ -187,7 +187,7 @@ fn an_index_of_a_newer_generation_is_another_collider() {
     desk.remove(old);
     let new = desk.ball(0.5, -0.9);
     assert_eq!(old.into_raw_parts().0, new.into_raw_parts().0);
-    // Even where the end of the old one goes unreported, or is reported too late.
+    // Even if the removal of the old one is not reported, or too late.
     assert_eq!(desk.update(&[new], &[]), [(true, [a, new])]);
     assert_eq!(desk.update(&[old], &[old]), []);
     assert_eq!(desk.counts(), [2, 0, 1]);
@@ -245,7 +245,7 @@ fn an_infinite_margin_makes_infinite_boxes() {
     };
     let [a, b] = [desk.ball(0.5, 0.0), desk.ball(0.5, 0.9)];
     assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
-    // An infinite side less an infinite margin would be none, so it gets none.
+    // An infinite side minus an infinite margin would be NaN, so it gets no margin.
     desk.place(a, Real::INFINITY);
     assert_eq!(desk.update(&[a], &[]), [(false, [a, b])]);
     desk.place(b, 1.9);
@@ -253,7 +253,7 @@ fn an_infinite_margin_makes_infinite_boxes() {
     assert_eq!(desk.counts(), [2, 0, 1]);
 }
 
-/// Steps a world in which so many colliders are on one body, which is put here and there, and one is on none.
+/// Steps a world with this many colliders on one body, which is moved about, and one without a body.
 fn colliders_on_one_body(count: usize) {
     let mut world = World::new(Vector::zeros());
     let mut broad_phase = UnisizeBroadPhase::new();

@@ -1,10 +1,10 @@
 //! Random worlds, random questions: the answers of both broad phases.
 //!
-//! With the default margin, the boxes of both are the same. With another one they are not, but boxes only tell what
-//! need not be looked at: all answers are the same, but for those to the question about boxes itself.
+//! With the default margin, the boxes of both are the same. With another one they are not, but boxes only rule out
+//! what need not be tested: all answers are the same, except to the query about boxes itself.
 //!
 //! `cast_shape_nonlinear` is not among the questions (`queries` has it): Parry runs the same cast against a ball around each node of the
-//! tree, and for some sizes and speeds that does not end, or tells of a hit that is none. So it is up to the tree.
+//! tree, and for some sizes and speeds that does not end, or reports a false hit. So the answer depends on the tree.
 
 use proptest::test_runner::{Config, TestRunner};
 

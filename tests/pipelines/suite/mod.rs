@@ -1,7 +1,7 @@
 //! The tests: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{Settings, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
+use super::{Settings, Tee, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
 
 mod answers;
 mod bullets;

@@ -1,4 +1,4 @@
-//! What no other test is about: several updates a step, poses that are not numbers, a change of broad phase.
+//! What no other test covers: several updates per step, NaN poses, a change of broad phase.
 
 use super::rapier::prelude::*;
 use super::snapshot::{EventLog, Snapshot};

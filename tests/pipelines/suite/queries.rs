@@ -31,7 +31,7 @@ fn scattered() -> Twins {
     twins
 }
 
-/// Parry builds trees of one and of two leaves in a way of its own.
+/// Parry builds trees of one and of two leaves as special cases.
 #[test]
 fn a_few_colliders_with_any_index() {
     for left in 1..=4 {
@@ -172,7 +172,7 @@ fn with_the_sets_borrowed_mutably() {
     assert!(scene.bodies[parent].is_dynamic());
 }
 
-/// Where the first node of the tree is in memory.
+/// The address of the first node of the tree.
 fn first_node(scene: &QueryPipeline<'_>) -> *const BvhNode {
     let first = Cell::new(std::ptr::null::<BvhNode>());
     let mut leaves = scene.bvh.leaves(|node| {
@@ -185,7 +185,7 @@ fn first_node(scene: &QueryPipeline<'_>) -> *const BvhNode {
     first.get()
 }
 
-/// That it is kept over updates in which no box changes is seen by `tests/memory`.
+/// `tests/memory` checks that it is kept over updates in which no box changes.
 #[test]
 fn one_tree_for_all_queries_between_two_updates() {
     let mut twins = scattered();

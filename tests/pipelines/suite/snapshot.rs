@@ -1,4 +1,4 @@
-//! What a user can see of a world after a step, in an order of its own.
+//! What a user can see of a world after a step, in a canonical order.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Mutex;

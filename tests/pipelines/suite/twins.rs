@@ -72,7 +72,7 @@ impl Twins {
         self.both(|world| change(&mut world.bodies[body]));
     }
 
-    /// Asks both worlds the same, ours first, and changes them alike; all that comes of it must be equal, to the last bit.
+    /// Asks both worlds the same, ours first, and changes them alike; the results must be equal, to the last bit.
     pub(crate) fn both_scenes<T: Debug>(
         &mut self,
         filter: QueryFilter<'_>,
@@ -90,12 +90,12 @@ impl Twins {
         } = theirs;
         let scene = &self.default;
         let expected = ask(scene.as_query_pipeline_mut(dispatcher, bodies, colliders, filter));
-        // Numbers are written such that they read back the same.
+        // Numbers are printed so that they read back the same.
         assert_eq!(format!("{answer:?}"), format!("{expected:?}"));
         answer
     }
 
-    /// One step; what is seen of both worlds must be equal.
+    /// Makes one step; both worlds must look the same.
     pub(crate) fn step(&mut self) -> Snapshot {
         let (our_log, their_log) = (EventLog::default(), EventLog::default());
         let hooks = &*self.hooks;
@@ -121,7 +121,7 @@ impl Twins {
         ours
     }
 
-    /// The last of so many steps.
+    /// Makes this many steps, and returns what is seen after the last.
     pub(crate) fn steps(&mut self, count: usize) -> Snapshot {
         for _ in 1..count {
             self.step();

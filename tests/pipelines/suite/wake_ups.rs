@@ -1,6 +1,6 @@
 //! Changes of fixed bodies that sleeping neighbours must notice, or that Rapier lets them sleep through.
 //!
-//! Rapier wakes what has a pair with a changed collider, even one that filters have forbidden so far.
+//! Rapier wakes whatever has a pair with a changed collider, even a pair that filters have ruled out so far.
 
 use super::World;
 use super::rapier::prelude::*;

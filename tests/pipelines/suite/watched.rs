@@ -5,43 +5,14 @@ use std::collections::BTreeSet;
 use super::rapier::parry::partitioning::{Bvh, TraversalAction};
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use super::{Settings, UnisizeBroadPhase, World, mesh_floor, spin};
+use super::{Settings, Tee, UnisizeBroadPhase, World, mesh_floor, spin};
 use crate::questions::{Body, Change, Filter, NewCollider, Pick, Pose, Shape, Triple};
 
-/// Two broad phases in the place of one. Rapier gets the events of its own.
-#[derive(Default)]
-pub(super) struct BothBroadPhases {
-    pub(super) unisize: UnisizeBroadPhase,
-    pub(super) default: DefaultBroadPhase,
-}
-
-impl BroadPhase for BothBroadPhases {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let Self { unisize, default } = self;
-        unisize.update(
-            params,
-            colliders,
-            bodies,
-            modified,
-            removed,
-            &mut Vec::new(),
-        );
-        default.update(params, colliders, bodies, modified, removed, events);
-    }
-}
-
-/// A world in which nothing collides, so that it stays what it was made: bodies fly through each other.
+/// A world in which nothing collides, so that it stays as it was made: bodies fly through each other.
 pub(super) struct Watched {
     pub(super) world: World,
-    pub(super) watchers: BothBroadPhases,
+    /// Rapier gets the events of its own.
+    pub(super) watchers: Tee<DefaultBroadPhase, UnisizeBroadPhase>,
     /// The colliders, in the order in which they were inserted.
     handles: Vec<ColliderHandle>,
 }
@@ -52,7 +23,7 @@ impl Watched {
             margin: margin.into(),
             ..Settings::default()
         };
-        // They stay. Rapier's tree runs in circles, or panics, after it has lost all but one of its colliders.
+        // These are never removed. Rapier's tree loops forever, or panics, once it has lost all but one of its colliders.
         let mut world = World::new(Vector::zeros());
         for x in [-20.0, 0.0, 20.0] {
             let collider = ColliderBuilder::ball(0.5).translation(vector([x, 15.0, 0.0]));
@@ -60,17 +31,17 @@ impl Watched {
         }
         Self {
             world,
-            watchers: BothBroadPhases {
-                unisize: UnisizeBroadPhase::with_settings(settings),
-                default: DefaultBroadPhase::new(),
-            },
+            watchers: Tee::new(
+                DefaultBroadPhase::new(),
+                UnisizeBroadPhase::with_settings(settings),
+            ),
             handles: Vec::new(),
         }
     }
 
     pub(super) fn step(&mut self) {
         self.world.step(&mut self.watchers, &(), &());
-        self.watchers.unisize.validate();
+        self.watchers.unheard.validate();
     }
 
     pub(super) fn change(&mut self, change: Change) {
@@ -155,14 +126,14 @@ impl Watched {
             .collect();
         let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
         let bodies = &self.world.bodies;
-        let BothBroadPhases { unisize, default } = &self.watchers;
+        let (default, unisize) = (&self.watchers.heard, &self.watchers.unheard);
         let ours = unisize.as_query_pipeline(dispatcher, bodies, colliders, filter);
         assert_eq!(leaves(ours.bvh, enabled.len()).as_ref(), Some(&enabled));
         let theirs = default.as_query_pipeline(dispatcher, bodies, colliders, filter);
         assert_eq!(leaves(theirs.bvh, enabled.len()), Some(enabled));
     }
 
-    /// Rapier's filter, which has its predicate from the caller.
+    /// Rapier's filter; the caller adds the predicate.
     pub(super) fn filter(&self, filter: Filter) -> QueryFilter<'static> {
         let body_of = filter.body_of.and_then(|pick| self.nth(pick));
         let groups = filter.groups.map(Group::from_bits_truncate);
@@ -176,7 +147,7 @@ impl Watched {
     }
 }
 
-/// What is in a tree, by index, or `None` if it runs in circles.
+/// The leaves of a tree, by index, or `None` if it has a cycle.
 fn leaves(tree: &Bvh, most: usize) -> Option<BTreeSet<u32>> {
     let (mut leaves, mut nodes) = (BTreeSet::new(), 0);
     tree.traverse(|node| {
@@ -190,7 +161,7 @@ fn leaves(tree: &Bvh, most: usize) -> Option<BTreeSet<u32>> {
     (nodes <= 2 * most).then_some(leaves)
 }
 
-/// A collider of this shape, or the shape alone.
+/// A collider of this shape.
 pub(super) fn builder(shape: Shape) -> ColliderBuilder {
     match shape {
         Shape::Ball(radius) => ColliderBuilder::ball(radius.into()),

@@ -43,7 +43,7 @@ pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter)
 }
 
-/// Without waking anything: waking a body whose type has just changed would upset the engine's list of active bodies.
+/// Wakes nothing: waking a body whose type has just changed would corrupt the engine's list of active bodies.
 pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {
     let World {
         islands,

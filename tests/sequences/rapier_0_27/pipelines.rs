@@ -28,7 +28,7 @@ macro_rules! steps_with {
 steps_with!(grid_sweep, Kernel::GridSweep);
 steps_with!(rank_sweep, Kernel::RankSweep);
 
-/// Plays a sequence with one step for each of its updates, and one more that nothing precedes.
+/// Plays a sequence with one step for each of its updates, and one more without changes.
 fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)) {
     for ops in &sequence.updates {
         for &op in ops {

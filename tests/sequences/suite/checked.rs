@@ -1,4 +1,4 @@
-//! A broad phase that hands every update on to ours and checks the answer.
+//! A broad phase that forwards every update to ours and checks the answer.
 
 use std::collections::BTreeSet;
 
@@ -64,7 +64,7 @@ impl CheckedBroadPhase {
         let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");
-        // A box is renewed only when its collider is listed, so it may be of an earlier prediction.
+        // A box is renewed only when its collider is listed, so it may date from an earlier prediction distance.
         self.prediction = self.prediction.min(params.prediction_distance());
         for pair in &expected.deleted {
             assert_far_apart(pair, self.prediction, colliders);
@@ -87,7 +87,7 @@ fn raw(pair: &ColliderPair) -> Pair {
     pair
 }
 
-/// The pairs as a set; none may occur twice.
+/// The pairs as a set, without duplicates.
 fn as_set(pairs: &[Pair]) -> BTreeSet<Pair> {
     let set: BTreeSet<_> = pairs.iter().copied().collect();
     assert_eq!(set.len(), pairs.len(), "a pair occurs twice in {pairs:?}");
@@ -118,7 +118,7 @@ fn assert_far_apart(pair: &Pair, prediction: Real, colliders: &ColliderSet) {
     let magnitude = coordinates
         .iter()
         .fold(0.0, |most: Real, x| most.max(x.abs()));
-    // A pose that is not a number is nowhere, and very far out the distance itself is not exact.
+    // A NaN pose has no distance, and very far out the distance itself is inexact.
     if coordinates.iter().any(|x| x.is_nan()) || magnitude > 1.0e3 {
         return;
     }

@@ -1,4 +1,4 @@
-//! Sequences with lists made by hand: duplicates, handles from elsewhere and empty lists included.
+//! Sequences with hand-made lists: duplicates, foreign handles and empty lists included.
 
 use super::Kernel;
 use super::checked::CheckedBroadPhase;
@@ -25,7 +25,7 @@ pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
     }
 }
 
-/// Lists the colliders that were replaced in silence, but for those whose successor is listed.
+/// Lists the colliders that were replaced without a report, except those whose successor is listed.
 fn list_silent_removals(world: &mut World, broad_phase: &CheckedBroadPhase) {
     let World {
         colliders,

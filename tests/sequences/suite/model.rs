@@ -1,4 +1,4 @@
-//! What a broad phase has to answer, by brute force.
+//! What a broad phase has to report, by brute force.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use super::version;
 /// Two colliders, by index and generation, the smaller index first.
 pub(super) type Pair = [(u32, u32); 2];
 
-/// What is known of every collider in the game, which pairs overlap, and which of them are held.
+/// Every known collider, the pairs that overlap, and which of them are held.
 #[derive(Default)]
 pub(super) struct Model {
     proxies: BTreeMap<u32, Proxy>,
@@ -110,7 +110,7 @@ impl Model {
         }
     }
 
-    /// Drops a collider and, without a word, its pairs.
+    /// Drops a collider and its pairs, which end without events.
     fn forget(&mut self, handle: ColliderHandle) {
         if self.knows(handle) {
             let gone = handle.into_raw_parts();
@@ -120,8 +120,8 @@ impl Model {
         }
     }
 
-    /// Takes note of a collider's present box: as it is when it had none, else with a margin and only once
-    /// it has left the last one.
+    /// Updates a collider's box: as it is if there was none, else with a margin and only once the collider has
+    /// left the last one.
     fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         let (index, generation) = handle.into_raw_parts();
         let known = self.proxies.get(&index).map(|proxy| proxy.generation);

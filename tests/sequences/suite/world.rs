@@ -15,7 +15,7 @@ pub(crate) struct World {
     pub(crate) params: IntegrationParameters,
     pub(crate) modified: Vec<ColliderHandle>,
     pub(crate) removed: Vec<ColliderHandle>,
-    /// Whether an engine's pipeline carries out what a change of a body means to its colliders.
+    /// Whether an engine's pipeline propagates the changes of a body to its colliders.
     pub(crate) engine_follows_bodies: bool,
     live: Vec<ColliderHandle>,
     live_bodies: Vec<RigidBodyHandle>,
@@ -87,7 +87,7 @@ impl World {
 
     fn list_colliders_of(&mut self, body: RigidBodyHandle) {
         for &handle in self.bodies[body].colliders() {
-            // Borrowed mutably, it is listed by the engine as well.
+            // The engine lists whatever was borrowed mutably.
             self.colliders.get_mut(handle);
             self.modified.push(handle);
         }
@@ -99,7 +99,7 @@ impl World {
             Op::Remove(_) => return self.remove(handle),
             Op::Replace(_, new) => {
                 self.remove(handle);
-                // Not reported: that another has its index must be enough.
+                // Not reported: another collider at its index must be enough.
                 self.removed.pop();
                 return self.insert(new, Parent::None);
             }
@@ -139,8 +139,8 @@ impl World {
         }
     }
 
-    /// A body, unless it is one that an engine's solver must be spared: it panics when a disabled body has an
-    /// enabled collider, or changes its type.
+    /// A body, unless the engine's solver cannot handle it: it panics if a disabled body has an enabled collider,
+    /// or changes its type.
     fn sound_body(&self, pick: usize) -> Option<RigidBodyHandle> {
         let body = nth(&self.live_bodies, pick)?;
         (self.bodies[body].is_enabled() || !self.engine_follows_bodies).then_some(body)

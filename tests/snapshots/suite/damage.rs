@@ -1,4 +1,4 @@
-//! What was not written by a broad phase is not read, or does no harm.
+//! A malformed snapshot is refused, or does no harm.
 
 use oorandom::Rand32;
 use serde_json::{Value, json};
@@ -9,10 +9,10 @@ use super::rapier::math::Real;
 
 const COUNT: usize = 120;
 
-/// So many times bytes are changed.
+/// How many damaged snapshots are tried.
 const TRIALS: usize = 4000;
 
-/// A crowd of which few move, at a moment at which no part of what is written is empty.
+/// A crowd of which few move, at a moment when no part of the snapshot is empty.
 fn crowd() -> (Crowd, UnisizeBroadPhase) {
     let mut crowd = Crowd::new(COUNT, 8.0, 0.2);
     let mut broad_phase = UnisizeBroadPhase::new();
@@ -34,7 +34,7 @@ fn crowd() -> (Crowd, UnisizeBroadPhase) {
     panic!("there is no such moment");
 }
 
-/// Goes on for a while, with everything in order after each update.
+/// Goes on for a while, and validates after each update.
 fn go_on(mut crowd: Crowd, mut broad_phase: UnisizeBroadPhase) {
     broad_phase.validate();
     for stride in [13, 7, 1, 50, 1] {
@@ -73,14 +73,14 @@ fn changed_bytes_do_no_harm() {
             }
         }
     }
-    // Some bytes are the last ones of coordinates, and the others are found out.
+    // Some bytes are the low ones of coordinates; changes to others are detected.
     assert!(
         (TRIALS / 100..TRIALS / 2).contains(&read),
         "{read} were read"
     );
 }
 
-/// Changes one thing in what is written, by names, and returns what is said of it.
+/// Changes one field of a snapshot, named by its path, and returns the error.
 fn complaint(change: impl Fn(&mut Value)) -> String {
     let (crowd, broad_phase) = crowd();
     let mut value = serde_json::to_value(&broad_phase).unwrap();

@@ -1,14 +1,13 @@
-//! The broad phase by itself, among many colliders, with all kinds of updates before and after it is written.
+//! The broad phase by itself, among many colliders, with all kinds of updates before and after it is saved.
 
 use super::crowd::Crowd;
 use super::rapier::math::{DIM, Real};
 use super::{Kernel, Settings, UnisizeBroadPhase};
 
-/// Of which colliders one in so many moves, for twenty updates each: everything, nearly nothing, and what lies between.
+/// One collider in this many moves, for twenty updates each: all of them, hardly any, and what lies between.
 const STRIDES: [usize; 12] = [1, 200, 1, 2, 3, 250, 20, 100, 5, 30, 1, 300];
 
-/// So many updates lie between two times at which one is written and read. It divides neither twenty nor the time between
-/// two full runs.
+/// The number of updates between two round trips. It divides neither twenty nor the interval between two full runs.
 const APART: usize = 7;
 
 fn drift(kernel: Kernel, count: usize, speed: Real) {
@@ -48,7 +47,7 @@ fn grid_sweep() {
     }
 }
 
-/// Its slot is the last one, and has never had a box.
+/// Its slot is the last one, and never had a box.
 #[test]
 fn one_that_was_refused_from_the_start_is_kept() {
     let mut crowd = Crowd::new(40, 5.0, 0.1);

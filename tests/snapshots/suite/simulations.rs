@@ -1,21 +1,20 @@
-//! Whole simulations: Rapier's sets are written and read together with the broad phase.
+//! Whole simulations: Rapier's sets are saved and restored together with the broad phase.
 
 use unisize_scenes::SceneKind;
 
-use super::Scene;
-use super::crowd::Recorded;
 use super::rapier::prelude::*;
+use super::{Observed, Scene, UnisizeBroadPhase};
 
 const BODIES: usize = 100;
 
-/// The steps before which everything is written and read.
+/// The steps before which everything is saved and restored.
 const SNAPSHOTS: [usize; 5] = [0, 1, 10, 45, 120];
 
-/// How long the last one goes on.
+/// The number of steps after the last one.
 const STEPS_AFTER: usize = 300;
 
-/// Writes everything that a step depends on and reads it again.
-fn renew(scene: &mut Scene, broad_phase: &mut Recorded) {
+/// Saves everything that a step depends on and restores it.
+fn renew(scene: &mut Scene, broad_phase: &mut Observed<UnisizeBroadPhase>) {
     let world = &mut scene.world;
     let bytes = postcard::to_stdvec(&(
         (&world.islands, &world.narrow_phase, &world.ccd_solver),
@@ -34,7 +33,7 @@ fn renew(scene: &mut Scene, broad_phase: &mut Recorded) {
     broad_phase.inner.validate();
 }
 
-/// The bits of where every body is and how it moves.
+/// The bits of the pose and velocity of every body.
 fn motion(scene: &Scene) -> Vec<u8> {
     let bodies = scene.world.bodies.iter();
     let motion = bodies.map(|(_, body)| (body.position(), body.linvel(), body.angvel()));
@@ -45,7 +44,8 @@ fn motion(scene: &Scene) -> Vec<u8> {
 fn a_restored_simulation_goes_on_as_the_saved_one() {
     for kind in SceneKind::ALL {
         let [mut saved, mut restored] = [(); 2].map(|()| Scene::build(kind, BODIES, 11));
-        let [mut ours, mut twin] = [(); 2].map(|()| Recorded::default());
+        let [mut ours, mut twin] =
+            [(); 2].map(|()| Observed::new(UnisizeBroadPhase::new()).with_events());
         let last = SNAPSHOTS[SNAPSHOTS.len() - 1];
         let mut events = 0;
         for step in 0..last + STEPS_AFTER {
@@ -55,12 +55,14 @@ fn a_restored_simulation_goes_on_as_the_saved_one() {
             saved.step(&mut ours, &(), &());
             restored.step(&mut twin, &(), &());
             let name = kind.name();
-            assert!(ours.events == twin.events, "events of {name}, step {step}");
+            let reported = ours.take_events();
+            assert!(
+                reported == twin.take_events(),
+                "events of {name}, step {step}"
+            );
             assert!(motion(&saved) == motion(&restored), "{name}, step {step}");
             assert_eq!(ours.inner.stats(), twin.inner.stats());
-            events += usize::from(!ours.events.is_empty());
-            ours.events.clear();
-            twin.events.clear();
+            events += usize::from(!reported.is_empty());
         }
         assert!(events > 0, "nothing happens in {}", kind.name());
     }

@@ -1,16 +1,17 @@
 //! Whether a broad phase does the same as Rapier's own, and how fast.
 //!
-//! The default broad phase drives the simulation, through a [`tee`] that gives each update to the
+//! The default broad phase drives the simulation, through a [`Tee`] that gives each update to the
 //! candidate as well. After each step it is checked that
 //!
-//! - both hold the same pairs, those aside that the narrow phase drops anyway;
-//! - the candidate's own list of pairs is what its events say, and none of them was redundant;
+//! - both hold the same pairs, apart from those that the narrow phase drops anyway;
+//! - the candidate's own list of pairs is what its events amount to, and none of them was redundant;
 //! - two [narrow phases](contacts), each fed with the pairs of one, find the same contacts and intersections;
 //! - every contact and intersection of the simulation is among the pairs of the candidate.
 //!
-//! The first difference ends the checks, not the simulation, and is kept as a sentence. In the end the scene
+//! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards the scene
 //! may be simulated once more on each broad phase [alone](independent).
 
+use super::observed::{Observed, PairEvent, Tee, Timing, Update};
 use super::rapier::{self, prelude::*};
 use super::sanity::Sanity;
 use super::scene::Scene;
@@ -18,31 +19,32 @@ use super::world::World;
 use crate::SceneKind;
 use both::Side;
 use contacts::{ContactCheck, Touching};
+use ledger::Ledger;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use tee::Tee;
 
 mod both;
 mod contacts;
 mod held_pairs;
 mod independent;
 mod journal;
+mod ledger;
 mod outcome;
 mod pair;
-mod tee;
 #[cfg(test)]
 mod tests;
-mod timing;
 
 pub use both::Both;
 pub use outcome::{Independent, Outcome, Tally};
-pub use timing::Timing;
 
 /// The broad phase that is compared with the default: how to make one, and what it can be asked.
 ///
 /// ```
+/// # #[cfg(feature = "rapier3d")]
+/// # {
 /// use unisize_scenes::dim3::{Candidate, rapier::prelude::DefaultBroadPhase};
 ///
 /// let itself = Candidate::new(DefaultBroadPhase::new);
+/// # }
 /// ```
 pub struct Candidate<C> {
     create: Box<dyn Fn() -> C>,
@@ -80,6 +82,8 @@ impl<C: BroadPhase> Candidate<C> {
 /// What is to be compared: a scene, and how closely to look.
 ///
 /// ```
+/// # #[cfg(feature = "rapier2d")]
+/// # {
 /// use unisize_scenes::SceneKind;
 /// use unisize_scenes::dim2::{Candidate, Comparison, rapier::prelude::DefaultBroadPhase};
 ///
@@ -89,6 +93,7 @@ impl<C: BroadPhase> Candidate<C> {
 /// };
 /// let outcome = comparison.run(&Candidate::new(DefaultBroadPhase::new), |_| {});
 /// assert_eq!(outcome.first_difference, None);
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comparison {
@@ -100,7 +105,7 @@ pub struct Comparison {
     pub seed: u64,
     /// How many steps to simulate. Default: 300, five seconds.
     pub steps: usize,
-    /// The contacts are compared at every such number of steps, and at the last. Default: 1, at every step;
+    /// The contacts are compared once in this many steps, and at the last. Default: 1, at every step;
     /// 0 counts as 1. The comparison copies the world and computes every contact twice, which takes longer
     /// than the simulation itself.
     pub contacts_every: usize,
@@ -149,15 +154,15 @@ impl Comparison {
         on_step: &mut impl FnMut(usize),
     ) -> Outcome {
         let mut scene = self.build();
-        let mut tee = Tee::new((candidate.create)());
+        let mut ledger = Ledger::new((candidate.create)());
         let mut contact_check = ContactCheck::default();
         let mut outcome = Outcome {
             steps: self.steps,
             ..Outcome::default()
         };
         for step in 1..=self.steps {
-            tee.begin_step();
-            scene.step(&mut tee, &(), &());
+            scene.step(&mut ledger.tee, &(), &());
+            ledger.enter_step();
             let touching = Touching::of(&scene.world.narrow_phase);
             outcome.contacts.record(touching.contacts.len());
             outcome.intersections.record(touching.intersections.len());
@@ -165,10 +170,10 @@ impl Comparison {
                 let check_contacts = step % self.contacts_every.max(1) == 0 || step == self.steps;
                 outcome.contact_checks += usize::from(check_contacts);
                 outcome.first_difference = candidate
-                    .difference(&mut tee, &scene.world, &touching)
+                    .difference(&mut ledger, &scene.world, &touching)
                     .or_else(|| {
                         check_contacts
-                            .then(|| contact_check.check(&scene.world, &mut tee.journals, &()))?
+                            .then(|| contact_check.check(&scene.world, &mut ledger.journals, &()))?
                     })
                     .map(|difference| format!("step {step}: {difference}"));
             }
@@ -176,21 +181,29 @@ impl Comparison {
         }
         outcome.bodies = scene.world.bodies.len();
         outcome.colliders = scene.world.colliders.len();
-        outcome.pairs = Both::of(|side| tee.held.count_relevant(side, &scene.world));
-        outcome.pairs_with_dropped = Both::of(|side| tee.held.count(side));
-        outcome.redundant_events = tee.redundant;
-        outcome.timing = tee.timings;
+        outcome.pairs = Both::of(|side| ledger.held.count_relevant(side, &scene.world));
+        outcome.pairs_with_dropped = Both::of(|side| ledger.held.count(side));
+        outcome.redundant_events = ledger.redundant;
+        outcome.timing = Both {
+            default: ledger.tee.heard.timing(),
+            candidate: ledger.tee.unheard.timing(),
+        };
         outcome
     }
 }
 
 impl<C: BroadPhase> Candidate<C> {
     /// The first difference in what is held, all checks but that of the two narrow phases.
-    fn difference(&self, tee: &mut Tee<C>, world: &World, touching: &Touching) -> Option<String> {
-        self.broken_invariant(&tee.candidate)
-            .or_else(|| tee.first_redundant.take())
+    fn difference(
+        &self,
+        ledger: &mut Ledger<C>,
+        world: &World,
+        touching: &Touching,
+    ) -> Option<String> {
+        self.broken_invariant(ledger.candidate())
+            .or_else(|| ledger.first_redundant.take())
             .or_else(|| {
-                let (side, pair, count) = tee.held.difference(world)?;
+                let (side, pair, count) = ledger.held.difference(world)?;
                 Some(format!(
                     "{} is held by {} and not by {} ({count} such in all)",
                     pair.describe(world),
@@ -199,13 +212,13 @@ impl<C: BroadPhase> Candidate<C> {
                 ))
             })
             .or_else(|| {
-                let list = self.pairs.as_ref()?(&tee.candidate);
-                tee.held.check_list(&list)
+                let list = self.pairs.as_ref()?(ledger.candidate());
+                ledger.held.check_list(&list)
             })
             .or_else(|| {
                 let missing = touching
                     .all()
-                    .find(|&pair| !tee.held.holds(Side::Candidate, pair))?;
+                    .find(|&pair| !ledger.held.holds(Side::Candidate, pair))?;
                 Some(format!(
                     "{} touch in the simulation, and are not held by the candidate",
                     missing.describe(world)

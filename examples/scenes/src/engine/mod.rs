@@ -5,6 +5,7 @@ use super::{flavour, rapier};
 mod comparison;
 mod container;
 mod lattice;
+mod observed;
 mod sanity;
 mod scene;
 mod scenes;
@@ -13,7 +14,8 @@ mod space;
 mod stage;
 mod world;
 
-pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, Tally, Timing};
+pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, Tally};
+pub use observed::{Observed, PairEvent, Tee, Timing, Update};
 pub use sanity::Sanity;
 pub use scene::Scene;
 pub use world::World;

@@ -1,4 +1,4 @@
-//! Whether a scene is still physics: a few plain numbers, and the bounds that they must keep.
+//! Whether a scene still behaves physically: a few plain numbers, and bounds on them.
 
 use super::rapier::{math::DIM, prelude::*};
 use super::scene::Scene;
@@ -35,7 +35,7 @@ pub struct Sanity {
     pub kinetic_energy: f64,
     /// The potential energy of all dynamic bodies above the floor.
     pub potential_energy: f64,
-    /// The energy that the script brought in since the scene was built, what it took out not subtracted.
+    /// The energy that the script brought in since the scene was built, without subtracting what it took out.
     pub supplied_energy: f64,
     /// The largest distance between the two ends that a joint of a rope holds together, relative to the
     /// length of a segment; none if there are no ropes.
@@ -55,9 +55,9 @@ impl Sanity {
     /// Checks the numbers against those that the scene had when it was built.
     ///
     /// Nothing may have left its container, up to [`may_fall_through`](Self::may_fall_through), or have a
-    /// pose that is not finite, the energy may exceed what
-    /// was there and what the script supplied by at most a tenth and half a unit per mass, and the ends that
-    /// a joint of a rope holds together may be at most one segment apart.
+    /// pose that is not finite. The energy may exceed what was there and what the script supplied by at most a
+    /// tenth and half a unit per mass. The ends that a joint of a rope holds together may be at most one segment
+    /// apart.
     ///
     /// # Errors
     ///

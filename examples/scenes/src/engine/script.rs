@@ -18,7 +18,7 @@ impl Script for Nothing {
     fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
 }
 
-/// What a script has at hand, and the account of the energy that it brings into the world.
+/// What a script works with, and a record of the energy that it adds to the world.
 pub(super) struct Cue {
     /// How many steps were done before.
     pub(super) step: usize,

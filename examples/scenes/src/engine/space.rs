@@ -34,6 +34,12 @@ pub(super) fn jitter(random: &mut Random, amount: Real) -> Vector<Real> {
     vector(|_| random.range(-amount, amount))
 }
 
+/// A number in `lo..hi` whose logarithm is uniform.
+pub(super) fn log_range(random: &mut Random, lo: Real, hi: Real) -> Real {
+    let share: Real = random.range(0.0, 1.0);
+    lo * power(hi / lo, share)
+}
+
 /// A cuboid, from its half extents.
 pub(super) fn cuboid(half: Vector<Real>) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(Cuboid::new(half)))

@@ -1,4 +1,4 @@
-//! What the builder of a scene hands over: a world, its script, and what its sanity is measured by.
+//! The result of building a scene: a world, its script, and what its sanity is measured by.
 
 use super::container::Container;
 use super::rapier::prelude::*;
@@ -23,7 +23,7 @@ pub(super) struct Stage {
     pub(super) containers: Vec<Container>,
     /// The joints whose stretch is measured.
     pub(super) links: Vec<Link>,
-    /// How many bodies may leave their container although all is well.
+    /// How many bodies may leave their container without anything being wrong.
     pub(super) may_fall_through: usize,
 }
 

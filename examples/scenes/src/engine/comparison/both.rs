@@ -1,4 +1,4 @@
-//! The two broad phases that are compared, and what there is one of for each.
+//! The two broad phases that are compared, and values that exist for each.
 
 use std::ops::{Index, IndexMut};
 
@@ -28,7 +28,7 @@ impl Side {
     }
 }
 
-/// Something of both broad phases.
+/// A value for each of the two broad phases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Both<T> {
     /// That of Rapier's own broad phase.

@@ -1,8 +1,7 @@
 //! What two narrow phases make of the pairs of two broad phases.
 //!
-//! Each is told what its broad phase has reported and is then run by Rapier's [`CollisionPipeline`] on a copy
-//! of the same world, so that neither the order of the solver's work nor anything else than the pairs can
-//! make a difference.
+//! Each gets the events of its broad phase and is then run by Rapier's [`CollisionPipeline`] on a copy of the same
+//! world, so that nothing but the pairs can make a difference, not even the order in which the solver works.
 
 use super::World;
 use super::both::{Both, Side};
@@ -115,16 +114,16 @@ impl ContactCheck {
     }
 }
 
-/// Makes Rapier compute every contact again, whatever was modified since the last look.
+/// Makes Rapier recompute every contact, whatever was modified since the last check.
 fn mark_modified(colliders: &mut ColliderSet) {
     for (_, collider) in colliders.iter_mut() {
         let position = *collider.position();
         collider.set_position(position);
-        // A collider may have become a sensor or ceased to be one. Only a change is taken note of.
+        // A collider may have become a sensor or ceased to be one, and only a change is noticed.
         let is_sensor = collider.is_sensor();
         collider.set_sensor(!is_sensor);
         collider.set_sensor(is_sensor);
-        // A shape of many parts may have been replaced, which makes what Rapier keeps with the pair useless.
+        // A composite shape may have been replaced, which invalidates what Rapier caches with the pair.
         if !collider.shape().is_convex() {
             let shape = collider.shared_shape().clone();
             collider.set_shape(shape);

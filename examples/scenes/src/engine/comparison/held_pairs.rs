@@ -1,7 +1,7 @@
 //! The pairs that two broad phases hold, as told by their events.
 //!
-//! Both are kept in one map, and the pairs that only one of them holds in a small set beside it, so that the
-//! question whether they agree costs nothing where they do.
+//! Both are kept in one map, and the pairs that only one of them holds in a small set beside it, so that checking
+//! whether they agree costs nothing as long as they do.
 
 use super::World;
 use super::both::{Both, Side};
@@ -13,7 +13,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 #[derive(Clone, Copy, Default)]
 struct Holders {
     held: Both<bool>,
-    /// The last look at the candidate's own list in which the pair was found.
+    /// The last check of the candidate's own list in which the pair was found.
     listed: u32,
 }
 
@@ -48,8 +48,8 @@ impl HeldPairs {
             .count()
     }
 
-    /// Takes note that this side has reported the pair as new (`held`) or as ended. False if it was so
-    /// before, that is, if the event was redundant.
+    /// Notes that this side has reported the pair as new (`held`) or as ended. False if it was so before,
+    /// that is, if the event was redundant.
     pub(super) fn set(&mut self, side: Side, pair: Pair, held: bool) -> bool {
         let holders = self.holders.entry(pair).or_default();
         let new = holders.held[side] != held;
@@ -73,7 +73,7 @@ impl HeldPairs {
         new
     }
 
-    /// Drops every pair of a removed or disabled collider without a word, as the narrow phase does.
+    /// Drops every pair of a removed or disabled collider, as the narrow phase does without being told.
     pub(super) fn remove(&mut self, removed: &[ColliderHandle]) {
         if removed.is_empty() {
             return;

@@ -1,6 +1,6 @@
 //! The scene simulated on each broad phase alone.
 //!
-//! The two runs drift apart, since the order of events decides the order of the solver's work, and that the
+//! The two runs drift apart, since the order of events decides the order in which the solver works, and with it the
 //! last bits of its result. So their end states are not compared with each other, but each with what physics
 //! demands; see [`Sanity::verdict`](super::Sanity::verdict).
 

@@ -1,66 +1,32 @@
-//! What a broad phase has told the narrow phase since the last look, in its shortest form.
+//! What a broad phase has told the narrow phase since the last check, in its shortest form.
 //!
-//! A collider's removal ends its pairs whatever was said of them before. So the removals can be played first
-//! and the events after them, if what was said of a collider before its removal is struck out.
+//! A collider's removal ends its pairs, whatever was reported of them before. So the removals can be played first
+//! and the events after them, once the events of a collider from before its removal are struck out.
 
 use super::rapier::prelude::*;
+use super::{PairEvent, Update};
 
-/// A copy of [`BroadPhasePairEvent`], which is not `Clone`.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Event {
-    /// The pair is new.
-    Add(ColliderPair),
-    /// The pair has ended.
-    Delete(ColliderPair),
-}
-
-impl Event {
-    pub(super) fn pair(self) -> ColliderPair {
-        match self {
-            Self::Add(pair) | Self::Delete(pair) => pair,
-        }
-    }
-}
-
-impl From<&BroadPhasePairEvent> for Event {
-    fn from(event: &BroadPhasePairEvent) -> Self {
-        match event {
-            BroadPhasePairEvent::AddPair(pair) => Self::Add(*pair),
-            BroadPhasePairEvent::DeletePair(pair) => Self::Delete(*pair),
-        }
-    }
-}
-
-impl From<Event> for BroadPhasePairEvent {
-    fn from(event: Event) -> Self {
-        match event {
-            Event::Add(pair) => Self::AddPair(pair),
-            Event::Delete(pair) => Self::DeletePair(pair),
-        }
-    }
-}
-
-/// What a broad phase has told the narrow phase since the last look.
+/// What a broad phase has told the narrow phase since the last check.
 #[derive(Default)]
 pub(super) struct Journal {
     /// The colliders that were removed or disabled, in order.
     pub(super) removed: Vec<ColliderHandle>,
     /// What was reported after the last removal of either collider, in order.
-    pub(super) events: Vec<Event>,
+    pub(super) events: Vec<PairEvent>,
 }
 
 impl Journal {
-    /// Takes down one update.
-    pub(super) fn record(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
-        if !removed.is_empty() && !self.events.is_empty() {
-            let removed: std::collections::HashSet<_> = removed.iter().collect();
+    /// Records one update.
+    pub(super) fn record(&mut self, update: &Update) {
+        if !update.removed.is_empty() && !self.events.is_empty() {
+            let removed: std::collections::HashSet<_> = update.removed.iter().collect();
             self.events.retain(|event| {
                 let pair = event.pair();
                 !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
             });
         }
-        self.removed.extend_from_slice(removed);
-        self.events.extend(events.iter().map(Event::from));
+        self.removed.extend_from_slice(&update.removed);
+        self.events.extend_from_slice(&update.events);
     }
 
     pub(super) fn clear(&mut self) {

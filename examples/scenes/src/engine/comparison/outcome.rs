@@ -1,8 +1,7 @@
 //! The result of a comparison.
 
-use super::Sanity;
 use super::both::Both;
-use super::timing::Timing;
+use super::{Sanity, Timing};
 use std::time::Duration;
 
 /// The result of a comparison.
@@ -14,7 +13,7 @@ pub struct Outcome {
     pub bodies: usize,
     /// How many colliders there were at the end.
     pub colliders: usize,
-    /// How many pairs were held at the end, those aside that the narrow phase drops anyway.
+    /// How many pairs were held at the end, without those that the narrow phase drops anyway.
     pub pairs: Both<usize>,
     /// How many pairs were held at the end, all together.
     pub pairs_with_dropped: Both<usize>,
@@ -46,7 +45,7 @@ impl Outcome {
     }
 }
 
-/// How many there were of something that each step may have.
+/// A count of something that may happen in each step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// After the last step.

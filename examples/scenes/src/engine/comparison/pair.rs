@@ -1,4 +1,4 @@
-//! A pair of colliders that knows nothing of which comes first.
+//! An unordered pair of colliders.
 
 use super::World;
 use super::rapier::prelude::*;

@@ -1,8 +1,8 @@
 //! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
 
 use super::contacts::ContactCheck;
+use super::ledger::Ledger;
 use super::rapier::{na, prelude::*};
-use super::tee::Tee;
 use super::{Candidate, Comparison, Outcome, Side, World};
 use crate::SceneKind;
 use std::sync::{Arc, Mutex};
@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex};
 enum Fault {
     /// Nothing.
     None,
-    /// Every hundredth new pair with a moving body is kept secret.
+    /// Every hundredth new pair with a moving body goes unreported.
     ForgetsSome,
     /// No pair is ever reported.
     AddsNothing,
@@ -20,7 +20,7 @@ enum Fault {
     AddsTwice,
     /// Ended pairs are reported twice.
     DeletesTwice,
-    /// The end of a pair is kept secret.
+    /// The end of a pair goes unreported.
     NeverDeletes,
     /// The list of pairs lacks the last.
     ListsTooFew,
@@ -60,7 +60,7 @@ impl Faulty {
         list
     }
 
-    /// How often an event goes out.
+    /// How often an event is sent.
     fn copies(&mut self, added: bool, pair: ColliderPair, moves: bool) -> usize {
         match (self.fault, added) {
             (Fault::AddsNothing, true) | (Fault::NeverDeletes, false) => 0,
@@ -248,7 +248,7 @@ fn a_broken_invariant_is_reported() {
 /// A world of balls of radius 1 without gravity, and two narrow phases that watch it.
 struct Watched {
     world: World,
-    tee: Tee<Faulty>,
+    ledger: Ledger<Faulty>,
     check: ContactCheck,
 }
 
@@ -256,7 +256,7 @@ impl Watched {
     fn new(fault: Fault) -> Self {
         Self {
             world: World::new(na::zero()),
-            tee: Tee::new(Faulty::new(fault)),
+            ledger: Ledger::new(Faulty::new(fault)),
             check: ContactCheck::default(),
         }
     }
@@ -277,12 +277,13 @@ impl Watched {
     }
 
     fn step(&mut self) {
-        self.tee.begin_step();
-        self.world.step(&mut self.tee, &(), &());
+        self.world.step(&mut self.ledger.tee, &(), &());
+        self.ledger.enter_step();
     }
 
     fn difference(&mut self) -> Option<String> {
-        self.check.check(&self.world, &mut self.tee.journals, &())
+        self.check
+            .check(&self.world, &mut self.ledger.journals, &())
     }
 
     /// Advances by one step, and expects this many contacts and intersections on both sides.
@@ -316,7 +317,7 @@ fn narrow_phases_follow_what_is_toggled() {
     watched.step();
     watched.collider(a).set_enabled(true);
     watched.collider(a).set_sensor(false);
-    // Two steps between two looks.
+    // Two steps between two checks.
     watched.expect(2, 0);
     let none = InteractionGroups::none();
     watched.collider(b).set_collision_groups(none);

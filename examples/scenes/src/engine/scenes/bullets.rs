@@ -42,7 +42,7 @@ const INTERVAL: usize = 15;
 /// The number of volleys after which bullets are used again.
 const VOLLEYS: usize = 8;
 
-/// Shoots a volley every so often: with new bullets first, then with those that lie about for longest.
+/// Shoots volleys at a fixed interval: new bullets first, then those that have lain about for longest.
 struct Volleys([Gun; 2]);
 
 impl Script for Volleys {

@@ -30,7 +30,7 @@ const CHANGED: usize = 200;
 /// The speed at which Rapier pushes balls apart that were put into each other.
 const PUSHED_APART: Real = 10.0;
 
-/// Balls of this group do not touch each other, but all others.
+/// Balls of this group touch all others, but not each other.
 const GHOSTS: InteractionGroups =
     InteractionGroups::new(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
 
@@ -72,7 +72,7 @@ impl Script for Replacement {
 }
 
 impl Replacement {
-    /// Removes any ball, and tells its place and radius.
+    /// Removes a random ball, and returns its place and radius.
     fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector<Real>, Real) {
         let handle = self.balls.swap_remove(random.index(self.balls.len()));
         let body = &world.bodies[handle];
@@ -129,7 +129,7 @@ fn regroup(world: &mut World, cue: &mut Cue, handle: RigidBodyHandle, groups: In
     }
 }
 
-/// Accounts for what happens when a ball is put into others: it and one more are pushed apart.
+/// Accounts for the energy of putting a ball into others: it and one more are pushed apart.
 fn allow_overlap(cue: &mut Cue, mass: Real) {
     cue.supply(2.0 * mass, PUSHED_APART.powi(2) / 2.0);
 }

@@ -1,10 +1,12 @@
 //! Bodies of mixed sizes, falling onto half-spaces, whose boxes are as large as boxes get.
 //!
-//! A broad phase for boxes of about the same size is at home with a ratio of 1.5, has to work at 4 and 8, and has
-//! to treat the few large ones apart at 1,000.
+//! For a broad phase that is made for boxes of about the same size, a ratio of 1.5 is easy, 4 and 8 are work, and at
+//! 1,000 the few large ones need separate treatment.
 
 use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, UP, World, cube, falling, horizontal, jitter};
+use super::{
+    Container, Lattice, Random, Stage, UP, World, cube, falling, horizontal, jitter, log_range,
+};
 
 /// The sizes of the last scene: most bodies are near the lower end.
 const GRAIN: [Real; 2] = [0.05, 0.5];
@@ -28,7 +30,7 @@ pub(super) fn build_heap(bodies: usize, ratio: Real, random: &mut Random) -> Sta
     container.dig(&mut world);
     for index in 0..bodies {
         let center = lattice.center(index) + jitter(random, 0.04);
-        let half = random.log_range(sizes[0], sizes[1]);
+        let half = log_range(random, sizes[0], sizes[1]);
         insert_body(&mut world, index, half, center);
     }
     Stage::new(world, container)
@@ -51,7 +53,7 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
         // The first hill is the largest and the first grain the smallest, so that the ratio is as named.
         let radius = match hill {
             0 => HILL[1],
-            _ => random.log_range(HILL[0], HILL[1]),
+            _ => log_range(random, HILL[0], HILL[1]),
         };
         let mut center = Vector::zeros();
         for axis in horizontal() {
@@ -69,9 +71,7 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
         // A product of two draws makes small ones frequent.
         let half = match index {
             0 => GRAIN[0],
-            _ => random
-                .log_range(GRAIN[0], GRAIN[1])
-                .min(random.log_range(GRAIN[0], GRAIN[1])),
+            _ => log_range(random, GRAIN[0], GRAIN[1]).min(log_range(random, GRAIN[0], GRAIN[1])),
         };
         insert_body(&mut world, index, half, center);
     }

@@ -1,4 +1,4 @@
-//! A swarm: kinematic bodies that all move at every step, so that a step is little but the broad phase.
+//! A swarm: kinematic bodies that all move at every step, so that a step is little more than the broad phase.
 //!
 //! Rapier ignores pairs of kinematic bodies unless a collider asks for them. Every fourth is a sensor that
 //! does, so that there are intersections.

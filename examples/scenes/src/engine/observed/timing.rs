@@ -17,11 +17,11 @@ pub struct Timing {
 }
 
 impl Timing {
-    pub(super) fn record(&mut self, elapsed: Duration, busy: bool) {
+    pub(super) fn record(&mut self, elapsed: Duration, is_busy: bool) {
         self.total += elapsed;
         self.worst = self.worst.max(elapsed);
         self.updates += 1;
-        if busy {
+        if is_busy {
             self.busy_total += elapsed;
             self.busy_updates += 1;
         }

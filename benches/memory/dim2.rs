@@ -1,8 +1,0 @@
-//! The memory of broad phases for rapier2d.
-
-use rapier2d as rapier;
-use unisize::rapier2d as ours;
-
-#[path = "dimension.rs"]
-mod dimension;
-pub(crate) use dimension::print;

@@ -1,0 +1,201 @@
+//! A broad phase under observation.
+//!
+//! It stands in the place of the one it wraps, and takes down what was asked for: the time, the lists, the events,
+//! the set of pairs that these amount to. What was not asked for costs nothing.
+
+use super::rapier::prelude::*;
+use std::collections::HashSet;
+use std::time::Instant;
+
+mod event;
+mod held;
+mod tee;
+#[cfg(test)]
+mod tests;
+mod timing;
+
+pub use event::PairEvent;
+use held::Held;
+pub use tee::Tee;
+pub use timing::Timing;
+
+/// A broad phase under observation.
+///
+/// ```
+/// # #[cfg(feature = "rapier3d")]
+/// # {
+/// use unisize_scenes::SceneKind;
+/// use unisize_scenes::dim3::{Observed, Scene, rapier::prelude::DefaultBroadPhase};
+///
+/// let mut scene = Scene::build(SceneKind::FallingBalls, 100, 7);
+/// let mut broad_phase = Observed::new(DefaultBroadPhase::new()).with_events().with_held();
+/// for _ in 0..10 {
+///     scene.step(&mut broad_phase, &(), &());
+/// }
+/// assert_eq!(broad_phase.held_fault(), None);
+/// assert!(broad_phase.take_events().len() >= broad_phase.held().len());
+/// # }
+/// ```
+#[derive(Default)]
+pub struct Observed<B> {
+    timing: Option<Timing>,
+    has_lists: bool,
+    has_events: bool,
+    updates: Vec<Update>,
+    held: Option<Held>,
+    is_sorted: bool,
+    is_silent: bool,
+    /// The broad phase itself.
+    pub inner: B,
+}
+
+/// What a broad phase was given in an update, and what it reported.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Update {
+    /// The colliders listed as modified; empty unless [lists](Observed::with_lists) were asked for.
+    pub modified: Vec<ColliderHandle>,
+    /// The colliders listed as removed.
+    pub removed: Vec<ColliderHandle>,
+    /// The events in their order; empty unless [events](Observed::with_events) were asked for.
+    pub events: Vec<PairEvent>,
+}
+
+impl<B: BroadPhase> Observed<B> {
+    /// A broad phase of which nothing is asked yet.
+    pub fn new(inner: B) -> Self {
+        Self {
+            timing: None,
+            has_lists: false,
+            has_events: false,
+            updates: Vec::new(),
+            held: None,
+            is_sorted: false,
+            is_silent: false,
+            inner,
+        }
+    }
+
+    /// Times the updates.
+    pub fn clocked(mut self) -> Self {
+        self.timing = Some(Timing::default());
+        self
+    }
+
+    /// Keeps the lists of each update until they are [taken](Self::take_updates).
+    pub fn with_lists(mut self) -> Self {
+        self.has_lists = true;
+        self
+    }
+
+    /// Keeps the events of each update, and what was removed in it, until they are [taken](Self::take_updates).
+    pub fn with_events(mut self) -> Self {
+        self.has_events = true;
+        self
+    }
+
+    /// Keeps the set of pairs that the events amount to.
+    pub fn with_held(mut self) -> Self {
+        self.held = Some(Held::default());
+        self
+    }
+
+    /// Sorts the events of each update: new pairs first, then by handles.
+    ///
+    /// Rapier's own broad phase reports the ends of pairs in the order of a hash map with a random seed, and the
+    /// solver's result depends on that order in its last bits. Sorted, a simulation is repeatable.
+    pub fn sorted(mut self) -> Self {
+        self.is_sorted = true;
+        self
+    }
+
+    /// Keeps the events from Rapier, so that its narrow phase stays idle.
+    pub fn silent(mut self) -> Self {
+        self.is_silent = true;
+        self
+    }
+}
+
+impl<B> Observed<B> {
+    /// How long the updates took; zero unless it is [clocked](Self::clocked).
+    pub fn timing(&self) -> Timing {
+        self.timing.unwrap_or_default()
+    }
+
+    /// The updates since this was last called.
+    pub fn take_updates(&mut self) -> Vec<Update> {
+        std::mem::take(&mut self.updates)
+    }
+
+    /// The events of the updates since they were last taken.
+    pub fn take_events(&mut self) -> Vec<PairEvent> {
+        let updates = self.updates.drain(..);
+        updates.flat_map(|update| update.events).collect()
+    }
+
+    /// The pairs held by its events.
+    ///
+    /// # Panics
+    ///
+    /// Unless they were [asked for](Self::with_held).
+    pub fn held(&self) -> &HashSet<ColliderPair> {
+        &self.book().pairs
+    }
+
+    /// The first event that contradicts those before it: a pair that is added though it is held, or deleted though
+    /// it is not.
+    ///
+    /// # Panics
+    ///
+    /// Unless the pairs were [asked for](Self::with_held).
+    pub fn held_fault(&self) -> Option<PairEvent> {
+        self.book().fault
+    }
+
+    fn book(&self) -> &Held {
+        self.held.as_ref().expect("the pairs were asked for")
+    }
+}
+
+impl<B: BroadPhase> BroadPhase for Observed<B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let first = events.len();
+        let start = self.timing.is_some().then(Instant::now);
+        self.inner
+            .update(params, colliders, bodies, modified, removed, events);
+        if let (Some(timing), Some(start)) = (&mut self.timing, start) {
+            let is_busy = !modified.is_empty() || !removed.is_empty();
+            timing.record(start.elapsed(), is_busy);
+        }
+
+        let reported = &mut events[first..];
+        if self.is_sorted {
+            reported.sort_by_key(|event| PairEvent::from(event).sort_key());
+        }
+        if let Some(held) = &mut self.held {
+            held.follow(removed, reported);
+        }
+        if self.has_lists || self.has_events {
+            let (modified, reported) = match (self.has_lists, self.has_events) {
+                (true, true) => (modified, &*reported),
+                (true, false) => (modified, &[][..]),
+                (false, _) => (&[][..], &*reported),
+            };
+            self.updates.push(Update {
+                modified: modified.to_vec(),
+                removed: removed.to_vec(),
+                events: reported.iter().map(PairEvent::from).collect(),
+            });
+        }
+        if self.is_silent {
+            events.truncate(first);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Two broad phases in the place of one.
+
+use super::super::rapier::prelude::*;
+
+/// Two broad phases in the place of one: each update goes to both, with the very same arguments, and Rapier hears of
+/// the events of the first.
+#[derive(Default)]
+pub struct Tee<A, B> {
+    /// The broad phase whose events go on to Rapier.
+    pub heard: A,
+    /// The other one.
+    pub unheard: B,
+    unheard_events: Vec<BroadPhasePairEvent>,
+    updates: usize,
+}
+
+impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
+    /// Two broad phases that have seen no update yet, or the same ones.
+    pub fn new(heard: A, unheard: B) -> Self {
+        Self {
+            heard,
+            unheard,
+            unheard_events: Vec::new(),
+            updates: 0,
+        }
+    }
+}
+
+impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        // The one that goes second finds the colliders in the cache. Most steps have two updates, of which only
+        // the second has much to do: the turn has to change from step to step.
+        let heard_is_first = self.updates.div_ceil(2) % 2 == 0;
+        self.updates += 1;
+        self.unheard_events.clear();
+        for is_heard in [heard_is_first, !heard_is_first] {
+            let (broad_phase, events): (&mut dyn BroadPhase, _) = if is_heard {
+                (&mut self.heard, &mut *events)
+            } else {
+                (&mut self.unheard, &mut self.unheard_events)
+            };
+            broad_phase.update(params, colliders, bodies, modified, removed, events);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What was asked for is kept as it happened, and nothing else is.
+
+use super::super::rapier::{na, prelude::*};
+use super::super::world::World;
+use super::{Observed, PairEvent, Tee, Timing};
+
+/// Balls in a row, of which neighbours overlap.
+fn row(count: usize) -> (World, Vec<ColliderHandle>) {
+    let mut world = World::new(na::zero());
+    let balls = (0..count).map(|i| {
+        let mut place: Vector<Real> = na::zero();
+        place.x = 1.5 * i as Real;
+        ColliderBuilder::ball(1.0).translation(place)
+    });
+    let handles = balls.map(|ball| world.colliders.insert(ball)).collect();
+    (world, handles)
+}
+
+/// The number of events that Rapier hears of.
+fn update(
+    broad_phase: &mut dyn BroadPhase,
+    world: &World,
+    modified: &[ColliderHandle],
+    removed: &[ColliderHandle],
+) -> usize {
+    let (params, colliders, bodies) = (&world.params, &world.colliders, &world.bodies);
+    let mut events = Vec::new();
+    broad_phase.update(params, colliders, bodies, modified, removed, &mut events);
+    events.len()
+}
+
+#[test]
+fn what_was_asked_for_is_kept() {
+    let (mut world, handles) = row(3);
+    let mut all = Observed::new(DefaultBroadPhase::new())
+        .clocked()
+        .with_lists()
+        .with_events()
+        .with_held();
+    assert_eq!(update(&mut all, &world, &handles, &[]), 2);
+    assert_eq!(all.held().len(), 2);
+
+    let World {
+        colliders,
+        islands,
+        bodies,
+        ..
+    } = &mut world;
+    colliders.remove(handles[0], islands, bodies, false);
+    assert_eq!(update(&mut all, &world, &[], &handles[..1]), 0);
+    assert_eq!(all.held().len(), 1);
+
+    assert_eq!(all.held_fault(), None);
+    assert_eq!(all.timing().busy_updates, 2);
+    let updates = all.take_updates();
+    assert_eq!(updates.len(), 2);
+    assert_eq!(updates[0].modified, handles);
+    assert!(updates[0].events.iter().all(|event| event.is_add()));
+    assert_eq!(updates[0].events.len(), 2);
+    assert_eq!(updates[1].removed, handles[..1]);
+    assert!(all.take_updates().is_empty());
+}
+
+#[test]
+fn nothing_else_is_kept() {
+    let (world, handles) = row(3);
+    let mut none = Observed::new(DefaultBroadPhase::new());
+    assert_eq!(update(&mut none, &world, &handles, &[]), 2);
+    assert_eq!(none.timing(), Timing::default());
+    assert!(none.take_updates().is_empty());
+
+    let mut lists = Observed::new(DefaultBroadPhase::new())
+        .with_lists()
+        .silent();
+    assert_eq!(update(&mut lists, &world, &handles, &[]), 0);
+    assert!(lists.take_events().is_empty());
+}
+
+#[test]
+fn a_contradiction_is_a_fault() {
+    let (world, handles) = row(2);
+    let mut broad_phase = Observed::new(DefaultBroadPhase::new()).with_held();
+    update(&mut broad_phase, &world, &handles, &[]);
+    assert_eq!(broad_phase.held_fault(), None);
+    broad_phase.inner = DefaultBroadPhase::new();
+    update(&mut broad_phase, &world, &handles, &[]);
+    let pair = ColliderPair::new(handles[0], handles[1]);
+    assert_eq!(broad_phase.held_fault(), Some(PairEvent::Add(pair)));
+}
+
+#[test]
+fn events_are_sorted_on_request() {
+    let (mut world, handles) = row(20);
+    let mut sorted = Observed::new(DefaultBroadPhase::new())
+        .with_events()
+        .sorted();
+    update(&mut sorted, &world, &handles, &[]);
+    // Every second ball leaves, so that all pairs end.
+    for &handle in handles.iter().step_by(2) {
+        let mut place: Vector<Real> = na::zero();
+        place.y = 10.0 + 10.0 * handle.into_raw_parts().0 as Real;
+        world.colliders[handle].set_translation(place);
+    }
+    update(&mut sorted, &world, &handles, &[]);
+    let updates = sorted.take_updates();
+    for update in &updates {
+        assert_eq!(update.events.len(), 19);
+        assert!(update.events.is_sorted_by_key(|event| event.sort_key()));
+    }
+}
+
+#[test]
+fn a_tee_gives_both_the_same() {
+    let (world, handles) = row(5);
+    let new = || {
+        Observed::new(DefaultBroadPhase::new())
+            .with_lists()
+            .with_held()
+    };
+    let mut tee = Tee::new(new(), new());
+    for listed in [&handles[..2], &handles[2..]] {
+        let heard = update(&mut tee, &world, listed, &[]);
+        let log = tee.heard.take_updates();
+        assert_eq!(log, tee.unheard.take_updates());
+        assert_eq!(log[0].modified, listed);
+        assert_eq!(tee.heard.held(), tee.unheard.held());
+        assert!((1..=3).contains(&heard));
+    }
+    assert_eq!(tee.heard.held().len(), 4);
+}

@@ -1,0 +1,73 @@
+//! The suite in each flavour of Rapier, with what depends on its version. The fuzzer compiles this file as well.
+
+#[path = "."]
+pub(crate) mod dim2 {
+    use rapier2d as rapier;
+    use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_27/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim3 {
+    use rapier3d as rapier;
+    use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_27/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim2_f64 {
+    use rapier2d_f64 as rapier;
+    use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_27/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim3_f64 {
+    use rapier3d_f64 as rapier;
+    use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_27/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim2_0_36 {
+    use rapier2d_0_36 as rapier;
+    use unisize::rapier2d_0_36::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_36/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim3_0_36 {
+    use rapier3d_0_36 as rapier;
+    use unisize::rapier3d_0_36::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_36/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
