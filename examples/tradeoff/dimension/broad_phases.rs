@@ -1,4 +1,4 @@
-//! From a method to its broad phase.
+//! The broad phase of a method.
 
 use super::common_box::CommonBox;
 use super::ours::{Kernel, Settings, UnisizeBroadPhase};
