@@ -3,7 +3,12 @@
 pub use rapier2d as rapier;
 
 mod flavour;
+mod gorge;
 
 #[path = "engine/mod.rs"]
 mod engine;
+#[path = "show.rs"]
+mod show;
 pub use engine::*;
+pub use gorge::Gorge;
+pub use show::{HeldPairs, Show};

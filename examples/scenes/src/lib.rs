@@ -17,6 +17,9 @@
 //! assert_eq!(scene.sanity_verdict(&initial), Ok(()));
 //! ```
 //!
+//! The worlds that are shown rather than measured, such as [`dim3::Ropes`] and [`dim2::Gorge`], are a [`dim3::Show`]: they bring
+//! along what they look like.
+//!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
