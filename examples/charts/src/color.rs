@@ -5,7 +5,7 @@ use plotters::style::RGBColor;
 /// For the fast kernel and for unisize as a whole.
 pub const RED: RGBColor = RGBColor(213, 0, 0);
 /// The light red.
-pub const SALMON: RGBColor = RGBColor(240, 130, 110);
+pub const SALMON: RGBColor = RGBColor(228, 112, 88);
 /// A strong blue.
 pub const BLUE: RGBColor = RGBColor(0, 90, 181);
 /// The light blue.

@@ -17,8 +17,7 @@
 //! assert_eq!(scene.sanity_verdict(&initial), Ok(()));
 //! ```
 //!
-//! The worlds that are shown rather than measured, such as [`dim3::Ropes`] and [`dim2::Gorge`], are a [`dim3::Show`]: they bring
-//! along what they look like.
+//! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
