@@ -113,6 +113,7 @@ impl_real!(f64, u64, F64x8);
 
 #[cfg(test)]
 mod tests {
+    use super::sealed::Sealed;
     use super::*;
 
     fn keys_are_ordered<R: Real>(sorted: &[R]) {

@@ -69,17 +69,17 @@ impl<R: Real> Settings<R> {
     }
 
     /// The same with another [`margin`](Self::margin).
-    pub fn with_margin(self, margin: R) -> Self {
+    pub fn with_margin(self, margin: impl Into<Option<R>>) -> Self {
         Self {
-            margin: Some(margin),
+            margin: margin.into(),
             ..self
         }
     }
 
     /// The same with a fixed [`foresight`](Self::foresight).
-    pub fn with_foresight(self, moves: u16) -> Self {
+    pub fn with_foresight(self, moves: impl Into<Option<u16>>) -> Self {
         Self {
-            foresight: Some(moves),
+            foresight: moves.into(),
             ..self
         }
     }

@@ -27,10 +27,7 @@ pub(crate) fn print() {
             follow(motion, count, UnisizeBroadPhase::new())
         });
         print_row(name, "unisize", &figures, ours);
-        let settings = Settings {
-            kernel: Kernel::RankSweep,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with_kernel(Kernel::RankSweep);
         let figures = for_counts(counts, |count| {
             follow(motion, count, UnisizeBroadPhase::with_settings(settings))
         });

@@ -52,10 +52,7 @@ pub(crate) fn print() {
 
 /// The times of each phase, of all together and of the worst frame, as cells of the table.
 fn measure(motion: Motion, parents: Parents, count: usize) -> String {
-    let mut broad_phase = UnisizeBroadPhase::with_settings(Settings {
-        timed: true,
-        ..Settings::default()
-    });
+    let mut broad_phase = UnisizeBroadPhase::with_settings(Settings::default().with_timed(true));
     let mut frames = Frames::new(count, motion, parents, &mut broad_phase);
     let [mut all, mut worst] = [Duration::ZERO; 2];
     let mut phases = PhaseTimes::default();

@@ -42,14 +42,11 @@ pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(us
 }
 
 fn candidate(options: &Options) -> Candidate<UnisizeBroadPhase> {
-    let settings = Settings {
-        kernel: match options.kernel {
-            Kernel::GridSweep => ours::Kernel::GridSweep,
-            Kernel::RankSweep => ours::Kernel::RankSweep,
-            Kernel::BruteForce => ours::Kernel::BruteForce,
-        },
-        ..Settings::default()
-    };
+    let settings = Settings::default().with_kernel(match options.kernel {
+        Kernel::GridSweep => ours::Kernel::GridSweep,
+        Kernel::RankSweep => ours::Kernel::RankSweep,
+        Kernel::BruteForce => ours::Kernel::BruteForce,
+    });
     let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
         .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect());
     if options.validate {

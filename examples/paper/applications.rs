@@ -1,4 +1,4 @@
-//! The applications that the paper names: a herd, kinematic chains, and particles.
+//! The applications that the paper names: herds, kinematic chains, and particles.
 
 mod chains;
 mod stampede;

@@ -1,17 +1,16 @@
-//! The second open question: why does the time per collision grow with the number of boxes? Counted by cachegrind, which
-//! simulates the caches of the paper's processor.
+//! The second open question: why the time per collision grows with the number of boxes. Cachegrind counts cache misses on a
+//! simulation of the paper's processor.
 
-use crate::chart::{self, Axis, Line, Panel};
 use crate::page::Page;
 use crate::progress::progress_bar;
 use crate::race::unit_boxes;
 use crate::table::{Table, count, digits};
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
-use plotters::style::RGBColor;
 use std::hint::black_box;
 use std::process::Command;
 use unisize::{Aabb, GridSweep, PairFinder, RankSweep};
+use unisize_charts::{Axis, Chart, Panel, Series, color};
 use unisize_scenes::DriftingBoxes;
 
 const COUNTS: [usize; 7] = [
@@ -25,16 +24,16 @@ const COUNTS: [usize; 7] = [
 ];
 const DENSITIES: [f64; 2] = [0.2, 0.8];
 
-/// Frames over which misses are counted. Those of the first, in fresh memory, are a third of it.
+/// Frames over which misses are counted; the first, in fresh memory, is one of them.
 const FRAMES: usize = 3;
 
 const QUICK_COUNTS: [usize; 1] = [1 << 10];
 
-/// The first-level and the last-level cache of an i7-4810MQ: bytes, ways, and bytes a line.
+/// The first-level and the last-level cache of an i7-4810MQ: bytes, ways, and bytes per line.
 const FIRST_LEVEL: &str = "32768,8,64";
 const LAST_LEVEL: &str = "6291456,12,64";
 
-/// What is looked into.
+/// The code whose misses are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Probed {
     /// The pairing phase of RankSweep.
@@ -53,7 +52,7 @@ impl Probed {
         }
     }
 
-    /// Whether a function, by its name in the symbol table, is a part of it.
+    /// Whether the function with this symbol name belongs to it.
     fn includes(self, function: &str) -> bool {
         match self {
             Self::RankSweep => {
@@ -65,7 +64,7 @@ impl Probed {
     }
 }
 
-/// What cachegrind counts; in the end, in a frame.
+/// The counts of cachegrind; in the end, per frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Misses {
     /// Reads and writes of data that the first-level cache did not hold.
@@ -76,7 +75,7 @@ struct Misses {
 
 pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
     if Command::new("valgrind").arg("--version").output().is_err() {
-        println!("cache: left out, for there is no valgrind");
+        println!("cache: left out, valgrind is not installed");
         return Ok(());
     }
     let counts = if quick { &QUICK_COUNTS[..] } else { &COUNTS };
@@ -94,10 +93,7 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         "GridSweep: last-level misses a collision",
     ]);
     let mut lines = Vec::new();
-    let colors = [
-        [(80, 170, 230), (0, 90, 181)],
-        [(240, 130, 110), (213, 0, 0)],
-    ];
+    let colors = [[color::SKY, color::BLUE], [color::SALMON, color::RED]];
     let mut points = [const { [const { Vec::new() }; 2] }; 2];
     for (density, points) in DENSITIES.into_iter().zip(&mut points) {
         for &n in counts {
@@ -121,32 +117,18 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
     bar.finish_and_clear();
     for (which, name) in ["pairing phase", "GridSweep, all"].iter().enumerate() {
         for (i, density) in DENSITIES.iter().enumerate() {
-            let (r, g, b) = colors[which][i];
             let name = format!("{name}, d = {density}");
-            lines.push(Line::new(
-                &name,
-                RGBColor(r, g, b),
-                points[i][which].clone(),
-            ));
+            let points = points[i][which].iter().copied();
+            lines.push(Series::new(name, colors[which][i], points));
         }
     }
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::log("n"),
-        y: Axis::linear("last-level misses a collision"),
-        lines,
-        right: None,
-    };
-    chart::draw(
-        &page.picture("cache.svg"),
-        "Cache misses, as simulated",
-        &[panel],
-        1,
-    )?;
+    let misses = Axis::linear("last-level misses per collision");
+    let panel = Panel::new("", Axis::log("n"), misses, lines);
+    Chart::new("Cache misses, as simulated", [panel]).write_svg(&page.picture("cache.svg"))?;
     page.put("cache", &table)
 }
 
-/// What runs under cachegrind.
+/// The program that runs under cachegrind.
 pub(crate) fn probe(method: Probed, count: usize, density: f64) -> Result<()> {
     match method {
         Probed::RankSweep => follow(&mut RankSweep::default(), count, density),
@@ -154,7 +136,7 @@ pub(crate) fn probe(method: Probed, count: usize, density: f64) -> Result<()> {
     }
 }
 
-/// Finds the pairs of all frames that count.
+/// Finds the pairs of every frame.
 fn follow(kernel: &mut impl PairFinder<f32, 2>, count: usize, density: f64) -> Result<()> {
     let mut drifting = DriftingBoxes::<2>::new(count, density, 7);
     let (mut boxes, mut pairs) = (Vec::new(), Vec::new());
@@ -209,7 +191,7 @@ fn misses(page: &Page, probed: Probed, n: usize, density: f64) -> Result<Misses>
     })
 }
 
-/// Adds up what a file of cachegrind's says of the functions that are included.
+/// Sums the counts of the included functions in a file written by cachegrind.
 fn read(text: &str, includes: impl Fn(&str) -> bool) -> Result<Misses> {
     let events = text.lines().find_map(|line| line.strip_prefix("events: "));
     let events: Vec<_> = events.context("no events")?.split_whitespace().collect();
@@ -227,7 +209,7 @@ fn read(text: &str, includes: impl Fn(&str) -> bool) -> Result<Misses> {
             is_included = includes(function);
             functions += usize::from(is_included);
         } else if is_included && line.starts_with(|c: char| c.is_ascii_digit()) {
-            // The number of a line of source, then what was counted there.
+            // The number of a source line, then its counts.
             let counts: Vec<_> = line.split_whitespace().skip(1).collect();
             let sum = |columns: [usize; 2]| {
                 let count = |i: usize| counts.get(i)?.parse::<f64>().ok();

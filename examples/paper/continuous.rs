@@ -1,22 +1,21 @@
-//! The last open question: boxes that move on while a frame lasts.
+//! The last open question: boxes that move during a frame.
 //!
-//! A *swept* box is the box around a box at the beginning of a frame and at its end. Whatever meets within the frame has
-//! swept boxes that overlap, so the kernels need no change, only other boxes. In Rapier, soft CCD does just that.
+//! A *swept* box contains a box at the beginning of a frame and at its end. Boxes that meet during the frame have overlapping
+//! swept boxes, so the kernels need no change, only other boxes. Rapier's soft CCD does the same.
 
 mod bullets;
 
-use crate::chart::{self, Axis, Line, Panel};
 use crate::method;
 use crate::page::Page;
 use crate::progress::progress_bar;
 use crate::race::{race, unit_boxes};
 use crate::table::{Table, digits};
 use anyhow::Result;
-use plotters::style::RGBColor;
 use unisize::Aabb;
+use unisize_charts::{Axis, Chart, Panel, Series, color};
 use unisize_scenes::DriftingBoxes;
 
-/// How far the fastest squares go in a frame, in sizes.
+/// The way of the fastest squares in a frame, in sizes.
 const SPEEDS: [f32; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 /// The speed of the drifting squares as they are made.
@@ -24,7 +23,7 @@ const MADE_SPEED: f32 = 0.1;
 
 const DENSITY: f64 = 0.4;
 
-/// How many squares times are taken of, and of how many every pair is followed through the frame.
+/// The number of squares that are timed, and of those whose pairs are followed through the frame.
 const COUNT: usize = 1 << 17;
 const FOLLOWED: usize = 1 << 12;
 const FRAMES: usize = 5;
@@ -73,18 +72,17 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
     page.put("continuous-rapier", &bullets::table(quick))?;
     bar.finish_and_clear();
     let [rank, grid] = lines;
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::linear("speed of the fastest, in sizes a frame"),
-        y: Axis::linear("milliseconds"),
-        lines: vec![
-            Line::new("RankSweep, swept boxes", RGBColor(225, 120, 0), rank),
-            Line::new("GridSweep, swept boxes", RGBColor(213, 0, 0), grid),
+    let panel = Panel::new(
+        "",
+        Axis::linear("speed of the fastest, in sizes per frame"),
+        Axis::linear("milliseconds"),
+        [
+            Series::new("GridSweep, swept boxes", color::RED, grid),
+            Series::new("RankSweep, swept boxes", color::SALMON, rank),
         ],
-        right: None,
-    };
+    );
     let title = format!("Swept boxes of {n} squares");
-    chart::draw(&page.picture("continuous.svg"), &title, &[panel], 1)
+    Chart::new(title, [panel]).write_svg(&page.picture("continuous.svg"))
 }
 
 /// Squares at the beginning of a frame and at its end.
@@ -104,7 +102,7 @@ impl Frame {
         frame
     }
 
-    /// On to the next frame. Squares go further than the generator moves them, and on straight through the borders.
+    /// On to the next frame. Squares go further than the generator moves them, straight through the borders.
     fn advance(&mut self, drifting: &mut DriftingBoxes<2>, speed: f32) {
         self.before.clear();
         self.before.extend(drifting.mins());
@@ -128,10 +126,10 @@ impl Frame {
     }
 }
 
-/// Of all pairs of squares in a frame.
+/// Counts of the pairs of squares in a frame.
 #[derive(Debug, Default)]
 struct Meetings {
-    /// Overlap at some time from the beginning of the frame to its end.
+    /// Overlap at some time of the frame.
     all: usize,
     /// Overlap at the end.
     at_the_end: usize,
@@ -141,7 +139,7 @@ struct Meetings {
 }
 
 impl Meetings {
-    /// Looks at every pair of squares. **O(n²)**.
+    /// Examines every pair of squares. **O(n²)**.
     fn count(frame: &Frame) -> Self {
         let (mut at_end, mut swept) = (Vec::new(), Vec::new());
         unit_boxes(&frame.after, &mut at_end);

@@ -1,14 +1,13 @@
 //! Figure 3: the time that the pairing phase takes for each collision.
 
-use crate::chart::{self, Axis, Line, Panel};
 use crate::page::Page;
 use crate::progress::progress_bar;
 use crate::published::{self, LINES};
 use crate::race::unit_boxes;
 use crate::table::{Table, count, digits};
 use anyhow::{Context, Result};
-use plotters::style::RGBColor;
 use unisize::{GridSweep, PairFinder, RankSweep};
+use unisize_charts::{Axis, Chart, Panel, RGBColor, Series, color};
 use unisize_scenes::DriftingBoxes;
 
 /// Frames of which the median is taken.
@@ -18,14 +17,9 @@ const QUICK_COUNT: usize = 1 << 10;
 const QUICK_FRAMES: usize = 3;
 
 /// A colour for each density, the lowest first.
-const COLORS: [RGBColor; 4] = [
-    RGBColor(80, 170, 230),
-    RGBColor(0, 90, 181),
-    RGBColor(120, 60, 160),
-    RGBColor(213, 0, 0),
-];
+const COLORS: [RGBColor; 4] = [color::SKY, color::BLUE, color::PURPLE, color::RED];
 
-/// What was measured for one line of the table.
+/// The measurements for one line of the table.
 struct Measured {
     collisions: f64,
     /// Milliseconds of the pairing phase.
@@ -50,7 +44,7 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         "GridSweep: sweep, ms",
         "GridSweep: ns a collision",
     ]);
-    let mut lines: [Vec<Line>; 3] = Default::default();
+    let mut lines: [Vec<Series>; 3] = Default::default();
     for (group, color) in LINES.chunk_by(|a, b| a.density == b.density).zip(COLORS) {
         let mut points: [Vec<(f64, f64)>; 3] = Default::default();
         for line in group {
@@ -83,7 +77,7 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         }
         let name = format!("d = {}", group[0].density);
         for (lines, points) in lines.iter_mut().zip(points) {
-            lines.push(Line::new(&name, color, points));
+            lines.push(Series::new(&name, color, points));
         }
     }
     bar.finish_and_clear();
@@ -92,19 +86,11 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         "RankSweep, pairing phase",
         "GridSweep, its sweep",
     ];
-    let panels = titles.iter().zip(lines).map(|(title, lines)| Panel {
-        title: (*title).to_owned(),
-        x: Axis::log("n"),
-        y: Axis::log("nanoseconds a collision"),
-        lines,
-        right: None,
+    let panels = titles.into_iter().zip(lines).map(|(title, lines)| {
+        let time = Axis::log("nanoseconds per collision");
+        Panel::new(title, Axis::log("n"), time, lines)
     });
-    chart::draw(
-        &page.picture("figure3.svg"),
-        "Time per collision",
-        &panels.collect::<Vec<_>>(),
-        3,
-    )?;
+    Chart::new("Time per collision", panels).write_svg(&page.picture("figure3.svg"))?;
     page.put("figure3", &table)
 }
 

@@ -1,6 +1,5 @@
 //! Figure 4: squares that converge on the centre, frame by frame.
 
-use crate::chart::{self, Axis, Line, Panel};
 use crate::method;
 use crate::page::Page;
 use crate::progress::progress_bar;
@@ -9,8 +8,8 @@ use crate::race::{race, unit_boxes};
 use crate::rapier;
 use crate::table::{Table, digits};
 use anyhow::Result;
-use plotters::style::RGBColor;
 use unisize::{Aabb, GridSweep, PairFinder};
+use unisize_charts::{Axis, Chart, Panel, Series, color};
 use unisize_pictures::{Camera, Drawing, Legend, palette, thousands};
 use unisize_scenes::ConvergingBoxes;
 
@@ -20,11 +19,11 @@ const FRAMES: usize = 2 * ConvergingBoxes::HALF_WAY;
 const QUICK_COUNT: usize = 1000;
 const QUICK_FRAMES: usize = 25;
 
-/// The frames that are drawn come at such intervals, and are four.
+/// The number of frames that are drawn.
 const PICTURES: usize = 4;
 const PICTURE_SIZE: [usize; 2] = [420, 300];
 
-/// So many pairs have the last colour of the palette.
+/// A square with this many pairs has the last colour of the palette.
 const CROWDED: f32 = 24.0;
 
 pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
@@ -65,27 +64,22 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
         table.push(row);
         let points = (1..).zip(times.frames());
         let points = points.map(|(frame, &ms)| (f64::from(frame), ms));
-        lines.push(Line::new(method.name(), method.color(), points.collect()));
+        lines.push(Series::new(method.name(), method.color(), points));
     }
     let pairs = (1..).zip(&outcome.pairs);
     let pairs = pairs.map(|(frame, &pairs)| (f64::from(frame), pairs as f64 / 1e3));
-    let grey = RGBColor(200, 200, 200);
-    let panel = Panel {
-        title: String::new(),
-        x: Axis::linear("frame"),
-        y: Axis::log("milliseconds"),
-        lines,
-        right: Some((
-            Axis::linear("thousands of pairs"),
-            Line::new("pairs (right)", grey, pairs.collect()),
-        )),
-    };
+    // The slowest comes first in the table, the fastest in the legend.
+    lines.reverse();
+    let panel = Panel::new("", Axis::linear("frame"), Axis::log("milliseconds"), lines).right(
+        Axis::linear("thousands of pairs"),
+        Series::new("pairs (right)", color::PALE, pairs),
+    );
     let title = format!("{count} squares converge on the centre");
-    chart::draw(&page.picture("figure4.svg"), &title, &[panel], 1)?;
+    Chart::new(title, [panel]).write_svg(&page.picture("figure4.svg"))?;
     page.put("figure4", &table)
 }
 
-/// Draws four frames, evenly spread, as cubes on a plane, each in the colour of how many others it overlaps.
+/// Draws four frames at even intervals, as cubes on a plane coloured by how many others they overlap.
 fn draw_frames(page: &Page, count: usize, frames: usize) -> Result<()> {
     let mut boxes = ConvergingBoxes::new(count, 7);
     let camera = Camera::orbit([0.0; 3], boxes.half_side() * 4.2)
@@ -112,7 +106,7 @@ fn draw_frames(page: &Page, count: usize, frames: usize) -> Result<()> {
         let legend = Legend::new(format!("frame {frame}")).fact("pairs", thousands(pairs.len()));
         let mut image = drawing.picture(&camera, PICTURE_SIZE)?;
         image.legend(&legend);
-        // By its place in the row, so that a quick run has the same names.
+        // Named by its place in the row, so that a quick run has the same names.
         image.write_png(&page.picture(&format!("figure4-{picture}.png")))?;
     }
     Ok(())

@@ -4,19 +4,18 @@
 //! cargo run --release --features rapier2d,rapier3d,parallel,baselines --example paper
 //! ```
 //!
-//! remakes every table, chart and picture of `docs/paper.md`, which says what each of them shows: tables are put into the
-//! page where their names stand in comments, charts and pictures into `docs/paper/`. One part of it alone is
+//! remakes every table, chart and picture of `docs/paper.md`, which explains them. Tables go into the page between comments
+//! with their names, charts and pictures into `docs/paper/`. To remake one part:
 //!
 //! ```text
 //! cargo run --release --features rapier2d,rapier3d,parallel,baselines --example paper -- table1
 //! ```
 //!
-//! All methods get the same boxes in the same frames, in turns, and all must find the same pairs, or the run ends with 1,
-//! as it does if it cannot write; with 2 if it was called wrongly.
+//! All methods get the same boxes in the same frames, in turns. The program exits with 1 if they find different pairs or if it
+//! cannot write, and with 2 if it was called wrongly.
 
 mod applications;
 mod cache;
-mod chart;
 mod continuous;
 mod figure3;
 mod figure4;
@@ -39,7 +38,7 @@ use options::{Options, Part};
 use page::Page;
 use std::process::ExitCode;
 
-/// Remakes a part of the page, with few boxes and frames if it is to be quick.
+/// Remakes a part of the page; the flag asks for few boxes and frames.
 type Remake = fn(&Page, bool) -> Result<()>;
 
 fn main() -> ExitCode {
@@ -62,7 +61,7 @@ fn run(options: &Options) -> Result<()> {
     {
         return cache::probe(method, count, density);
     }
-    let page = Page::open(&options.out)?;
+    let page = Page::open(&options.out())?;
     let parts: [(Part, Remake); 8] = [
         (Part::Table1, table1::run),
         (Part::Figure3, figure3::run),
@@ -73,7 +72,7 @@ fn run(options: &Options) -> Result<()> {
         (Part::Continuous, continuous::run),
         (Part::Applications, applications::run),
     ];
-    // Everything on one thread, as in the paper, but for the part that is about threads.
+    // Everything runs on one thread, as in the paper, except the part about threads.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     for (part, run) in parts {
         if options.part() == part || options.part() == Part::All {

@@ -1,30 +1,30 @@
-//! Everything that finds pairs, under one roof: the paper's method, those that it is compared with, and ours.
+//! The methods that find pairs behind one trait: the paper's, those that it is compared with, and ours.
 
 use anyhow::{Context, Result};
-use plotters::style::RGBColor;
 use std::time::{Duration, Instant};
 use unisize::{
     Aabb, CoherentSweepAndPrune, DualAxisSweep, GridSweep, PairFinder, RankSweep,
     StreamedSegmentTree, SweepAndPrune,
 };
+use unisize_charts::{RGBColor, color};
 
 /// The cutoff at which the streamed segment tree is fastest for boxes of one size.
 const BEST_CUTOFF: usize = 2000;
 
-/// What is raced.
+/// A contestant of a race.
 pub(crate) trait Method<const D: usize> {
     fn name(&self) -> &'static str;
 
     /// The colour of its lines.
     fn color(&self) -> RGBColor;
 
-    /// Finds the pairs of the boxes of a frame, and says how long it took.
+    /// Finds the pairs of a frame's boxes, and returns the time.
     fn run(&mut self, boxes: &[Aabb<f32, D>]) -> Result<Duration>;
 
-    /// How many pairs there are now.
+    /// The number of pairs found.
     fn pair_count(&self) -> usize;
 
-    /// The pairs, if they are exactly those of the boxes: not where boxes are kept with a margin.
+    /// The pairs, unless the method keeps boxes with a margin and so finds more.
     fn exact_pairs(&self) -> Option<&[[u32; 2]]>;
 }
 
@@ -61,50 +61,50 @@ impl<F: PairFinder<f32, D>, const D: usize> Method<D> for Finder<F> {
     }
 }
 
-/// A name, a colour and how to make it.
+/// A kernel with a name and a colour.
 fn method<F: PairFinder<f32, D> + 'static, const D: usize>(
     name: &'static str,
-    [r, g, b]: [u8; 3],
+    color: RGBColor,
     finder: F,
 ) -> Box<dyn Method<D>> {
     Box::new(Finder {
         name,
-        color: RGBColor(r, g, b),
+        color,
         finder,
         pairs: Vec::new(),
     })
 }
 
 pub(crate) fn grid_sweep<const D: usize>() -> Box<dyn Method<D>> {
-    method("GridSweep", [213, 0, 0], GridSweep::default())
+    method("GridSweep", color::RED, GridSweep::default())
 }
 
 pub(crate) fn rank_sweep<const D: usize>() -> Box<dyn Method<D>> {
-    method("RankSweep", [225, 120, 0], RankSweep::default())
+    method("RankSweep", color::SALMON, RankSweep::default())
 }
 
 pub(crate) fn dual_axis_sweep<const D: usize>() -> Box<dyn Method<D>> {
-    method("DualAxisSweep", [150, 120, 0], DualAxisSweep::default())
+    method("DualAxisSweep", color::OCHRE, DualAxisSweep::default())
 }
 
 pub(crate) fn streamed_segment_tree<const D: usize>() -> Box<dyn Method<D>> {
     let tree = StreamedSegmentTree::default();
-    method("StreamedSegmentTree", [0, 90, 181], tree)
+    method("StreamedSegmentTree", color::BLUE, tree)
 }
 
 /// The methods of the paper and ours, the slowest first.
 pub(crate) fn all<const D: usize>() -> Vec<Box<dyn Method<D>>> {
     vec![
-        method("SweepAndPrune", [60, 60, 60], SweepAndPrune::default()),
+        method("SweepAndPrune", color::BLACK, SweepAndPrune::default()),
         method(
             "CoherentSweepAndPrune",
-            [160, 160, 160],
+            color::GREY,
             CoherentSweepAndPrune::default(),
         ),
         streamed_segment_tree(),
         method(
             "StreamedSegmentTree, best cutoff",
-            [80, 170, 230],
+            color::SKY,
             StreamedSegmentTree::with_cutoff(BEST_CUTOFF),
         ),
         dual_axis_sweep(),

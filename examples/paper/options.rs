@@ -9,15 +9,15 @@ use std::path::PathBuf;
 pub(crate) struct Options {
     #[command(subcommand)]
     part: Option<Part>,
-    /// The folder of paper.md, with a folder paper of its pictures
-    #[arg(long, global = true, value_name = "DIR", default_value = "docs")]
-    pub(crate) out: PathBuf,
-    /// Few boxes and frames, for a check of a few seconds
+    /// The folder of paper.md and of its pictures, in paper/ [default: docs; with --quick paper in the target directory]
+    #[arg(long, global = true, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Few boxes and frames, for a check of a few seconds; its figures are rough
     #[arg(long, global = true)]
     pub(crate) quick: bool,
 }
 
-/// What to remake.
+/// A part of the page.
 #[derive(Clone, Copy, Debug, PartialEq, Subcommand)]
 pub(crate) enum Part {
     /// All of the following, which is also the default
@@ -41,7 +41,7 @@ pub(crate) enum Part {
     Continuous,
     /// Crowds, chains and particles
     Applications,
-    /// What runs under valgrind.
+    /// The program that runs under valgrind.
     #[command(hide = true)]
     CacheProbe {
         method: crate::cache::Probed,
@@ -51,7 +51,35 @@ pub(crate) enum Part {
 }
 
 impl Options {
+    /// The folder of the page. A quick run must not overwrite the published one.
+    pub(crate) fn out(&self) -> PathBuf {
+        let default = || match self.quick {
+            true => unisize_charts::scratch_folder("paper"),
+            false => PathBuf::from("docs"),
+        };
+        self.out.clone().unwrap_or_else(default)
+    }
+
     pub(crate) fn part(&self) -> Part {
         self.part.unwrap_or(Part::All)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Options;
+    use clap::Parser;
+    use std::path::Path;
+
+    #[test]
+    fn a_quick_run_leaves_the_published_page_alone() {
+        let out = |line: &[&str]| Options::parse_from(["paper"].iter().chain(line)).out();
+        assert_eq!(out(&[]), Path::new("docs"));
+        assert_eq!(out(&["table1"]), Path::new("docs"));
+        let scratch = unisize_charts::scratch_folder("paper");
+        assert!(!scratch.starts_with("docs"));
+        assert_eq!(out(&["--quick"]), scratch);
+        assert_eq!(out(&["table1", "--quick"]), scratch);
+        assert_eq!(out(&["--quick", "--out", "docs"]), Path::new("docs"));
     }
 }

@@ -1,4 +1,4 @@
-//! The page that all results go to.
+//! The page of all results.
 
 use crate::table::Table;
 use anyhow::{Context, Result, ensure};
@@ -15,7 +15,7 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// The page in this folder, with the text of the repository if there is none.
+    /// The page in this folder; a new one starts with the text of the repository.
     pub(crate) fn open(folder: &Path) -> Result<Self> {
         let page = Self {
             file: folder.join("paper.md"),
@@ -34,7 +34,7 @@ impl Page {
         self.pictures.join(name)
     }
 
-    /// Prints a table, and puts it where the page has this name in a comment, in place of what is there.
+    /// Prints a table, and writes it into the page between the comments with this name.
     pub(crate) fn put(&self, name: &str, table: &Table) -> Result<()> {
         println!("{name}\n\n{table}");
         let text = fs::read_to_string(&self.file)

@@ -1,11 +1,11 @@
-//! All methods on the same frames, in turns.
+//! A race: all methods on the same frames, in turns.
 
 use crate::method::Method;
 use anyhow::{Result, ensure};
 use std::time::Duration;
 use unisize::Aabb;
 
-/// What one method took.
+/// The times of one method.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Times(Vec<f64>);
 
@@ -34,7 +34,7 @@ impl Times {
     }
 }
 
-/// What a race came to: times in the order of the methods.
+/// The outcome of a race, with times in the order of the methods.
 pub(crate) struct Outcome {
     pub(crate) times: Vec<Times>,
     /// The pairs of every frame, by the last method.
@@ -47,9 +47,9 @@ impl Outcome {
     }
 }
 
-/// Has every method find the pairs of every frame. The first frame, for which memory is made, does not count.
+/// Lets every method find the pairs of every frame. The first frame, which allocates memory, is not timed.
 ///
-/// `next` replaces the boxes by those of the next frame. Methods with exact pairs must have the same ones.
+/// `next` replaces the boxes by those of the next frame. All methods with exact pairs must agree.
 pub(crate) fn race<const D: usize>(
     methods: &mut [Box<dyn Method<D>>],
     frames: usize,
@@ -74,7 +74,7 @@ pub(crate) fn race<const D: usize>(
             let (first, expected) = expected.get_or_insert((method.name(), found));
             ensure!(
                 found == *expected,
-                "frame {frame}: {} finds other pairs than {first}",
+                "frame {frame}: {} and {first} find different pairs",
                 method.name()
             );
         }
@@ -86,7 +86,7 @@ pub(crate) fn race<const D: usize>(
     Ok(Outcome { times, pairs })
 }
 
-/// A number that is the same for the same pairs in whatever order, and in all likelihood another for others.
+/// A hash of a set of pairs, whatever their order.
 fn fingerprint(pairs: &[[u32; 2]]) -> (usize, u64) {
     let mix = |&[a, b]: &[u32; 2]| {
         // The finalizer of SplitMix64.

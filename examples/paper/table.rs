@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display};
 
-/// A table; the first column is on the left, all others are on the right.
+/// A table; the first column is left-aligned, all others are right-aligned.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     head: Vec<String>,
@@ -33,7 +33,7 @@ impl Display for Table {
     }
 }
 
-/// A number with three digits that mean something.
+/// A number with three significant digits.
 pub(crate) fn digits(x: f64) -> String {
     if !x.is_finite() {
         return "–".to_owned();
@@ -41,7 +41,7 @@ pub(crate) fn digits(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
-    // A little more, so that what is rounded up to a power of ten counts as one.
+    // A little more, so that a number that is rounded up to a power of ten counts as one.
     let magnitude = (x.abs() * 1.0005).log10().floor() as i32;
     match magnitude {
         -3.. => format!("{x:.*}", (2 - magnitude).max(0) as usize),
@@ -49,7 +49,7 @@ pub(crate) fn digits(x: f64) -> String {
     }
 }
 
-/// A power of two as one, any other number in full.
+/// A power of two as such, any other number in full.
 pub(crate) fn count(n: usize) -> String {
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if !n.is_power_of_two() || n < 1024 {

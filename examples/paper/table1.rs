@@ -1,4 +1,4 @@
-//! Table 1: squares that drift about, at several numbers and densities, by all methods.
+//! Table 1: drifting squares at several numbers and densities, by all methods.
 
 use crate::method;
 use crate::page::Page;

@@ -1,6 +1,5 @@
-//! The extension to three dimensions: what the extra interval test is worth as scenes get thicker.
+//! The extension to three dimensions: how the extra interval test holds up as scenes get thicker.
 
-use crate::chart::{self, Axis, Line, Panel};
 use crate::method::{self, Method};
 use crate::page::Page;
 use crate::progress::progress_bar;
@@ -8,15 +7,16 @@ use crate::race::{race, unit_boxes};
 use crate::table::{Table, count, digits};
 use anyhow::Result;
 use unisize::{Aabb, GridSweep, PairFinder};
+use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_scenes::DriftingBoxes;
 
 const DENSITY: f64 = 0.2;
 const FRAMES: usize = 5;
 
-/// How many cubes high the layers are; the last is the height of a cube-shaped environment.
+/// The heights of the layers, in cubes; a cube-shaped environment is added as the last.
 const THICKNESSES: [f64; 7] = [1.0, 1.5, 2.0, 4.0, 8.0, 16.0, 32.0];
 
-/// With how many cubes layers are measured, and how the time grows for fully three-dimensional scenes.
+/// The number of cubes in a layer, and those in a fully three-dimensional scene.
 const COUNT: usize = 1 << 16;
 const COUNTS: [usize; 4] = [1 << 12, 1 << 14, 1 << 16, 1 << 18];
 
@@ -87,27 +87,18 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
     bar.finish_and_clear();
     page.put("third-axis-growth", &table)?;
 
+    let time = || Axis::log("nanoseconds per cube and pair");
+    let thickness = Axis::log("thickness of the layer, in cubes");
+    let layered = format!("Layers of {} cubes", count(n));
     let panels = [
-        Panel {
-            title: format!("Layers of {} cubes", count(n)),
-            x: Axis::log("thickness of the layer, in cubes"),
-            y: Axis::log("nanoseconds a cube and pair"),
-            lines: layers.lines(),
-            right: None,
-        },
-        Panel {
-            title: "Environments as high as wide".to_owned(),
-            x: Axis::log("n"),
-            y: Axis::log("nanoseconds a cube and pair"),
-            lines: cubes.lines(),
-            right: None,
-        },
+        Panel::new(layered, thickness, time(), layers.lines()),
+        Panel::new("As high as wide", Axis::log("n"), time(), cubes.lines()),
     ];
     let title = "Cubes in three dimensions, a fifth of the volume";
-    chart::draw(&page.picture("third-axis.svg"), title, &panels, 2)
+    Chart::new(title, panels).write_svg(&page.picture("third-axis.svg"))
 }
 
-/// The methods of interest here.
+/// The methods that are compared.
 fn methods() -> Vec<Box<dyn Method<3>>> {
     vec![
         method::streamed_segment_tree(),
@@ -154,16 +145,13 @@ impl Lines {
         Ok((means, pairs))
     }
 
-    fn lines(&self) -> Vec<Line> {
-        let lines = methods().into_iter().zip(&self.points);
-        let line = |(method, points): (Box<dyn Method<3>>, &Vec<_>)| {
-            Line::new(method.name(), method.color(), points.clone())
-        };
-        lines.map(line).collect()
+    fn lines(self) -> impl Iterator<Item = Series> {
+        let lines = methods().into_iter().zip(self.points).rev();
+        lines.map(|(method, points)| Series::new(method.name(), method.color(), points))
     }
 }
 
-/// How many pairs overlap on the first two axes: those that the extra interval test is made for.
+/// How many pairs overlap on the first two axes: those that need the extra interval test.
 fn flat_pairs(drifting: &DriftingBoxes<3>) -> Result<usize> {
     let flat: Vec<_> = drifting.mins().iter().map(|&[x, y, _]| [x, y]).collect();
     let mut boxes: Vec<Aabb<f32, 2>> = Vec::new();

@@ -1,4 +1,4 @@
-//! The first open question: what do more threads gain in sorting, and in pairing?
+//! The first open question: what more threads gain in sorting and in pairing.
 
 use crate::page::Page;
 use crate::progress::progress_bar;
@@ -9,7 +9,7 @@ use std::time::Duration;
 use unisize::{Aabb, GridSweep, PairFinder, PhaseTimes, RankSweep};
 use unisize_scenes::DriftingBoxes;
 
-/// What the paper gained by sorting both axes at once, on average.
+/// The paper's average speed-up by sorting both axes at once.
 const PUBLISHED: f64 = 1.25;
 
 const COUNTS: [usize; 4] = [1 << 17, 1 << 18, 1 << 19, 1 << 20];
@@ -19,7 +19,7 @@ const FRAMES: usize = 9;
 const QUICK_COUNTS: [usize; 1] = [1 << 14];
 const QUICK_FRAMES: usize = 2;
 
-/// A kernel that takes the times of its phases.
+/// A kernel that times its phases.
 trait Timed: PairFinder<f32, 2> + Send {
     fn create() -> Self;
     fn times(&self) -> PhaseTimes;
@@ -72,8 +72,7 @@ pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
     page.put("threads", &table)
 }
 
-/// By how much all threads are faster than one: in sorting, in sweeping, and in all. Frames are measured with the one
-/// and the other in turns.
+/// The speed-up of all threads over one in sorting, in sweeping, and in total. Frames alternate between the two.
 fn gains<K: Timed>(n: usize, density: f64, threads: usize, frames: usize) -> Result<[String; 3]> {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pools = [pool(1)?, pool(threads)?];
@@ -93,7 +92,7 @@ fn gains<K: Timed>(n: usize, density: f64, threads: usize, frames: usize) -> Res
                 times[which].push(kernel.times());
             }
         }
-        anyhow::ensure!(pairs[0] == pairs[1], "other pairs, or another order");
+        anyhow::ensure!(pairs[0] == pairs[1], "the pairs or their order differ");
     }
     let gain = |of: fn(&PhaseTimes) -> Duration| {
         let [one, many] = &times;

@@ -1,9 +1,9 @@
-//! The progress bar of the examples that take longer than some seconds: they include this file as a module.
+//! The progress bar of the longer examples, which include this file as a module.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
 
-/// A progress bar over so many steps, which only shows on a terminal.
+/// A progress bar over this many steps, shown only on a terminal.
 pub(crate) fn progress_bar(steps: u64) -> ProgressBar {
     let target = if stderr().is_terminal() {
         ProgressDrawTarget::stderr()

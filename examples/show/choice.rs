@@ -1,4 +1,4 @@
-//! Which broad phase.
+//! The choice of a broad phase.
 
 use clap::ValueEnum;
 

@@ -1,21 +1,22 @@
-//! What is drawn, and where it goes.
+//! A film of the world, as a GIF or as numbered PNG files.
 
 use super::options::Options;
-use super::{Show, Watched};
+use super::scenes::Show;
+use super::watched::Watched;
 use std::error::Error;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use unisize_pictures::{Animation, Drawing, Legend, Picture, PictureError, thousands};
 
-/// How many frames a second there are in an animation.
+/// The frame rate of an animation.
 const FRAMES_PER_SECOND: u32 = 20;
 
-/// For how many seconds its end is shown, and in how many frames it turns into its beginning.
+/// How many seconds its last frame stays, and in how many frames it fades into the first.
 const HOLD: f32 = 0.8;
 const FADE: usize = 5;
 
-/// Where pictures go.
+/// Where frames go.
 pub(super) struct Film {
     size: [usize; 2],
     filmed_from: usize,
@@ -56,14 +57,14 @@ impl Film {
         })
     }
 
-    /// Whether the world is drawn after so many steps.
+    /// Whether the world is drawn after this step.
     pub(super) fn wants(&self, step: usize) -> bool {
         !matches!(self.format, Format::Nothing)
             && step > self.filmed_from
             && (step - self.filmed_from - 1) % self.steps_per_frame == 0
     }
 
-    /// Draws the world.
+    /// Adds a frame.
     pub(super) fn add(
         &mut self,
         show: &impl Show,
@@ -89,7 +90,7 @@ impl Film {
         }
     }
 
-    /// Writes what is not written yet.
+    /// Writes the animation, if there is one.
     pub(super) fn finish(self) -> Result<(), Box<dyn Error>> {
         if let Format::Gif(mut animation, mut file) = self.format {
             animation.fade_to_start(FADE);

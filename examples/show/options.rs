@@ -1,43 +1,43 @@
 //! The command line.
 
-use super::Show;
 use super::choice::Choice;
+use super::scenes::Show;
 use clap::builder::RangedU64ValueParser;
 use clap::{CommandFactory, FromArgMatches, Parser};
 use std::path::PathBuf;
 
-/// The switches of every example that shows something.
+/// The switches of every example that shows a world.
 #[derive(Clone, Debug, Parser)]
 pub(crate) struct Options {
     /// About how many bodies
     #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
     bodies: Option<usize>,
-    /// How many steps to simulate, 60 to a second
+    /// How many steps to simulate, 60 per second
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
-    /// What finds the pairs
+    /// The broad phase that finds the pairs
     #[arg(long, value_enum, default_value = "unisize")]
     pub(crate) broad_phase: Choice,
-    /// Compare the pairs with those of Rapier's own broad phase after every step; ends with 1 if they differ
+    /// Compare the pairs with those of Rapier's own broad phase after every step; exits with 1 if they differ
     #[arg(long)]
     pub(crate) verify_pairs: bool,
     /// Draw nothing, which is the default without --out
     #[arg(long, conflicts_with = "out")]
     no_render: bool,
-    /// Draw: a looping animation if it ends in .gif, numbered frames if it ends in .png
+    /// Draw a film: a looping animation if the name ends in .gif, numbered frames if it ends in .png
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Width and height of what is drawn, in pixels
+    /// Width and height of the film, in pixels
     #[arg(long, num_args = 2, value_names = ["WIDTH", "HEIGHT"], default_values_t = [640, 360], value_parser = between(1, 8192))]
     size: Vec<usize>,
 }
 
 impl Options {
-    /// Reads the command line, and ends the program if it is wrong.
+    /// Reads the command line, and exits if it is invalid.
     pub(crate) fn read<S: Show>() -> Self {
         let bodies = format!("About how many bodies [default: {}]", S::BODIES);
         let steps = format!(
-            "How many steps to simulate, 60 to a second [default: {}]",
+            "How many steps to simulate, 60 per second [default: {}]",
             S::STEPS
         );
         let command = Self::command()

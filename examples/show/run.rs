@@ -1,17 +1,18 @@
-//! The course of an example.
+//! The main loop of an example.
 
 use super::film::Film;
 use super::options::Options;
 use super::progress::progress_bar;
-use super::{Show, Watched};
+use super::scenes::Show;
+use super::watched::Watched;
 use std::error::Error;
 use std::process::ExitCode;
 
-/// The milliseconds in a legend are the mean of so many steps.
+/// The milliseconds in a legend are the mean of this many steps.
 const MEAN_OF: usize = 30;
 
-/// Reads the command line, simulates, and prints one line: the time in the broad phase, its pairs, and the line of code that
-/// chooses it. Ends with 1 if pairs differ, and with 2 if anything else is wrong.
+/// Reads the command line, simulates, and prints the time in the broad phase, its pairs, and the line of code that chooses it.
+/// Exits with 1 if pairs differ, and with 2 on any other error.
 pub(crate) fn run<S: Show>() -> ExitCode {
     let options = Options::read::<S>();
     match simulate::<S>(&options) {
@@ -27,7 +28,7 @@ pub(crate) fn run<S: Show>() -> ExitCode {
     }
 }
 
-/// Simulates, and returns the first difference of pairs, which ends the simulation.
+/// Simulates until the end or until pairs differ, and returns the difference.
 fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>> {
     let mut film = Film::new::<S>(options)?;
     let steps = options.steps::<S>();
@@ -35,7 +36,7 @@ fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>
     let mut broad_phase = Watched::new::<S>(options);
     let bar = progress_bar(steps as u64);
     bar.set_message(S::NAME);
-    // The time taken until each step.
+    // The time in the broad phase up to each step.
     let mut clock = vec![broad_phase.elapsed()];
     for step in 1..=steps {
         show.prepare(step, &broad_phase);

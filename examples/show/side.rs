@@ -1,4 +1,4 @@
-//! A broad phase that is timed, with a book of its pairs where one is wanted.
+//! A broad phase that is timed, and whose pairs are recorded where that is wanted.
 
 use super::rapier::prelude::*;
 use std::collections::BTreeSet;
@@ -7,20 +7,20 @@ use std::time::{Duration, Instant};
 /// A pair of colliders as indices and generations, the smaller first.
 pub(super) type Pair = [(u32, u32); 2];
 
-/// A broad phase with the pairs that it holds by its own account.
+/// A broad phase with the pairs that it has reported.
 pub(super) struct Side<B> {
     pub(super) broad_phase: B,
-    /// Kept up by events, where they are of interest.
+    /// The pairs by its events, if they are recorded.
     pub(super) held: Option<BTreeSet<Pair>>,
     pub(super) events: Vec<BroadPhasePairEvent>,
     pub(super) elapsed: Duration,
 }
 
 impl<B: BroadPhase> Side<B> {
-    pub(super) fn new(broad_phase: B, keeps_book: bool) -> Self {
+    pub(super) fn new(broad_phase: B, records: bool) -> Self {
         Self {
             broad_phase,
-            held: keeps_book.then(BTreeSet::new),
+            held: records.then(BTreeSet::new),
             events: Vec::new(),
             elapsed: Duration::ZERO,
         }
@@ -36,7 +36,7 @@ impl<B: BroadPhase> Side<B> {
         .collect()
     }
 
-    /// Updates it, and leaves what it reports in `events`.
+    /// Updates the broad phase and leaves its events in `events`.
     pub(super) fn update(
         &mut self,
         params: &IntegrationParameters,

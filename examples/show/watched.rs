@@ -1,10 +1,10 @@
-//! The broad phase that was chosen, timed, and compared with the other one if that is asked for.
+//! The broad phase that drives the simulation, timed, and on request compared with the other one.
 
-use super::Show;
 use super::choice::Choice;
 use super::options::Options;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use super::scenes::{HeldPairs, Show};
 use super::side::{Side, pair};
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -14,7 +14,7 @@ pub(crate) struct Watched {
     unisize: Option<Side<UnisizeBroadPhase>>,
     default: Option<Side<DefaultBroadPhase>>,
     choice: Choice,
-    /// Whether Rapier hears of pairs.
+    /// Whether pairs are reported to Rapier.
     has_contacts: bool,
 }
 
@@ -25,28 +25,19 @@ impl Watched {
         Self {
             unisize: takes_part(Choice::Unisize)
                 .then(|| Side::new(UnisizeBroadPhase::new(), options.verify_pairs)),
-            // It does not tell which pairs it holds.
+            // It has no list of its pairs.
             default: takes_part(Choice::Default).then(|| Side::new(DefaultBroadPhase::new(), true)),
             choice,
             has_contacts: S::CONTACTS,
         }
     }
 
-    /// The name of the broad phase that was chosen.
+    /// The name of the broad phase.
     pub(crate) fn name(&self) -> &'static str {
         self.choice.name()
     }
 
-    /// The pairs that are held, in the same order in each run.
-    pub(crate) fn pairs(&self) -> Vec<ColliderPair> {
-        match (&self.unisize, &self.default) {
-            (Some(unisize), _) => unisize.broad_phase.pairs().collect(),
-            (None, Some(default)) => default.pairs(),
-            (None, None) => Vec::new(),
-        }
-    }
-
-    /// How many pairs are held.
+    /// The number of pairs held.
     pub(crate) fn pair_count(&self) -> usize {
         match (&self.unisize, &self.default) {
             (Some(unisize), _) => unisize.broad_phase.stats().pairs,
@@ -58,7 +49,7 @@ impl Watched {
         }
     }
 
-    /// The time taken by the updates of the broad phase that was chosen.
+    /// The time that its updates took.
     pub(crate) fn elapsed(&self) -> Duration {
         let elapsed = match self.choice {
             Choice::Unisize => self.unisize.as_ref().map(|side| side.elapsed),
@@ -67,7 +58,7 @@ impl Watched {
         elapsed.unwrap_or_default()
     }
 
-    /// How the pairs of the two broad phases differ, if both are here and they do.
+    /// How the pairs of the two broad phases differ, if both run and they do.
     pub(crate) fn difference(&self) -> Option<String> {
         let (unisize, default) = (self.unisize.as_ref()?, self.default.as_ref()?);
         let listed: Vec<_> = self.pairs().into_iter().map(pair).collect();
@@ -87,6 +78,16 @@ impl Watched {
             missing.len(),
             spurious.len(),
         ))
+    }
+}
+
+impl HeldPairs for Watched {
+    fn pairs(&self) -> Vec<ColliderPair> {
+        match (&self.unisize, &self.default) {
+            (Some(unisize), _) => unisize.broad_phase.pairs().collect(),
+            (None, Some(default)) => default.pairs(),
+            (None, None) => Vec::new(),
+        }
     }
 }
 

@@ -1,13 +1,13 @@
-//! How a whole simulation went, the same type for both dimensions.
+//! The outcome of a whole simulation, one type for both dimensions.
 
 /// What a simulation was run on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Run {
-    /// Rapier's broad phase with a fine time step and its events in order.
+    /// Rapier's broad phase with a fine time step and sorted events.
     Reference,
-    /// Rapier's broad phase with its events in order.
+    /// Rapier's broad phase with sorted events.
     RapierInOrder,
-    /// The default settings with events in order: the same pairs in the same order as [`RapierInOrder`](Self::RapierInOrder).
+    /// The default settings with sorted events: the same pairs in the same order as [`RapierInOrder`](Self::RapierInOrder).
     AutomaticInOrder,
     /// Rapier's broad phase as it is.
     Rapier,
@@ -17,22 +17,22 @@ pub(crate) enum Run {
     CommonBox,
 }
 
-/// How a whole simulation went.
+/// The outcome of a whole simulation.
 #[derive(Clone, Debug)]
 pub(crate) struct Course {
     pub(crate) name: String,
     pub(crate) run: Run,
-    /// The energy at the end over what there was at the start and what the script brought in, less one.
+    /// The energy at the end over the initial and the supplied energy, less one.
     pub(crate) energy_change: f64,
-    /// The deepest contact of all steps, in typical sizes.
+    /// The deepest contact of all steps, in typical sizes of a collider.
     pub(crate) worst_penetration: f64,
     /// The largest error of a joint of all steps, in lengths of a rope's segment.
     pub(crate) worst_stretch: Option<f64>,
-    /// When it first was elsewhere than the simulation of a quarter of the time step, in seconds.
+    /// When it first left the reference, in seconds.
     pub(crate) leaves_reference: Option<f64>,
-    /// When it first was elsewhere than the simulation on Rapier's broad phase with its events in order, in seconds.
+    /// When it first left the simulation on Rapier's broad phase with sorted events, in seconds.
     pub(crate) leaves_rapier: Option<f64>,
-    /// How far it is from that one at the most, and in the end, in typical sizes, as a root of the mean of squares over bodies.
+    /// The greatest and the last distance from that one, in typical sizes: the root mean square over bodies.
     pub(crate) most_from_rapier: f64,
     pub(crate) distance_from_rapier: f64,
 }

@@ -1,30 +1,48 @@
-//! What does each setting cost, and what is it worth?
+//! What each setting costs, and what it is worth.
 //!
 //! ```text
 //! cargo run --release --all-features --example tradeoff
 //! ```
 //!
-//! takes Rapier's own broad phase and unisize with each kernel and a range of margins through six scenes in two and
-//! three dimensions. All get the same scene at the same step, in turns, and three things are measured:
+//! runs Rapier's own broad phase, and unisize with each kernel and a range of margins, on six scenes in two and three
+//! dimensions. All get the same scene at the same step, in turns, and three things are measured:
 //!
-//! - **recall**: of the pairs of colliders whose shapes touch, as Parry's exact queries have it, how many are held;
-//! - **cost**: the time of the broad phase, and that of the broad and the narrow phase together, for a wide margin only
-//!   moves work from one to the other;
-//! - **fidelity**: how a whole simulation on each of them fares, against one with a quarter of the time step.
+//! - **recall**: how many of the pairs whose shapes touch, by Parry's exact queries, are held;
+//! - **cost**: the time of the broad phase, and of the broad and the narrow phase together, because a wide margin moves
+//!   work from one to the other;
+//! - **fidelity**: how far a whole simulation on each of them is from one with a quarter of the time step.
 //!
-//! Prints tables in Markdown, draws `docs/figures/tradeoff-*.svg`, and ends with 1 if a touching pair was missed or the
-//! default settings do not simulate what Rapier's broad phase does, and with 2 if it was called wrongly or cannot write.
+//! It prints tables in Markdown and draws `docs/figures/tradeoff-*.svg`. It exits with 1 if a touching pair was missed or if
+//! the default settings do not simulate what Rapier's broad phase does, and with 2 if it was called wrongly or cannot write.
 
 mod chart;
 mod course;
-mod dim2;
-mod dim3;
 mod method;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
 mod study;
 mod table;
+
+#[path = "."]
+mod dim2 {
+    //! The measurements in rapier2d.
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    mod dimension;
+    pub(super) use dimension::study;
+}
+
+#[path = "."]
+mod dim3 {
+    //! The measurements in rapier3d.
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    mod dimension;
+    pub(super) use dimension::study;
+}
 
 use clap::Parser;
 use options::Options;
@@ -33,8 +51,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let figures = options.out.join("docs/figures");
-    // Before the long run, which would be lost if this failed.
+    let figures = options.out();
+    // Before the long run, which a failure would waste.
     if let Err(error) = std::fs::create_dir_all(&figures) {
         eprintln!("error: cannot create {}: {error}", figures.display());
         return ExitCode::from(2);
@@ -58,7 +76,7 @@ fn main() -> ExitCode {
         let of_dim: Vec<_> = studies.iter().filter(|study| study.dim == dim).collect();
         let file = figures.join(format!("tradeoff-{dim}d.svg"));
         if let Err(error) = chart::draw(&file, dim, &of_dim) {
-            eprintln!("error: cannot draw {}: {error}", file.display());
+            eprintln!("error: {error}");
             return ExitCode::from(2);
         }
         println!("Drawn: {}", file.display());
@@ -73,12 +91,10 @@ fn main() -> ExitCode {
     let differing = differing.count();
     if differing == 0 {
         println!(
-            "With events in order, all simulations on the default settings were those on Rapier's."
+            "With events in order, all simulations on the default settings equal those on Rapier's."
         );
     } else {
-        println!(
-            "DIFFERENT from Rapier's, although events were in order: {differing} simulations."
-        );
+        println!("DIFFERENT from Rapier's although events were in order: {differing} simulations.");
     }
     match missed + differing {
         0 => ExitCode::SUCCESS,

@@ -1,9 +1,9 @@
-//! What is compared: a way to find pairs, with a margin.
+//! A method: a way to find pairs, with a margin.
 
 /// The margins, in typical sizes of a collider, besides the default one.
 const MARGINS: [f32; 5] = [0.0, 0.05, 0.1, 0.25, 0.5];
 
-/// With more bodies, comparing every two takes too long to be of interest.
+/// Brute force takes too long with more bodies.
 const BRUTE_FORCE_BODIES: usize = 2_000;
 
 /// How pairs are found.
@@ -15,9 +15,9 @@ pub(crate) enum Search {
     GridSweep,
     /// Ours, on the kernel of the paper.
     RankSweep,
-    /// Ours, comparing every two boxes.
+    /// Ours, with brute force.
     BruteForce,
-    /// The kernel of the paper on boxes that have all been given the largest size, and nothing after it.
+    /// The kernel of the paper on boxes enlarged to one common size, without a filter.
     CommonBox,
 }
 
@@ -42,7 +42,7 @@ impl Search {
     }
 }
 
-/// How much boxes are larger than what they hold.
+/// By how much boxes are larger than their shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Margin {
     /// The default, which is also Rapier's, in length units.
@@ -69,13 +69,13 @@ pub(crate) struct Method {
 }
 
 impl Method {
-    /// What users get who choose nothing.
+    /// The default settings.
     pub(crate) const AUTOMATIC: Self = Self {
         search: Search::GridSweep,
         margin: Margin::Default,
     };
 
-    /// All methods for a scene of so many bodies, by search and then by margin.
+    /// All methods for a scene with this many bodies, by search and then by margin.
     pub(crate) fn all(bodies: usize) -> Vec<Self> {
         let of_search = |search| {
             let margins = match search {
@@ -94,13 +94,13 @@ impl Method {
         Search::ALL.into_iter().flat_map(of_search).collect()
     }
 
-    /// How many simulations, counted in steps of the usual length, a scene of so many bodies is put through: on each
-    /// method as it is, twice with events in order, and once in steps of a quarter.
+    /// The number of simulations of a scene with this many bodies, for the progress bar: one on each method, two with sorted
+    /// events, and the reference.
     pub(crate) fn courses(bodies: usize) -> usize {
         Self::all(bodies).len() + 3
     }
 
-    /// Whether this is a setting of unisize, which a user could choose.
+    /// Whether users of unisize can choose this.
     pub(crate) fn is_setting(self) -> bool {
         matches!(
             self.search,

@@ -6,7 +6,7 @@ use clap::builder::RangedU64ValueParser;
 use std::path::PathBuf;
 use unisize_scenes::SceneKind;
 
-/// The scenes to choose from: none of them removes a collider, which the replay could not show to a broad phase.
+/// The scenes to choose from. None of them removes a collider, because the replay cannot pass on removals.
 const SCENES: [SceneKind; 6] = [
     SceneKind::Ropes,
     SceneKind::Hopper,
@@ -16,39 +16,39 @@ const SCENES: [SceneKind; 6] = [
     SceneKind::Sleeping,
 ];
 
-/// How many bodies and steps `--quick` has.
+/// Bodies and steps with `--quick`.
 const QUICK_BODIES: usize = 120;
 const QUICK_STEPS: usize = 40;
 
-/// How many steps there are otherwise: four seconds.
+/// Steps otherwise: four seconds.
 const STEPS: usize = 240;
 
-/// Simulations of which nothing is timed have no more bodies than this.
+/// Simulations that are not timed have no more bodies than this.
 const COURSE_BODIES: usize = 400;
 
-/// Measures what each broad phase and margin costs, and whether it misses anything.
+/// Measures what each broad phase and margin costs, and whether it misses pairs.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "tradeoff")]
 pub(super) struct Options {
     /// A scene to measure on; may be given several times [default: all of them]
     #[arg(long, value_name = "SCENE", value_parser = parse_scene)]
     only: Vec<SceneKind>,
-    /// About how many bodies in every scene [default: 2,000, of ropes 1,000; or 120 with --quick]
+    /// About how many bodies per scene [default: 2,000, of ropes 1,000; with --quick 120]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     bodies: Option<usize>,
-    /// How many steps to simulate [default: 240, or 40 with --quick]
+    /// How many steps to simulate [default: 240; with --quick 40]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
-    /// How many times each step is measured with each method [default: 3, or 1 with --quick]
+    /// How often each step is measured with each method [default: 3; with --quick 1]
     #[arg(long, value_name = "N", value_parser = between(1, 100))]
     repeats: Option<usize>,
     /// The seed of the scenes' randomness
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,
-    /// The charts are drawn into docs/figures of this folder
-    #[arg(long, value_name = "DIR", default_value = ".")]
-    pub(super) out: PathBuf,
-    /// Few bodies and steps, for a check of a few seconds
+    /// The folder of the charts [default: docs/figures; with --quick tradeoff in the target directory]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Few bodies and steps, for a check of a few seconds; its figures are rough
     #[arg(long)]
     quick: bool,
 }
@@ -62,7 +62,16 @@ impl Options {
         }
     }
 
-    /// How many bodies a scene has in which broad phases are timed.
+    /// The folder of the charts. A quick run must not overwrite the published ones.
+    pub(super) fn out(&self) -> PathBuf {
+        let default = || match self.quick {
+            true => unisize_charts::scratch_folder("tradeoff"),
+            false => PathBuf::from("docs/figures"),
+        };
+        self.out.clone().unwrap_or_else(default)
+    }
+
+    /// The number of bodies where broad phases are timed.
     pub(super) fn bodies(&self, kind: SceneKind) -> usize {
         self.bodies.unwrap_or(match kind {
             _ if self.quick => QUICK_BODIES,
@@ -71,7 +80,7 @@ impl Options {
         })
     }
 
-    /// How many bodies a scene has that is simulated on each broad phase alone.
+    /// The number of bodies of the simulations on one method each.
     pub(super) fn course_bodies(&self, kind: SceneKind) -> usize {
         self.bodies(kind).min(COURSE_BODIES)
     }
@@ -85,7 +94,7 @@ impl Options {
         self.repeats.unwrap_or(if self.quick { 1 } else { 3 })
     }
 
-    /// What is held is compared with what touches at every such number of steps.
+    /// The pairs held are compared with those that touch once in this many steps.
     pub(super) fn truth_every(&self) -> usize {
         self.steps().div_ceil(24)
     }
@@ -111,4 +120,21 @@ fn parse_scene(name: &str) -> Result<SceneKind, String> {
         let names = SCENES.map(SceneKind::name).join(", ");
         format!("there is no such scene here; there are {names}")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Options;
+    use clap::Parser;
+    use std::path::Path;
+
+    #[test]
+    fn a_quick_run_leaves_the_published_charts_alone() {
+        let out = |line: &[&str]| Options::parse_from(["tradeoff"].iter().chain(line)).out();
+        assert_eq!(out(&[]), Path::new("docs/figures"));
+        let scratch = unisize_charts::scratch_folder("tradeoff");
+        assert!(!scratch.starts_with("docs"));
+        assert_eq!(out(&["--quick"]), scratch);
+        assert_eq!(out(&["--quick", "--out", "docs"]), Path::new("docs"));
+    }
 }

@@ -1,9 +1,9 @@
-//! What was measured in one scene, the same type for both dimensions.
+//! The measurements in one scene, one type for both dimensions.
 
 use crate::course::{Course, Run};
 use crate::method::{Method, Search};
 
-/// What was measured in one scene.
+/// The measurements in one scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Study {
     pub(crate) scene: &'static str,
@@ -13,25 +13,25 @@ pub(crate) struct Study {
     /// The median of the largest extents of all colliders that can move, in length units.
     pub(crate) typical_size: f32,
     pub(crate) default_margin: f32,
-    /// How many bodies the simulations on one method each had.
+    /// The number of bodies of the simulations on one method each.
     pub(crate) course_bodies: usize,
     pub(crate) figures: Vec<Figures>,
     pub(crate) courses: Vec<Course>,
 }
 
-/// What one method held in one scene, and what it cost.
+/// The pairs that one method held in one scene, and its cost.
 #[derive(Clone, Debug)]
 pub(crate) struct Figures {
     pub(crate) method: Method,
     /// Pairs of shapes that touch or overlap.
     pub(crate) touching: Recall,
-    /// Pairs of shapes that are nearer than the prediction distance, those included.
+    /// Pairs of shapes nearer than the prediction distance, touching ones included.
     pub(crate) near: Recall,
-    /// Pairs held, over all steps at which it was looked.
+    /// Pairs held, summed over all steps that were examined.
     pub(crate) held: usize,
-    /// Milliseconds a step.
+    /// Milliseconds per step.
     pub(crate) broad: f64,
-    /// Milliseconds a step of broad and narrow phase together.
+    /// Milliseconds per step of broad and narrow phase together.
     pub(crate) both: f64,
 }
 
@@ -49,26 +49,26 @@ impl Recall {
 }
 
 impl Figures {
-    /// Touching pairs for each pair held.
+    /// Touching pairs per pair held.
     pub(crate) fn precision(&self) -> f64 {
         self.touching.found as f64 / self.held.max(1) as f64
     }
 
-    /// Pairs held for each pair that touches.
+    /// Pairs held per touching pair.
     pub(crate) fn held_a_contact(&self) -> f64 {
         self.held as f64 / self.touching.all.max(1) as f64
     }
 }
 
 impl Study {
-    /// Pairs that touch, or nearly, and were not held, by all methods together.
+    /// Pairs that touch, or nearly so, and were not held, summed over all methods.
     pub(crate) fn missed(&self) -> usize {
         let missed = |figures: &Figures| figures.touching.missed() + figures.near.missed();
         self.figures.iter().map(missed).sum()
     }
 
-    /// Whether a simulation on the default settings was the very same as one on Rapier's broad phase at every step, once
-    /// both report their events in order.
+    /// Whether a simulation on the default settings equals one on Rapier's broad phase at every step, once both sort their
+    /// events.
     pub(crate) fn is_same_in_order(&self) -> bool {
         let mut runs = self.courses.iter();
         runs.any(|course| course.run == Run::AutomaticInOrder && course.most_from_rapier == 0.0)
@@ -86,7 +86,7 @@ impl Study {
         found.expect("the default settings are always measured")
     }
 
-    /// The settings whose broad and narrow phase took the least time.
+    /// The settings with the least time in the broad and the narrow phase.
     pub(crate) fn best(&self) -> &Figures {
         let settings = self.figures.iter().filter(|f| f.method.is_setting());
         let best = settings.min_by(|a, b| a.both.total_cmp(&b.both));

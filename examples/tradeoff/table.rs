@@ -6,7 +6,7 @@ use crate::study::{Figures, Recall, Study};
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{CellAlignment, ColumnConstraint, Table};
 
-/// What the best setting may be faster by before the default counts as a bad choice.
+/// How much faster the best settings may be before the default counts as a bad choice.
 const ALLOWED: f64 = 1.1;
 
 /// Prints what was measured in one scene.
@@ -81,7 +81,7 @@ fn course_row(course: &Course) -> Vec<String> {
     ]
 }
 
-/// Prints how the default settings compare with the best ones, and what accuracy came out, scene by scene.
+/// Prints the default settings beside the best ones, and the accuracy, scene by scene.
 pub(crate) fn print_summary(studies: &[Study]) {
     println!("### The default settings and the best ones, broad and narrow phase, ms/step\n");
     let mut table = table([
@@ -143,7 +143,7 @@ pub(crate) fn print_summary(studies: &[Study]) {
     print_courses(studies);
 }
 
-/// Prints a figure of every scene and method. Margins matter to all kernels alike, and are told of the fast one.
+/// Prints a figure of every scene and method. Margins have the same effect on all kernels, and are listed for the fast one.
 fn print_by_method(studies: &[Study], what: &str, figure: impl Fn(&Study, &Figures) -> f64) {
     println!("### {what}\n");
     let mut methods = Vec::new();
@@ -168,7 +168,7 @@ fn print_by_method(studies: &[Study], what: &str, figure: impl Fn(&Study, &Figur
     println!("{table}\n");
 }
 
-/// Prints how whole simulations fared: what all settings of unisize span, beside Rapier as it is and the reference.
+/// Prints the outcomes of whole simulations: the range over all settings of unisize, beside Rapier and the reference.
 fn print_courses(studies: &[Study]) {
     const ALL: [Run; 3] = [Run::Reference, Run::Rapier, Run::Setting];
     let span = |study: &Study, runs: &[Run], figure: &Figure| {
@@ -221,7 +221,7 @@ fn print_courses(studies: &[Study]) {
     println!("{table}\n");
 }
 
-/// Something that is told of a simulation.
+/// A figure of a simulation.
 struct Figure {
     of: fn(&Course) -> Option<f64>,
     unit: Unit,
@@ -265,8 +265,8 @@ impl Unit {
         }
     }
 
-    /// From the least to the greatest figure. One that is missing is a time that never came, or a joint where there is
-    /// none.
+    /// From the least to the greatest figure. A missing one is a time that never came, or the joint error of a scene without
+    /// joints.
     fn span(self, figures: impl Iterator<Item = Option<f64>>) -> String {
         let mut figures: Vec<_> = figures.map(|f| f.unwrap_or(f64::INFINITY)).collect();
         figures.sort_by(f64::total_cmp);

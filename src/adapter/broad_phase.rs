@@ -53,6 +53,10 @@ impl Default for UnisizeBroadPhase {
 }
 
 impl UnisizeBroadPhase {
+    /// The margin that boxes have by default, that of Rapier's own broad phase, in multiples of the length unit. See
+    /// [`Settings::margin`](crate::Settings::margin).
+    pub const DEFAULT_MARGIN: Real = version::MARGIN;
+
     /// A broad phase without any colliders, with default [`Settings`].
     pub fn new() -> Self {
         Self::default()
@@ -105,7 +109,7 @@ impl UnisizeBroadPhase {
 
     /// How far a box that is renewed reaches beyond its collider, in length units of the scene.
     pub(crate) fn margin(&self, params: &IntegrationParameters) -> Real {
-        let margin = self.settings.margin.unwrap_or(version::MARGIN);
+        let margin = self.settings.margin.unwrap_or(Self::DEFAULT_MARGIN);
         // NaN counts as 0 too.
         (margin * params.length_unit).max(0.0)
     }

@@ -217,7 +217,7 @@ fn boxes_of_one_size_are_not_tested() {
 #[test]
 fn both_axes_at_once_are_as_one_after_the_other() {
     let recipe: Interval = |random| point(random.rand_float() * 300.0);
-    let mut boxes = scene::<f32, 2>(WORTH_A_THREAD + 1, [recipe; 2], 1);
+    let mut boxes = scene::<f32, 2>(SORT_BOTH_AXES_FROM + 1, [recipe; 2], 1);
     for b in &mut boxes {
         b.maxs = b.mins.map(|x| x + 1.0);
     }

@@ -3,13 +3,14 @@
 use core::ops::Range;
 use std::any::type_name;
 
+use crate::numbers::Number;
 use proptest::array::uniform;
 use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy, any, prop_oneof};
 use proptest::sample::select;
 use proptest::strategy::BoxedStrategy;
 use proptest::test_runner::{TestCaseError, TestError, TestRunner};
-use unisize::{Aabb, PairFinder, Real};
+use unisize::{Aabb, PairFinder};
 
 use crate::check::holds;
 use crate::numbers::alphabet;
@@ -22,7 +23,7 @@ const LENGTHS: Range<usize> = 0..200;
 pub(crate) fn check<F, R, const D: usize>()
 where
     F: PairFinder<R, D> + Default,
-    R: Real,
+    R: Number,
 {
     let mut config = ProptestConfig {
         failure_persistence: None,
@@ -46,7 +47,7 @@ where
 }
 
 /// Lists of boxes: all from the alphabet, all from ordinary numbers, or of every kind.
-fn lists<R: Real, const D: usize>() -> BoxedStrategy<Vec<Aabb<R, D>>> {
+fn lists<R: Number, const D: usize>() -> BoxedStrategy<Vec<Aabb<R, D>>> {
     prop_oneof![
         vec(boxes(select(alphabet()).boxed()), LENGTHS),
         vec(boxes(ordinary()), LENGTHS),
@@ -56,7 +57,7 @@ fn lists<R: Real, const D: usize>() -> BoxedStrategy<Vec<Aabb<R, D>>> {
 }
 
 /// Boxes with corners from `coordinate`: between any two, or with sides from 0 to 2.
-fn boxes<R: Real, const D: usize>(
+fn boxes<R: Number, const D: usize>(
     coordinate: BoxedStrategy<R>,
 ) -> impl Strategy<Value = Aabb<R, D>> {
     let between = (coordinate.clone(), coordinate.clone())
@@ -68,15 +69,15 @@ fn boxes<R: Real, const D: usize>(
 }
 
 /// Numbers as in scenes: whole and not.
-fn ordinary<R: Real>() -> BoxedStrategy<R> {
+fn ordinary<R: Number>() -> BoxedStrategy<R> {
     let whole = (-8..8_i32).prop_map(|x| R::from_f64(f64::from(x)));
     let real = (-8.0..8.0_f64).prop_map(R::from_f64);
     prop_oneof![1 => whole, 3 => real].boxed()
 }
 
 /// Numbers of every magnitude, ordinary ones, and the alphabet.
-fn anything<R: Real>() -> BoxedStrategy<R> {
-    let decades = R::MAX.to_f64().log10();
+fn anything<R: Number>() -> BoxedStrategy<R> {
+    let decades = R::LARGEST.to_f64().log10();
     let wild = (any::<bool>(), -decades..decades).prop_map(|(negative, decade)| {
         let size = 10_f64.powf(decade);
         R::from_f64(if negative { -size } else { size })

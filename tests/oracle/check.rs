@@ -2,7 +2,8 @@
 
 use std::any::type_name;
 
-use unisize::{Aabb, PairFinder, Real};
+use crate::numbers::Number;
+use unisize::{Aabb, PairFinder};
 
 use crate::guard::guarded;
 use crate::inputs::Input;
@@ -14,7 +15,7 @@ use crate::report;
 /// axis, one ends before the other begins.
 ///
 /// It shares no code with the library, so that `BruteForce` can be tested like every other kernel.
-pub(crate) fn expected_pairs<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
+pub(crate) fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
     let apart = |a: &Aabb<R, D>, b: &Aabb<R, D>| {
         (0..D).any(|k| a.maxs[k] < b.mins[k] || b.maxs[k] < a.mins[k])
     };
@@ -34,7 +35,7 @@ pub(crate) fn expected_pairs<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> V
 pub(crate) fn every<F, R, const D: usize>(inputs: &[Input<R, D>])
 where
     F: PairFinder<R, D> + Default,
-    R: Real,
+    R: Number,
 {
     let failed: Vec<_> = inputs
         .iter()
@@ -63,7 +64,7 @@ where
 pub(crate) fn one_finder_serves<F, R, const D: usize>(inputs: &[Input<R, D>])
 where
     F: PairFinder<R, D> + Default,
-    R: Real,
+    R: Number,
 {
     let mut veteran = F::default();
     for Input { name, boxes } in inputs {
@@ -81,7 +82,7 @@ where
 pub(crate) fn holds<F, R, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), String>
 where
     F: PairFinder<R, D> + Default,
-    R: Real,
+    R: Number,
 {
     let mut finder = F::default();
     let first = find(&mut finder, boxes)?;
@@ -125,7 +126,7 @@ pub(crate) fn find<F, R, const D: usize>(
 ) -> Result<Vec<[u32; 2]>, String>
 where
     F: PairFinder<R, D>,
-    R: Real,
+    R: Number,
 {
     let mut pairs = JUNK.to_vec();
     guarded(|| finder.find_pairs(boxes, &mut pairs))?.map_err(|e| format!("refused: {e}"))?;

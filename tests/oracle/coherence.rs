@@ -3,12 +3,13 @@
 
 use std::any::type_name;
 
+use crate::numbers::Number;
 use proptest::collection::vec;
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_oneof};
 use proptest::sample::select;
 use proptest::strategy::Just;
 use proptest::test_runner::{TestCaseError, TestRunner};
-use unisize::{Aabb, CoherentSweepAndPrune, PairFinder, Real};
+use unisize::{Aabb, CoherentSweepAndPrune, PairFinder};
 
 use crate::check::{expected_pairs, find};
 use crate::random::Random;
@@ -56,7 +57,7 @@ fn changes() -> impl Strategy<Value = Vec<(Change, u64)>> {
 }
 
 /// A box that begins anywhere, in half of all cases at whole numbers and with a whole size.
-fn anywhere<R: Real, const D: usize>(random: &mut Random) -> Aabb<R, D> {
+fn anywhere<R: Number, const D: usize>(random: &mut Random) -> Aabb<R, D> {
     let is_whole = random.chance(0.5);
     let mut number = |most: f64| {
         let x = random.between(0.0, most);
@@ -67,7 +68,7 @@ fn anywhere<R: Real, const D: usize>(random: &mut Random) -> Aabb<R, D> {
     Aabb::new(mins, mins.map(|x| x + size))
 }
 
-fn apply<R: Real, const D: usize>(
+fn apply<R: Number, const D: usize>(
     change: Change,
     random: &mut Random,
     boxes: &mut Vec<Aabb<R, D>>,
@@ -100,7 +101,7 @@ fn apply<R: Real, const D: usize>(
         }
         Change::Mirror => {
             for aabb in boxes {
-                let mirrored = |corner: [R; D]| corner.map(|x| R::ZERO - x);
+                let mirrored = |corner: [R; D]| corner.map(|x| R::from_f64(0.0) - x);
                 *aabb = Aabb::new(mirrored(aabb.maxs), mirrored(aabb.mins));
             }
         }
@@ -124,7 +125,7 @@ fn apply<R: Real, const D: usize>(
 fn check<F, R, const D: usize>()
 where
     F: PairFinder<R, D> + Default,
-    R: Real,
+    R: Number,
 {
     let config = ProptestConfig {
         failure_persistence: None,

@@ -1,17 +1,18 @@
 //! The streamed segment tree with another cutoff.
 
-use unisize::{Aabb, InvalidBox, PairFinder, Real, StreamedSegmentTree};
+use crate::numbers::Number;
+use unisize::{Aabb, InvalidBox, PairFinder, StreamedSegmentTree};
 
 /// [`StreamedSegmentTree`] with this cutoff.
 pub(crate) struct WithCutoff<R, const D: usize, const CUTOFF: usize>(StreamedSegmentTree<R, D>);
 
-impl<R: Real, const D: usize, const CUTOFF: usize> Default for WithCutoff<R, D, CUTOFF> {
+impl<R: Number, const D: usize, const CUTOFF: usize> Default for WithCutoff<R, D, CUTOFF> {
     fn default() -> Self {
         Self(StreamedSegmentTree::with_cutoff(CUTOFF))
     }
 }
 
-impl<R: Real, const D: usize, const CUTOFF: usize> PairFinder<R, D> for WithCutoff<R, D, CUTOFF> {
+impl<R: Number, const D: usize, const CUTOFF: usize> PairFinder<R, D> for WithCutoff<R, D, CUTOFF> {
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],

@@ -7,8 +7,9 @@
 use std::array::from_fn;
 use std::num::NonZero;
 
+use crate::numbers::Number;
 use arbitrary::{Result, Unstructured};
-use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep, Real};
+use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
 #[cfg(feature = "baselines")]
 use unisize::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 
@@ -42,7 +43,7 @@ pub(crate) fn check(bytes: &[u8]) {
     };
 }
 
-fn check_in<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
+fn check_in<R: Number, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
     let slabs = NonZero::new(bytes.int_in_range(2..=9)?).unwrap_or(NonZero::<usize>::MIN);
     let lists = [read_list::<R, D>(bytes)?, read_list(bytes)?];
     let mut grid_sweep = GridSweep::<R, D>::default();
@@ -70,7 +71,7 @@ fn check_in<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
 type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>;
 
 /// The kernels of which only the pairs are compared.
-fn others<R: Real, const D: usize>() -> Kernels<R, D> {
+fn others<R: Number, const D: usize>() -> Kernels<R, D> {
     vec![
         ("RankSweep", Box::new(RankSweep::default())),
         #[cfg(feature = "baselines")]
@@ -119,7 +120,7 @@ impl<'a> Expected<'a> {
     }
 
     /// Panics unless these are the same pairs, each once, the smaller index first.
-    fn compare<R: Real, const D: usize>(
+    fn compare<R: Number, const D: usize>(
         &mut self,
         kernel: &str,
         boxes: &[Aabb<R, D>],
@@ -146,7 +147,7 @@ struct List<R, const D: usize> {
     is_raw: bool,
 }
 
-fn read_list<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<Aabb<R, D>>> {
+fn read_list<R: Number, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<Aabb<R, D>>> {
     let mut list = List {
         boxes: Vec::new(),
         alphabet: alphabet(),
@@ -154,7 +155,7 @@ fn read_list<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<Aa
         origin: *bytes.choose(&ORIGINS)?,
         is_raw: bytes.ratio(1_u8, 16_u8)?,
     };
-    list.alphabet.push(R::NAN);
+    list.alphabet.push(R::from_f64(f64::NAN));
     let entries = bytes.int_in_range(0..=u8::MAX)?;
     for _ in 0..entries {
         if bytes.is_empty() || list.boxes.len() >= MOST {
@@ -165,7 +166,7 @@ fn read_list<R: Real, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<Aa
     Ok(list.boxes)
 }
 
-impl<R: Real, const D: usize> List<R, D> {
+impl<R: Number, const D: usize> List<R, D> {
     /// Reads one box, or a row of them.
     fn read_entry(&mut self, bytes: &mut Unstructured) -> Result<()> {
         match bytes.int_in_range(0..=7)? {
@@ -187,7 +188,7 @@ impl<R: Real, const D: usize> List<R, D> {
                 }
             }
             4 | 5 => {
-                let mut ends = [(R::ZERO, R::ZERO); D];
+                let mut ends = [(R::from_f64(0.0), R::from_f64(0.0)); D];
                 for end in &mut ends {
                     *end = (
                         *bytes.choose(&self.alphabet)?,
@@ -197,7 +198,7 @@ impl<R: Real, const D: usize> List<R, D> {
                 self.push(ends);
             }
             6 => {
-                let mut ends = [(R::ZERO, R::ZERO); D];
+                let mut ends = [(R::from_f64(0.0), R::from_f64(0.0)); D];
                 for end in &mut ends {
                     *end = (read_bits(bytes)?, read_bits(bytes)?);
                 }
@@ -227,7 +228,7 @@ impl<R: Real, const D: usize> List<R, D> {
         let ends = ends.map(|(low, high)| match low <= high {
             is_valid if is_valid || self.is_raw => (low, high),
             _ if high <= low => (high, low),
-            _ => (R::ZERO, R::ONE),
+            _ => (R::from_f64(0.0), R::from_f64(1.0)),
         });
         let aabb = Aabb::new(ends.map(|end| end.0), ends.map(|end| end.1));
         self.boxes.push(aabb);
@@ -246,7 +247,7 @@ fn read_corner<const D: usize>(bytes: &mut Unstructured) -> Result<[(i32, i32); 
 }
 
 /// Reads a number of any kind.
-fn read_bits<R: Real>(bytes: &mut Unstructured) -> Result<R> {
+fn read_bits<R: Number>(bytes: &mut Unstructured) -> Result<R> {
     Ok(R::from_f64(if size_of::<R>() == 4 {
         f64::from(f32::from_bits(bytes.arbitrary()?))
     } else {

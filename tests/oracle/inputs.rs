@@ -2,7 +2,8 @@
 //!
 //! Lists are a few hundred boxes long, since the oracle looks at every pair.
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 use crate::limits::{self, Side};
 use crate::numbers;
@@ -34,7 +35,7 @@ macro_rules! for_every_family {
 pub(crate) use for_every_family;
 
 /// Every input of every family.
-pub(crate) fn all<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn all<R: Number, const D: usize>() -> Family<R, D> {
     macro_rules! concatenated {
         ([] $($family:ident)*) => { [$($family()),*].into_iter().flatten().collect() };
     }
@@ -49,7 +50,7 @@ fn input<R, const D: usize>(name: impl Into<String>, boxes: Vec<Aabb<R, D>>) -> 
 }
 
 /// Unit boxes anywhere, from lonely to crowded.
-pub(crate) fn uniform<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn uniform<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for density in [0.01, 0.1, 0.3, 0.8, 1.5, 3.0] {
         for n in [100, 1000] {
@@ -64,7 +65,7 @@ pub(crate) fn uniform<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Dense heaps with nothing between them.
-pub(crate) fn clustered<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn clustered<R: Number, const D: usize>() -> Family<R, D> {
     [10.0, 1e3, 1e6]
         .map(|distance| {
             input(
@@ -76,7 +77,7 @@ pub(crate) fn clustered<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// The same box many times.
-pub(crate) fn coincident<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn coincident<R: Number, const D: usize>() -> Family<R, D> {
     [(300, 1), (150, 2), (3, 100)]
         .map(|(n, stacks)| {
             input(
@@ -88,7 +89,7 @@ pub(crate) fn coincident<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes side by side that share faces, edges and corners, or miss by one unit in the last place.
-pub(crate) fn touching<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn touching<R: Number, const D: usize>() -> Family<R, D> {
     let per_axis = if D == 2 { 24 } else { 8 };
     let mut family = Vec::new();
     for pitch in [1.0, 0.1, 3.7] {
@@ -111,22 +112,22 @@ fn per_axis<R, const D: usize>(
 }
 
 /// Boxes on a line along each axis.
-pub(crate) fn lines<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn lines<R: Number, const D: usize>() -> Family<R, D> {
     per_axis("line", |axis| placement::on_line(4, 600, axis)).collect()
 }
 
 /// Boxes in a pile along each axis.
-pub(crate) fn columns<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn columns<R: Number, const D: usize>() -> Family<R, D> {
     per_axis("column", |axis| placement::in_column(5, 600, axis)).collect()
 }
 
 /// Boxes on a plane across each axis (in 2D, another line).
-pub(crate) fn planes<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn planes<R: Number, const D: usize>() -> Family<R, D> {
     per_axis("plane", |axis| placement::on_plane(6, 600, axis)).collect()
 }
 
 /// Boxes along each diagonal.
-pub(crate) fn diagonals<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn diagonals<R: Number, const D: usize>() -> Family<R, D> {
     (0..1 << (D - 1))
         .map(|mirrored| {
             input(
@@ -138,7 +139,7 @@ pub(crate) fn diagonals<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes without extent on all axes, or on one.
-pub(crate) fn points_and_flat<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn points_and_flat<R: Number, const D: usize>() -> Family<R, D> {
     let mut family: Vec<_> = per_axis("flat", |axis| shapes::flat(8, 400, axis)).collect();
     for extent in [1, 4, 20, 1000] {
         family.push(input(
@@ -150,8 +151,8 @@ pub(crate) fn points_and_flat<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Scenes of every magnitude, as they are and with a margin that is wide, narrow or nothing beside it.
-pub(crate) fn scales<R: Real, const D: usize>() -> Family<R, D> {
-    let max = R::MAX.to_f64();
+pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
+    let max = R::LARGEST.to_f64();
     let mut family = Vec::new();
     for scale in [4.0 / max, 1e-38, 1e-6, 1e-3, 1e3, 1e7, 1e30, 1e-8 * max] {
         for margin in [0.0, 0.01] {
@@ -165,7 +166,7 @@ pub(crate) fn scales<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Unit boxes so far out that coordinates have few digits left for them, or none.
-pub(crate) fn far_from_origin<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn far_from_origin<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for offset in [1e5, -1e6, 1e7, -1e8, 1e15, 1e16, -1e30] {
         for margin in [0.0, 0.01, 0.5] {
@@ -179,7 +180,7 @@ pub(crate) fn far_from_origin<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// One stray box far from the others, or much larger.
-pub(crate) fn strays<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn strays<R: Number, const D: usize>() -> Family<R, D> {
     let stray = |name: &str, at, side| input(name, limits::with_stray(12, 500, at, side));
     let mut family = vec![
         stray("stray unit box at 1e30", [1e30; D], 1.0),
@@ -197,7 +198,7 @@ pub(crate) fn strays<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes with sides at infinity, among unit boxes and alone.
-pub(crate) fn infinite<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
     use Side::{Above, AtNegative, AtPositive, Below, Everywhere, Finite};
     let some_of: [(&str, &[Side]); 10] = [
         ("whole spaces", &[Everywhere]),
@@ -227,7 +228,7 @@ pub(crate) fn infinite<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes of different sizes.
-pub(crate) fn mixed_sizes<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn mixed_sizes<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for ratio in [1.5, 4.0, 100.0, 1000.0] {
         let boxes = shapes::mixed_sizes(16, 800, ratio);
@@ -257,7 +258,7 @@ pub(crate) fn mixed_sizes<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Long thin boxes along each axis, and along all.
-pub(crate) fn needles<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn needles<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for density in [0.02, 0.3] {
         let name = format!("needles, density {density}");
@@ -269,7 +270,7 @@ pub(crate) fn needles<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Wide plates piled along each axis: apart, touching, and in one another.
-pub(crate) fn plates<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn plates<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = Vec::new();
     for pitch in [1.25, 1.0, 0.25] {
         family.extend(per_axis(&format!("plates, pitch {pitch}"), |axis| {
@@ -280,7 +281,7 @@ pub(crate) fn plates<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Numbers that are equal but not identical: the two zeros.
-pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn signed_zeros<R: Number, const D: usize>() -> Family<R, D> {
     [2, 10, 200]
         .map(|n| {
             let boxes = limits::from_alphabet(21, n, &numbers::signed_zeros());
@@ -290,13 +291,13 @@ pub(crate) fn signed_zeros<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Numbers too small to have their full precision.
-pub(crate) fn denormals<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn denormals<R: Number, const D: usize>() -> Family<R, D> {
     let boxes = limits::from_alphabet(22, 200, &numbers::denormals());
     vec![input("boxes of a few least positive numbers", boxes)]
 }
 
 /// Boxes whose sides overflow.
-pub(crate) fn extremes<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn extremes<R: Number, const D: usize>() -> Family<R, D> {
     let boxes = limits::from_alphabet(23, 200, &numbers::extremes());
     let mut among_others = placement::uniform(24, 200, 0.8);
     among_others.extend_from_slice(&boxes[..20]);
@@ -314,7 +315,7 @@ pub(crate) fn extremes<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes that differ by a few units in the last place.
-pub(crate) fn neighbours<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn neighbours<R: Number, const D: usize>() -> Family<R, D> {
     [1.0, -1.0, 0.1, 3e-39, 65536.0, 1e7, 16_777_216.0, -1e30]
         .map(|x| {
             let boxes = limits::from_alphabet(25, 150, &numbers::neighbours(x));
@@ -327,7 +328,7 @@ pub(crate) fn neighbours<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// List lengths around every power of two, where blocks, lanes and words end.
-pub(crate) fn counts<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn counts<R: Number, const D: usize>() -> Family<R, D> {
     let around = |bits: u32| (1 << bits) - 1..=(1 << bits) + 1;
     let mut family = Vec::new();
     for n in (0..7).chain((3..=12).flat_map(around)) {
@@ -343,7 +344,7 @@ pub(crate) fn counts<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Lists that are already sorted, or in the worst order.
-pub(crate) fn sorted<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn sorted<R: Number, const D: usize>() -> Family<R, D> {
     let boxes = placement::uniform(28, 500, 0.8);
     let mut family: Vec<_> =
         per_axis("sorted", |axis| order::sorted(boxes.clone(), axis)).collect();
@@ -357,7 +358,7 @@ pub(crate) fn sorted<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// Boxes with whole corners.
-pub(crate) fn ties<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn ties<R: Number, const D: usize>() -> Family<R, D> {
     [(200, 3), (600, 10), (600, 30), (600, 200)]
         .map(|(n, extent)| {
             let boxes = shapes::whole_corners(29, n, extent);
@@ -370,7 +371,7 @@ pub(crate) fn ties<R: Real, const D: usize>() -> Family<R, D> {
 }
 
 /// A few of nearly everything in one list.
-pub(crate) fn everything_together<R: Real, const D: usize>() -> Family<R, D> {
+pub(crate) fn everything_together<R: Number, const D: usize>() -> Family<R, D> {
     let mut boxes = placement::uniform(30, 300, 0.8);
     for family in [
         clustered(),

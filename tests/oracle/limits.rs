@@ -3,7 +3,8 @@
 
 use core::array::from_fn;
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 use crate::placement::uniform;
 use crate::random::Random;
@@ -11,7 +12,7 @@ use crate::random::Random;
 /// [`uniform`] boxes of density 0.8, side `scale`, moved by `offset` on every axis, loosened by `margin`.
 ///
 /// Where `offset` is large the sides round, to 0 in the end, and so does the margin.
-pub(crate) fn scaled<R: Real, const D: usize>(
+pub(crate) fn scaled<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     scale: f64,
@@ -29,7 +30,7 @@ pub(crate) fn scaled<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes and one stray at `at`, `side` large, in the middle of the list.
-pub(crate) fn with_stray<R: Real, const D: usize>(
+pub(crate) fn with_stray<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     at: [f64; D],
@@ -60,7 +61,7 @@ pub(crate) enum Side {
 }
 
 /// `n` unit boxes among which are `infinite` that do, on each axis, one of what `sides` lists, at random.
-pub(crate) fn with_infinite<R: Real, const D: usize>(
+pub(crate) fn with_infinite<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     infinite: usize,
@@ -79,7 +80,7 @@ pub(crate) fn with_infinite<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes among which are `slabs`: infinite on every axis but one.
-pub(crate) fn with_slabs<R: Real, const D: usize>(
+pub(crate) fn with_slabs<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     slabs: usize,
@@ -96,20 +97,23 @@ pub(crate) fn with_slabs<R: Real, const D: usize>(
 }
 
 /// The box that does on each axis what `sides` says, at the corner `at`.
-fn infinite_box<R: Real, const D: usize>(at: [R; D], sides: [Side; D]) -> Aabb<R, D> {
+fn infinite_box<R: Number, const D: usize>(at: [R; D], sides: [Side; D]) -> Aabb<R, D> {
     let ends: [(R, R); D] = from_fn(|k| match sides[k] {
-        Side::Finite => (at[k], at[k] + R::ONE),
-        Side::Below => (R::NEG_INFINITY, at[k]),
-        Side::Above => (at[k], R::INFINITY),
-        Side::Everywhere => (R::NEG_INFINITY, R::INFINITY),
-        Side::AtNegative => (R::NEG_INFINITY, R::NEG_INFINITY),
-        Side::AtPositive => (R::INFINITY, R::INFINITY),
+        Side::Finite => (at[k], at[k] + R::from_f64(1.0)),
+        Side::Below => (R::from_f64(f64::NEG_INFINITY), at[k]),
+        Side::Above => (at[k], R::from_f64(f64::INFINITY)),
+        Side::Everywhere => (R::from_f64(f64::NEG_INFINITY), R::from_f64(f64::INFINITY)),
+        Side::AtNegative => (
+            R::from_f64(f64::NEG_INFINITY),
+            R::from_f64(f64::NEG_INFINITY),
+        ),
+        Side::AtPositive => (R::from_f64(f64::INFINITY), R::from_f64(f64::INFINITY)),
     });
     Aabb::new(ends.map(|(low, _)| low), ends.map(|(_, high)| high))
 }
 
 /// `n` boxes with every coordinate one of `alphabet`, so that they meet exactly or not at all.
-pub(crate) fn from_alphabet<R: Real, const D: usize>(
+pub(crate) fn from_alphabet<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     alphabet: &[R],
@@ -128,9 +132,9 @@ pub(crate) fn from_alphabet<R: Real, const D: usize>(
 }
 
 /// `n` boxes whose coordinates are log-uniform over everything that is a number, and of either sign.
-pub(crate) fn of_all_magnitudes<R: Real, const D: usize>(seed: u64, n: usize) -> Vec<Aabb<R, D>> {
+pub(crate) fn of_all_magnitudes<R: Number, const D: usize>(seed: u64, n: usize) -> Vec<Aabb<R, D>> {
     let mut random = Random::new(seed);
-    let decades = R::MAX.to_f64().log10();
+    let decades = R::LARGEST.to_f64().log10();
     let numbers: Vec<R> = (0..2 * D * n)
         .map(|_| {
             let size = 10_f64.powf(random.between(-decades, decades));

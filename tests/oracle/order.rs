@@ -2,10 +2,11 @@
 
 use core::cmp::Ordering;
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 /// The boxes by where they begin on `axis`, least first.
-pub(crate) fn sorted<R: Real, const D: usize>(
+pub(crate) fn sorted<R: Number, const D: usize>(
     mut boxes: Vec<Aabb<R, D>>,
     axis: usize,
 ) -> Vec<Aabb<R, D>> {
@@ -14,14 +15,14 @@ pub(crate) fn sorted<R: Real, const D: usize>(
 }
 
 /// The boxes in the opposite order.
-pub(crate) fn reversed<R: Real, const D: usize>(mut boxes: Vec<Aabb<R, D>>) -> Vec<Aabb<R, D>> {
+pub(crate) fn reversed<R: Number, const D: usize>(mut boxes: Vec<Aabb<R, D>>) -> Vec<Aabb<R, D>> {
     boxes.reverse();
     boxes
 }
 
 /// The boxes by where they begin on `axis`, least first, but for a few neighbours that changed places, as
 /// happens from one frame to the next.
-pub(crate) fn almost_sorted<R: Real, const D: usize>(
+pub(crate) fn almost_sorted<R: Number, const D: usize>(
     boxes: Vec<Aabb<R, D>>,
     axis: usize,
 ) -> Vec<Aabb<R, D>> {
@@ -33,6 +34,6 @@ pub(crate) fn almost_sorted<R: Real, const D: usize>(
 }
 
 /// How two coordinates compare; a generator makes no NaN.
-fn compare<R: Real>(a: R, b: R) -> Ordering {
+fn compare<R: Number>(a: R, b: R) -> Ordering {
     a.partial_cmp(&b).expect("the coordinates are numbers")
 }

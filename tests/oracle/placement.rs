@@ -2,20 +2,21 @@
 
 use core::array::from_fn;
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 use crate::numbers::stepped;
 use crate::random::Random;
 
 /// The box at `mins` with these sides. The far corner is rounded as an engine would round it.
-pub(crate) fn sized<R: Real, const D: usize>(mins: [f64; D], sides: [f64; D]) -> Aabb<R, D> {
+pub(crate) fn sized<R: Number, const D: usize>(mins: [f64; D], sides: [f64; D]) -> Aabb<R, D> {
     let mins = mins.map(R::from_f64);
     Aabb::new(mins, from_fn(|k| mins[k] + R::from_f64(sides[k])))
 }
 
 /// Boxes with the given sides, uniform in a cube around the origin whose volume makes the sum of theirs
 /// `density` times as large.
-pub(crate) fn scattered<R: Real, const D: usize>(
+pub(crate) fn scattered<R: Number, const D: usize>(
     random: &mut Random,
     sides: &[[f64; D]],
     density: f64,
@@ -29,7 +30,7 @@ pub(crate) fn scattered<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes, uniform in a cube `n / density` in volume.
-pub(crate) fn uniform<R: Real, const D: usize>(
+pub(crate) fn uniform<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     density: f64,
@@ -38,7 +39,7 @@ pub(crate) fn uniform<R: Real, const D: usize>(
 }
 
 /// `clusters` dense heaps of `each` unit boxes, neighbours `distance` apart on a sparse lattice.
-pub(crate) fn clustered<R: Real, const D: usize>(
+pub(crate) fn clustered<R: Number, const D: usize>(
     seed: u64,
     clusters: usize,
     each: usize,
@@ -57,7 +58,7 @@ pub(crate) fn clustered<R: Real, const D: usize>(
 }
 
 /// `n` copies of a unit box in each of `stacks` places, the places far from one another, copies alternating.
-pub(crate) fn coincident<R: Real, const D: usize>(n: usize, stacks: usize) -> Vec<Aabb<R, D>> {
+pub(crate) fn coincident<R: Number, const D: usize>(n: usize, stacks: usize) -> Vec<Aabb<R, D>> {
     (0..n * stacks)
         .map(|i| sized([10.0 * (i % stacks) as f64; D], [1.0; D]))
         .collect()
@@ -79,7 +80,7 @@ pub(crate) enum Meet {
 /// `per_axis` boxes along each axis, side by side, around the origin, in random order.
 ///
 /// Both sides of a face are computed in the same way, so that they are equal for any `pitch`.
-pub(crate) fn lattice<R: Real, const D: usize>(
+pub(crate) fn lattice<R: Number, const D: usize>(
     seed: u64,
     per_axis: usize,
     pitch: f64,
@@ -109,7 +110,7 @@ pub(crate) fn lattice<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes uniform on a line along `axis`: on the other axes all begin at the same number.
-pub(crate) fn on_line<R: Real, const D: usize>(
+pub(crate) fn on_line<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     axis: usize,
@@ -124,7 +125,7 @@ pub(crate) fn on_line<R: Real, const D: usize>(
 }
 
 /// A pile of `n` unit boxes along `axis`, each nearly on its neighbour, moved a little on the other axes.
-pub(crate) fn in_column<R: Real, const D: usize>(
+pub(crate) fn in_column<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     axis: usize,
@@ -142,7 +143,7 @@ pub(crate) fn in_column<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes uniform on the plane across `axis`, where all begin at the same number.
-pub(crate) fn on_plane<R: Real, const D: usize>(
+pub(crate) fn on_plane<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     axis: usize,
@@ -159,7 +160,7 @@ pub(crate) fn on_plane<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes uniform on a diagonal through the origin; bit `k` of `mirrored` turns axis `k` round.
-pub(crate) fn on_diagonal<R: Real, const D: usize>(
+pub(crate) fn on_diagonal<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     mirrored: usize,

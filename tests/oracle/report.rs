@@ -3,7 +3,8 @@
 use core::fmt::Write;
 use std::time::{Duration, Instant};
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 /// How many wrong pairs of each kind a report shows.
 const PAIRS_SHOWN: usize = 6;
@@ -11,7 +12,7 @@ const PAIRS_SHOWN: usize = 6;
 const BOXES_SHOWN: usize = 32;
 
 /// An error that says how `pairs` differ from the `expected` ones, which ascend, if they do.
-pub(crate) fn compare<R: Real, const D: usize>(
+pub(crate) fn compare<R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
     expected: &[[u32; 2]],
     pairs: &[[u32; 2]],
@@ -50,7 +51,7 @@ pub(crate) fn compare<R: Real, const D: usize>(
 }
 
 /// A few of the boxes for which `fails` still is true: as few as leaving out finds in some seconds.
-pub(crate) fn fewest<R: Real, const D: usize>(
+pub(crate) fn fewest<R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
     fails: impl Fn(&[Aabb<R, D>]) -> bool,
 ) -> Vec<Aabb<R, D>> {
@@ -74,7 +75,7 @@ pub(crate) fn fewest<R: Real, const D: usize>(
 }
 
 /// What went wrong with the input called `name`, and with the `few` of its boxes that still show it.
-pub(crate) fn on<R: Real, const D: usize>(
+pub(crate) fn on<R: Number, const D: usize>(
     name: &str,
     all: &[Aabb<R, D>],
     few: &[Aabb<R, D>],
@@ -96,6 +97,6 @@ pub(crate) fn on<R: Real, const D: usize>(
 }
 
 /// The box as the call that makes it.
-fn show<R: Real, const D: usize>(b: &Aabb<R, D>) -> String {
+fn show<R: Number, const D: usize>(b: &Aabb<R, D>) -> String {
     format!("Aabb::new({:?}, {:?})", b.mins, b.maxs)
 }

@@ -2,13 +2,14 @@
 
 use core::array::from_fn;
 
-use unisize::{Aabb, Real};
+use crate::numbers::Number;
+use unisize::Aabb;
 
 use crate::placement::{scattered, sized};
 use crate::random::Random;
 
 /// `n` boxes, each side uniform in `1..ratio`.
-pub(crate) fn mixed_sizes<R: Real, const D: usize>(
+pub(crate) fn mixed_sizes<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     ratio: f64,
@@ -21,7 +22,7 @@ pub(crate) fn mixed_sizes<R: Real, const D: usize>(
 }
 
 /// `n` cubes whose side is log-uniform over `decades` powers of ten, centred on 1.
-pub(crate) fn log_uniform_sizes<R: Real, const D: usize>(
+pub(crate) fn log_uniform_sizes<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     decades: f64,
@@ -34,7 +35,7 @@ pub(crate) fn log_uniform_sizes<R: Real, const D: usize>(
 }
 
 /// `n` unit boxes of which a `share` is `ratio` times as large.
-pub(crate) fn few_large<R: Real, const D: usize>(
+pub(crate) fn few_large<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     share: f64,
@@ -49,7 +50,7 @@ pub(crate) fn few_large<R: Real, const D: usize>(
 
 /// `n` unit boxes of which every `period`-th, from the first on, is `ratio` times as large: a sample that
 /// takes one box in every few sees only these, or none.
-pub(crate) fn large_by_turns<R: Real, const D: usize>(
+pub(crate) fn large_by_turns<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     period: usize,
@@ -61,7 +62,7 @@ pub(crate) fn large_by_turns<R: Real, const D: usize>(
 }
 
 /// `n` needles 100 times as long as thick, along `axis`, or each along an axis of its own.
-pub(crate) fn needles<R: Real, const D: usize>(
+pub(crate) fn needles<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     axis: Option<usize>,
@@ -78,7 +79,7 @@ pub(crate) fn needles<R: Real, const D: usize>(
 }
 
 /// `n` wide plates piled along `axis`, a `pitch` apart, each 1 thick and moved a little sideways.
-pub(crate) fn plates<R: Real, const D: usize>(
+pub(crate) fn plates<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     axis: usize,
@@ -97,7 +98,11 @@ pub(crate) fn plates<R: Real, const D: usize>(
 }
 
 /// `n` points with whole coordinates in `0..extent`, so that many coincide.
-pub(crate) fn points<R: Real, const D: usize>(seed: u64, n: usize, extent: i32) -> Vec<Aabb<R, D>> {
+pub(crate) fn points<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    extent: i32,
+) -> Vec<Aabb<R, D>> {
     let mut random = Random::new(seed);
     (0..n)
         .map(|_| sized(from_fn(|_| random.whole(0, extent - 1)), [0.0; D]))
@@ -105,7 +110,7 @@ pub(crate) fn points<R: Real, const D: usize>(seed: u64, n: usize, extent: i32) 
 }
 
 /// `n` boxes without thickness on `axis`, where they lie on few different numbers, and 1 to 2 wide elsewhere.
-pub(crate) fn flat<R: Real, const D: usize>(seed: u64, n: usize, axis: usize) -> Vec<Aabb<R, D>> {
+pub(crate) fn flat<R: Number, const D: usize>(seed: u64, n: usize, axis: usize) -> Vec<Aabb<R, D>> {
     let mut random = Random::new(seed);
     (0..n)
         .map(|_| {
@@ -119,7 +124,7 @@ pub(crate) fn flat<R: Real, const D: usize>(seed: u64, n: usize, axis: usize) ->
 }
 
 /// `n` boxes with whole corners in `0..extent` and sides of 0, 1 or 2: ties everywhere.
-pub(crate) fn whole_corners<R: Real, const D: usize>(
+pub(crate) fn whole_corners<R: Number, const D: usize>(
     seed: u64,
     n: usize,
     extent: i32,

@@ -2,7 +2,8 @@
 
 use std::num::NonZero;
 
-use unisize::{Aabb, GridSweep, InvalidBox, PairFinder, Real};
+use crate::numbers::Number;
+use unisize::{Aabb, GridSweep, InvalidBox, PairFinder};
 
 /// [`GridSweep`] in three slabs, which must give the same pairs in the same order as one slab.
 pub(crate) struct InSlabs<R, const D: usize> {
@@ -11,7 +12,7 @@ pub(crate) struct InSlabs<R, const D: usize> {
     expected: Vec<[u32; 2]>,
 }
 
-impl<R: Real, const D: usize> Default for InSlabs<R, D> {
+impl<R: Number, const D: usize> Default for InSlabs<R, D> {
     fn default() -> Self {
         let [one, three] = [1, 3].map(|count| {
             GridSweep::with_slabs(NonZero::new(count).expect("a number of slabs is not 0"))
@@ -24,7 +25,7 @@ impl<R: Real, const D: usize> Default for InSlabs<R, D> {
     }
 }
 
-impl<R: Real, const D: usize> PairFinder<R, D> for InSlabs<R, D> {
+impl<R: Number, const D: usize> PairFinder<R, D> for InSlabs<R, D> {
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],

@@ -1,26 +1,17 @@
-//! The rows as charts in SVG: the time for one box against the number of boxes, a panel for each case.
+//! The rows as charts in SVG: nanoseconds per box over the number of boxes, a panel for each case.
 //!
-//! The time is divided by the number of boxes, so that lines are about level and lie apart; both axes are
-//! logarithmic, and all panels of a chart have the same.
-
-mod legend;
-mod panel;
+//! The time is divided by the number of boxes so that the lines are nearly level and lie apart.
 
 use crate::row::Row;
-use anyhow::{Result, anyhow};
-use legend::Legend;
-use panel::{Panel, Ranges};
-use plotters::prelude::*;
+use anyhow::Result;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use unisize_charts::{Axis, Chart, Panel, Series, color};
 
-const PANEL_SIZE: (u32, u32) = (420, 380);
-const TITLE_HEIGHT: u32 = 40;
-const LEGEND_ROW_HEIGHT: u32 = 22;
-
-/// The reference algorithms, which are in the table only: CGAL's is drawn as CGAL.
+/// The reference algorithms appear only in the table: CGAL's is drawn as CGAL.
 const NOT_DRAWN: [&str; 1] = ["unisize StreamedSegmentTree"];
 
-/// Draws a chart of each subject that there are rows of, and returns their files.
+/// Draws a chart of each subject that has rows, and returns the files.
 pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let charts = [
@@ -41,39 +32,85 @@ pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
             row.subject == subject && !left_out.any(|name| row.contender.starts_with(name))
         };
         let rows: Vec<_> = rows.iter().filter(is_drawn).collect();
-        let panels = panel::of_rows(&rows);
-        if !panels.is_empty() {
-            let file = folder.join(name);
-            draw_chart(&file, title, &panels)
-                .map_err(|error| anyhow!("cannot draw {}: {error}", file.display()))?;
-            files.push(file);
+        let cases = cases(&rows);
+        if cases.is_empty() {
+            continue;
         }
+        let contenders = contenders(&cases);
+        let panels = cases.iter().map(|case| panel(case, &contenders));
+        let file = folder.join(name);
+        Chart::new(title, panels)
+            .columns(columns(&cases))
+            .write_svg(&file)?;
+        files.push(file);
     }
     Ok(files)
 }
 
-fn draw_chart(
-    file: &Path,
-    title: &str,
-    panels: &[Panel<'_>],
-) -> Result<(), Box<dyn std::error::Error>> {
-    let legend = Legend::new(panels);
-    let columns = panel::columns(panels);
-    let lines = panels.len().div_ceil(columns);
-    let width = PANEL_SIZE.0 * columns as u32;
-    let panels_height = PANEL_SIZE.1 * lines as u32;
-    let legend_height = LEGEND_ROW_HEIGHT * legend.rows(width) + 10;
-    let size = (width, TITLE_HEIGHT + panels_height + legend_height);
+/// The rows of one case, at every number of boxes.
+type Case<'a> = &'a [&'a Row];
 
-    let root = SVGBackend::new(file, size).into_drawing_area();
-    root.fill(&WHITE)?;
-    let root = root.titled(title, ("sans-serif", 22))?;
-    let (upper, lower) = root.split_vertically(panels_height);
-    let ranges = Ranges::of(panels);
-    for (area, panel) in upper.split_evenly((lines, columns)).iter().zip(panels) {
-        panel.draw(area, &legend, &ranges)?;
+/// The cases that are drawn: of each dimension's densities the highest, and only cases with more than two numbers of boxes.
+/// The table has the others.
+fn cases<'a>(rows: &'a [&'a Row]) -> Vec<Case<'a>> {
+    let cases = rows.chunk_by(|a, b| a.is_in_series_with(b));
+    let is_drawn = |case: &Case<'_>| {
+        let counts: BTreeSet<_> = case.iter().map(|row| row.count).collect();
+        let is_densest = rows
+            .iter()
+            .all(|row| row.dimension != case[0].dimension || row.density <= case[0].density);
+        is_densest && counts.len() > 2
+    };
+    cases.filter(is_drawn).collect()
+}
+
+/// All contenders in the order of their first rows: unisize's own come first.
+fn contenders<'a>(cases: &[Case<'a>]) -> Vec<&'a str> {
+    let mut contenders = Vec::new();
+    for row in cases.iter().copied().flatten() {
+        if !contenders.contains(&&*row.contender) {
+            contenders.push(&*row.contender);
+        }
     }
-    legend.draw(&lower)?;
-    root.present()?;
-    Ok(())
+    contenders
+}
+
+/// One row of panels per dimension, or one row of all panels if each dimension has only one.
+fn columns(cases: &[Case<'_>]) -> usize {
+    let is_of_first = |case: &&Case<'_>| case[0].dimension == cases[0][0].dimension;
+    match cases.iter().take_while(is_of_first).count() {
+        1 => cases.len(),
+        columns => columns,
+    }
+}
+
+fn panel(case: Case<'_>, contenders: &[&str]) -> Panel {
+    let is_ours = |name: &&&str| name.starts_with("unisize");
+    let ours = contenders.iter().filter(is_ours).count();
+    let series = contenders.iter().enumerate().map(|(index, contender)| {
+        let color = match index.checked_sub(ours) {
+            None => color::OURS[index % color::OURS.len()],
+            Some(index) => color::OTHERS[index % color::OTHERS.len()],
+        };
+        let rows = case.iter().filter(|row| row.contender == *contender);
+        let points = rows.map(|row| (row.count as f64, row.time_ms() * 1e6 / row.count as f64));
+        let series = Series::new(*contender, color, points);
+        if index == 0 { series.bold() } else { series }
+    });
+    let Row {
+        dimension,
+        density,
+        motion,
+        ..
+    } = case[0];
+    let mut title = format!("{dimension}D, density {density}");
+    if !motion.is_empty() {
+        title = format!("{title}, {motion}");
+    }
+    Panel::new(
+        title,
+        Axis::log("n"),
+        Axis::log("nanoseconds per box"),
+        series,
+    )
 }

@@ -10,13 +10,31 @@ mod cgal;
 mod contender;
 mod frame;
 mod ours;
-mod parry2;
-mod parry3;
 #[cfg(feature = "physx")]
 mod physx;
 mod rstar;
 mod streamed;
 mod zelll;
+
+#[path = "kernels"]
+mod parry2 {
+    //! Parry's tree in two dimensions.
+    use parry2d as parry;
+
+    #[path = "parry.rs"]
+    mod tree;
+    pub(super) use tree::families;
+}
+
+#[path = "kernels"]
+mod parry3 {
+    //! Parry's tree in three dimensions.
+    use parry3d as parry;
+
+    #[path = "parry.rs"]
+    mod tree;
+    pub(super) use tree::families;
+}
 
 use crate::pair_set::PairSet;
 use crate::progress::Progress;

@@ -30,8 +30,8 @@ fn main() -> Result<()> {
     let machine = options.machine();
     let progress = Progress::new();
 
-    let results = options.out.join("benches/results");
-    let figures = options.out.join("docs/figures");
+    let results = options.out().join("benches/results");
+    let figures = options.out().join("docs/figures");
     let file = results.join(format!("{machine}.csv"));
     if options.redraw {
         let rows =

@@ -4,8 +4,6 @@
 //! They take turns of some frames each, in one order and then in the other, so that none is always first.
 
 mod choreography;
-mod dim2;
-mod dim3;
 mod motion;
 mod peer;
 mod sizes;
@@ -19,6 +17,88 @@ use choreography::Choreography;
 use motion::Motion;
 use peer::{Entry, Peer};
 use sizes::Sizes;
+
+#[path = "updates/engine"]
+mod dim2 {
+    //! The broad phases for rapier2d.
+    use super::peer::Entry;
+
+    /// The one of this repository first, then the one that it replaces.
+    pub(super) const ENTRIES: [Entry<2>; 4] =
+        [v027::OURS, v027::DEFAULT, v036::BVH, v026::MULTI_SAP];
+
+    #[path = "."]
+    mod v026 {
+        use rapier2d_026 as rapier;
+
+        #[path = "v026.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::MULTI_SAP;
+    }
+
+    #[path = "."]
+    mod v027 {
+        use rapier2d as rapier;
+        use unisize::rapier2d as ours;
+
+        #[path = "v027.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::{DEFAULT, OURS};
+    }
+
+    #[path = "."]
+    mod v036 {
+        use rapier2d_036 as rapier;
+
+        #[path = "v036.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::BVH;
+    }
+}
+
+#[path = "updates/engine"]
+mod dim3 {
+    //! The broad phases for rapier3d.
+    use super::peer::Entry;
+
+    /// The one of this repository first, then the one that it replaces.
+    pub(super) const ENTRIES: [Entry<3>; 4] =
+        [v027::OURS, v027::DEFAULT, v036::BVH, v026::MULTI_SAP];
+
+    #[path = "."]
+    mod v026 {
+        use rapier3d_026 as rapier;
+
+        #[path = "v026.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::MULTI_SAP;
+    }
+
+    #[path = "."]
+    mod v027 {
+        use rapier3d as rapier;
+        use unisize::rapier3d as ours;
+
+        #[path = "v027.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::{DEFAULT, OURS};
+    }
+
+    #[path = "."]
+    mod v036 {
+        use rapier3d_036 as rapier;
+
+        #[path = "v036.rs"]
+        mod engine;
+        mod world;
+        pub(super) use engine::BVH;
+    }
+}
 
 /// Boxes that much smaller, as a part of their size, overlap whatever was rounded.
 const ROUNDING: f32 = 1e-3;

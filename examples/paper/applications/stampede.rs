@@ -1,5 +1,4 @@
-//! A herd in a stampede: boxes that are enlarged to find neighbours, and avoidance computed from the pairs that a broad phase
-//! holds.
+//! A herd in a stampede: boxes are enlarged to find neighbours, and animals avoid those with which the broad phase holds a pair.
 
 use crate::page::Page;
 use crate::progress::progress_bar;
@@ -78,11 +77,11 @@ struct Herd {
     default: DefaultBroadPhase,
     ours: UnisizeBroadPhase,
     kernel: GridSweep<f32, 2>,
-    /// How many pairs the default broad phase holds.
+    /// The number of pairs that the default broad phase holds.
     default_pairs: usize,
-    /// Those that unisize holds.
+    /// The pairs that unisize holds.
     pairs: Vec<[u32; 2]>,
-    /// Of the default broad phase, of unisize, of the kernel alone, and of avoidance.
+    /// The times of the default broad phase, of unisize, of the kernel alone, and of avoidance.
     times: [Times; 4],
 }
 
@@ -120,7 +119,7 @@ impl Herd {
         }
     }
 
-    /// Finds out who is near whom, twice, and goes on to the next frame.
+    /// Finds all neighbours with each broad phase, and goes on to the next frame.
     fn advance(&mut self) -> Result<()> {
         for (&place, &(body, collider)) in self.herd.places().iter().zip(&self.handles) {
             self.colliders[collider].set_translation(place.into());
@@ -153,7 +152,7 @@ impl Herd {
         self.kernel.find_pairs(&boxes, &mut pairs)?;
         self.times[2].push(start.elapsed());
 
-        // One collider a body, inserted in the order of the animals: its index is that of the animal.
+        // Every body has one collider, inserted in the order of the animals, so their indices are the same.
         let index = |collider: ColliderHandle| collider.into_raw_parts().0;
         let start = Instant::now();
         self.pairs.clear();

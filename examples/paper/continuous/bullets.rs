@@ -1,4 +1,5 @@
-//! Fast balls at a thin wall in Rapier, with each kind of continuous collision detection, on its broad phase and on unisize.
+//! Fast balls shot at a thin wall in Rapier, with each kind of continuous collision detection, on Rapier's broad phase and on
+//! unisize.
 
 use crate::table::{Table, digits};
 use rapier3d::prelude::*;
@@ -9,16 +10,16 @@ const BALLS: usize = 400;
 const QUICK_BALLS: usize = 25;
 const RADIUS: f32 = 0.1;
 
-/// A tenth of a ball thick.
+/// The wall is a tenth of a ball thick.
 const WALL_HALF_THICKNESS: f32 = 0.01;
 
-/// Metres a second: seventeen sizes a step.
+/// Metres per second: seventeen sizes per step.
 const SPEED: f32 = 200.0;
 
-/// Steps, at the end of which a ball that nothing stops is far beyond the wall.
+/// After this many steps, a ball that nothing stops is far beyond the wall.
 const STEPS: usize = 30;
 
-/// What a ball is given.
+/// The continuous collision detection of a ball.
 #[derive(Clone, Copy)]
 struct Kind {
     name: &'static str,
@@ -45,7 +46,7 @@ const KINDS: [Kind; 3] = [
     },
 ];
 
-/// What came of it.
+/// The outcome.
 struct Outcome {
     /// Balls beyond the wall.
     through: usize,
@@ -92,7 +93,7 @@ fn shoot(kind: Kind, balls: usize, broad_phase: &mut dyn BroadPhase) -> Outcome 
         .map(|i| {
             let [row, column] = [i / side, i % side].map(|k| k as f32 * 4.0 * RADIUS);
             let place = vector![
-                // Not all of them at one distance: some would be stopped in the wall by chance.
+                // At several distances: at a single one, all might stop in the wall by chance.
                 -5.0 - (i % 7) as f32 * 0.3,
                 row - half_width + RADIUS,
                 column - half_width + RADIUS

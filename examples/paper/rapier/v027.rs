@@ -6,13 +6,13 @@ use rapier2d as rapier;
 mod world;
 
 use super::NAMES;
-use plotters::style::RGBColor;
 use rapier::prelude::*;
+use unisize_charts::{RGBColor, color};
 pub(super) use world::Hierarchy;
 use world::World;
 
 const NAME: &str = NAMES[0];
-const COLOR: RGBColor = RGBColor(0, 130, 80);
+const COLOR: RGBColor = color::GREEN;
 
 fn introduce(broad_phase: &mut DefaultBroadPhase, world: &mut World) {
     update(broad_phase, world);

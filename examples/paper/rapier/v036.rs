@@ -1,5 +1,5 @@
-//! Rapier 0.36, whose pipeline sets the boxes of what has moved one by one, and updates with a list of what the user has
-//! changed, which is empty here.
+//! Rapier 0.36, whose pipeline sets the boxes of moved colliders one by one, and lists only colliders that the user has changed,
+//! here none.
 
 use rapier2d_0_36 as rapier;
 
@@ -7,13 +7,13 @@ use rapier2d_0_36 as rapier;
 mod world;
 
 use super::NAMES;
-use plotters::style::RGBColor;
 use rapier::prelude::*;
+use unisize_charts::{RGBColor, color};
 pub(super) use world::Hierarchy;
 use world::World;
 
 const NAME: &str = NAMES[1];
-const COLOR: RGBColor = RGBColor(110, 200, 130);
+const COLOR: RGBColor = color::MINT;
 
 fn introduce(broad_phase: &mut DefaultBroadPhase, world: &mut World) {
     broad_phase.update(

@@ -1,14 +1,14 @@
-//! Squares on dynamic bodies, and a broad phase that follows them: one source, compiled once for each version of Rapier.
+//! Squares on dynamic bodies, followed by a broad phase: one source, compiled once for each version of Rapier.
 
 use super::rapier::prelude::*;
 use super::{COLOR, NAME, introduce, update};
 use crate::method::Method;
 use anyhow::{Result, ensure};
-use plotters::style::RGBColor;
 use std::time::{Duration, Instant};
 use unisize::Aabb;
+use unisize_charts::RGBColor;
 
-/// The parts of Rapier that a broad phase looks at.
+/// The parts of Rapier that a broad phase reads.
 pub(super) struct World {
     pub(super) params: IntegrationParameters,
     pub(super) bodies: RigidBodySet,
@@ -27,7 +27,7 @@ pub(crate) struct Hierarchy {
 }
 
 impl Hierarchy {
-    /// With all squares known to the broad phase.
+    /// All squares are inserted into the broad phase.
     pub(crate) fn new(mins: &[[f32; 2]]) -> Self {
         let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
         let (mut parents, mut listed) = (Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ impl Hierarchy {
         hierarchy
     }
 
-    /// Counts the pairs that the events tell of.
+    /// Counts the pairs by the events.
     fn count(&mut self) {
         for event in self.world.events.drain(..) {
             match event {
@@ -77,7 +77,10 @@ impl Method<2> for Hierarchy {
 
     fn run(&mut self, boxes: &[Aabb<f32, 2>]) -> Result<Duration> {
         let world = &mut self.world;
-        ensure!(boxes.len() == world.listed.len(), "another number of boxes");
+        ensure!(
+            boxes.len() == world.listed.len(),
+            "the number of boxes has changed"
+        );
         for ((aabb, &collider), &body) in boxes.iter().zip(&world.listed).zip(&world.parents) {
             let place = Vector::from(aabb.mins.map(|x| x + 0.5));
             world.colliders[collider].set_translation(place);

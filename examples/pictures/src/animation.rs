@@ -1,7 +1,7 @@
-//! Frames, one after the other, as a GIF file that goes on and on.
+//! Frames as a GIF file that loops.
 //!
-//! All frames share one palette, made from all of them. Of each frame after the first, only the pixels are stored that
-//! differ from what is shown already; what is nearly the same counts as the same.
+//! All frames share one palette, made from all of them. Each frame after the first stores only the pixels that differ
+//! from what is already shown, up to a tolerance.
 
 use crate::{Picture, PictureError};
 use color_quant::NeuQuant;
@@ -12,7 +12,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-/// The index that lets what was there before shine through: the last one.
+/// The transparent index: the last one.
 const TRANSPARENT: u8 = 255;
 
 /// The least and the most colours there may be beside it.
@@ -47,32 +47,31 @@ impl Animation {
         }
     }
 
-    /// With a palette of at most so many colours, 16 to 255. Default: 255. With fewer, files are smaller.
+    /// With a palette of at most this many colours, 16 to 255. Default: 255. Fewer colours make smaller files.
     pub fn colors(mut self, colors: usize) -> Self {
         self.colors = colors.clamp(COLORS[0], COLORS[1]);
         self
     }
 
-    /// A pixel keeps its colour while no channel should change by more than this, of 255, and takes that of its left
-    /// neighbour if that is twice as near. Default: 6; 0 to 20 are of
-    /// use. Much of the size of a file is in small changes of shadows.
+    /// A pixel keeps its colour until a channel changes by more than this, of 255, and takes that of its left neighbour if
+    /// that is within half of it. Default: 6; normal range: 0 to 20. Small changes of shadows make up much of a file.
     pub fn tolerance(mut self, tolerance: u8) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// Shows the last frame for so many seconds more. Default: 0.
+    /// Shows the last frame this many seconds longer. Default: 0.
     pub fn hold(mut self, seconds: f32) -> Self {
         self.hold = seconds;
         self
     }
 
-    /// How many frames there are.
+    /// The number of frames.
     pub fn len(&self) -> usize {
         self.frames.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no frames.
     pub fn is_empty(&self) -> bool {
         self.frames.is_empty()
     }
@@ -94,7 +93,7 @@ impl Animation {
         Ok(())
     }
 
-    /// Adds so many frames in which the last one turns into the first, for a loop without a jump.
+    /// Adds this many frames in which the last one fades into the first, for a loop without a jump.
     pub fn fade_to_start(&mut self, frames: usize) {
         let (Some(first), Some(last)) = (self.frames.first().cloned(), self.frames.last().cloned())
         else {
@@ -177,14 +176,14 @@ impl Animation {
         (delay + hold) as u16
     }
 
-    /// Whether a colour passes for another, with this tolerance.
+    /// Whether two colours are the same within this tolerance.
     fn is_near(color: [u8; 3], other: &[u8], tolerance: u8) -> bool {
         let mut channels = color.iter().zip(other);
         channels.all(|(&channel, &other)| channel.abs_diff(other) <= tolerance)
     }
 
-    /// What of a frame differs from what is shown, which is brought up to date: the area as left, top, width and height, and its
-    /// pixels.
+    /// The part of a frame that differs from what is shown, which is updated: the area as left, top, width and height, and
+    /// its pixels.
     fn difference(
         &self,
         palette: &Palette,
@@ -201,7 +200,7 @@ impl Animation {
                 continue;
             }
             let mut new = wanted[index];
-            // Runs of one colour are stored in few bytes.
+            // Runs of one colour compress well.
             if index % width > 0 && changes[index - 1] != TRANSPARENT {
                 let left = changes[index - 1];
                 if Self::is_near(palette.colors[left as usize], bytes, self.tolerance / 2) {
@@ -228,7 +227,7 @@ impl Animation {
 /// The colours of an animation.
 struct Palette {
     colors: Vec<[u8; 3]>,
-    /// What chooses among them, unless the frames have no others.
+    /// Picks the nearest of them, unless the frames have no other colours.
     network: Option<NeuQuant>,
 }
 
@@ -270,14 +269,14 @@ impl Palette {
         }
     }
 
-    /// Red, green and blue of each colour; black for the one that is not seen.
+    /// Red, green and blue of each colour; black for the transparent one.
     fn bytes(&self) -> Vec<u8> {
         let mut bytes: Vec<u8> = self.colors.iter().flatten().copied().collect();
         bytes.resize(3 * (usize::from(TRANSPARENT) + 1), 0);
         bytes
     }
 
-    /// The index of the colour next to that of each pixel.
+    /// The index of the colour nearest to each pixel.
     fn indices(&self, frame: &[u8]) -> Vec<u8> {
         let mut known = HashMap::new();
         frame

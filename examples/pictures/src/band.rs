@@ -1,17 +1,17 @@
 //! Which body is seen where: a depth and a body for each sample of a band of rows.
 //!
-//! Pictures are made band by band, so that several threads have something to do and the samples of a large picture
-//! need not be in memory at once.
+//! Pictures are made band by band, so that threads can share the work and the samples of a large picture need not be in
+//! memory at once.
 
 use crate::camera::{Lens, NEAR, Raster};
 use crate::shape::Shape;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The body of a sample in which nothing is seen.
+/// Stands for no body.
 pub(crate) const NOTHING: u32 = u32::MAX;
 
-/// A body with the columns and rows of samples that it may cover, the first and the end of each.
+/// A body with the columns and rows of samples that it may cover, as half-open ranges.
 #[derive(Clone, Copy)]
 pub(crate) struct Cover {
     body: u32,
@@ -20,8 +20,8 @@ pub(crate) struct Cover {
     nearest: f32,
 }
 
-/// The bodies that reach into each band of so many rows, the nearest first: most of what is hidden is then seen to be
-/// so without a look at its shape. **O(n log n)**.
+/// The bodies that reach into each band of `rows` rows, the nearest first: most hidden samples are then rejected before
+/// their shape is tested. **O(n log n)**.
 pub(crate) fn covers(raster: &Raster, shapes: &[Shape], rows_of_band: usize) -> Vec<Vec<Cover>> {
     let mut bands = vec![Vec::new(); raster.height.div_ceil(rows_of_band)];
     for (body, shape) in (0..NOTHING).zip(shapes) {

@@ -1,4 +1,4 @@
-//! Where a picture is seen from, and what that makes of points and rays.
+//! Where a picture is seen from: the projection of points and rays.
 
 use crate::shape::{Extent, Ray};
 use glam::Vec3;
@@ -58,7 +58,7 @@ impl Camera {
         Self { pitch, ..self }
     }
 
-    /// With this vertical angle of view, which a top-down camera has no use for. Default: 0.7.
+    /// With this vertical angle of view; a top-down camera ignores it. Default: 0.7.
     pub fn field_of_view(mut self, angle: f32) -> Self {
         if let CameraLens::Orbit { field_of_view, .. } = &mut self.lens {
             *field_of_view = angle.clamp(0.01, 3.0);
@@ -66,7 +66,7 @@ impl Camera {
         self
     }
 
-    /// What it is, in plain numbers.
+    /// The camera in plain numbers.
     pub fn sight(&self) -> Sight {
         match self.lens {
             CameraLens::Orbit {
@@ -95,7 +95,7 @@ impl Camera {
         self.target
     }
 
-    /// About how far from its target it sees things: the radius of what deserves a shadow.
+    /// About how far from its target it sees things: bodies within this radius cast shadows.
     pub(crate) fn reach(&self) -> f32 {
         match self.lens {
             CameraLens::Orbit {
@@ -140,7 +140,7 @@ pub enum Sight {
     TopDown {
         /// The point in the middle.
         center: [f32; 2],
-        /// What is between the lower and the upper edge.
+        /// The length between the lower and the upper edge.
         height: f32,
     },
 }
@@ -152,7 +152,7 @@ pub(crate) enum Lens {
     Parallel(f32),
 }
 
-/// What is nearer than this is not seen in perspective.
+/// The near plane of a perspective view.
 pub(crate) const NEAR: f32 = 1e-3;
 
 /// A point to see from, with the axes of what is seen: right, up, and into the depth.
@@ -166,7 +166,7 @@ pub(crate) struct View {
 impl View {
     /// A view along `forward`, a unit vector.
     pub(crate) fn new(origin: Vec3, forward: Vec3, lens: Lens) -> Self {
-        // Anything horizontal will do to look straight down.
+        // Looking straight down, any horizontal axis will do.
         let right = forward.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
         Self {
             origin,
@@ -232,7 +232,7 @@ impl Raster {
         ])
     }
 
-    /// How many samples a unit of length takes at this depth; `None` if that is too near to be seen.
+    /// The samples per unit of length at this depth; `None` if that is too near to be seen.
     fn samples_per_unit(&self, depth: f32) -> Option<f32> {
         let half = self.height as f32 / 2.0;
         match self.lens {

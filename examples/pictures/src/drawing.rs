@@ -1,4 +1,4 @@
-//! What there is to be seen, and the making of a picture of it.
+//! A drawing, and how a picture is made of it.
 
 use crate::band::{Band, NOTHING, covers};
 use crate::camera::{Camera, Lens, Raster, View};
@@ -11,13 +11,13 @@ use crate::{Color, Picture, PictureError, palette};
 use glam::{Mat3, Quat, Vec3};
 use rayon::prelude::*;
 
-/// How many samples there are along each side of a pixel.
+/// Samples along each side of a pixel.
 const SAMPLES: usize = 3;
 
-/// How many rows of pixels are made at once.
+/// Rows of pixels that are made at once.
 const ROWS: usize = 16;
 
-/// What there is to be seen: bodies in space, figures in the plane, lines on top of them, and a ground below.
+/// A scene to be pictured: bodies in space, figures in the plane, lines on top of them, and a ground below.
 ///
 /// Bodies in space are lit, and cast shadows. Figures in the plane have their colour as it is: they lie on the plane of the
 /// first two axes, the later on top of the earlier, and are best seen with [`Camera::top_down`].
@@ -36,7 +36,7 @@ pub struct Drawing {
 #[derive(Clone, Copy, Debug)]
 struct Body {
     shape: Shape,
-    /// How much light of each colour it throws back.
+    /// How much light of each colour it reflects.
     color: Vec3,
     is_lit: bool,
 }
@@ -48,7 +48,7 @@ impl Default for Drawing {
 }
 
 impl Drawing {
-    /// Nothing, before a dark background.
+    /// An empty drawing with a dark background.
     pub fn new() -> Self {
         Self {
             bodies: Vec::new(),
@@ -179,7 +179,7 @@ impl Drawing {
         }
     }
 
-    /// Makes a picture of so many pixels in width and height. **O(bodies + samples covered)**.
+    /// Makes a picture of this width and height in pixels. **O(bodies + samples covered)**.
     ///
     /// # Errors
     /// [`PictureError::Size`] unless both are 1 to [`Picture::MAX_SIDE`].
@@ -238,7 +238,7 @@ impl Drawing {
         Ok(picture)
     }
 
-    /// The light, if there is anything that is lit.
+    /// The light, if any body is lit.
     fn light(&self, camera: &Camera, size: [usize; 2]) -> Option<Light> {
         let lit: Vec<_> = self
             .bodies

@@ -1,4 +1,4 @@
-//! What may go wrong.
+//! Errors.
 
 use std::io;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! The bodies of a drawing in plain numbers, for who draws them by other means.
+//! The bodies of a drawing in plain numbers, for programs that draw them by other means.
 
 use crate::Color;
 use crate::shape::Shape;

@@ -20,7 +20,7 @@ pub(crate) struct Ground {
     colors: [Vec3; 2],
 }
 
-/// What is seen of the ground in a sample.
+/// The ground as seen in a sample.
 pub(crate) struct Patch {
     pub(crate) depth: f32,
     pub(crate) point: Vec3,
@@ -41,7 +41,7 @@ impl Ground {
         }
     }
 
-    /// What a ray in the world sees of it; `footprint` is the width of a sample at depth 1.
+    /// The part that a ray in the world sees; `footprint` is the width of a sample at depth 1.
     pub(crate) fn patch(&self, ray: &Ray, footprint: f32) -> Option<Patch> {
         let depth = (self.height - ray.origin.y) / ray.direction.y;
         // From above only, and not behind the camera. NaN is neither.

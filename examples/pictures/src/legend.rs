@@ -1,4 +1,4 @@
-//! A panel that tells what is seen: a title, and figures beneath it.
+//! A panel that explains the picture: a title, and figures beneath it.
 
 use crate::{Picture, Weight, palette};
 use std::fmt::Display;
@@ -6,7 +6,7 @@ use std::fmt::Display;
 /// The opacity of the panel.
 const OPACITY: f32 = 0.86;
 
-/// The least number of letters of a value, so that the panel keeps its width while values grow.
+/// The least width of a value in letters, so that the panel keeps its width while values grow.
 const VALUE: usize = 9;
 
 /// A panel in the upper left corner of a [`Picture`]: a title, and figures beneath it.
@@ -25,7 +25,7 @@ impl Legend {
         }
     }
 
-    /// With one more line: what it is, and how much.
+    /// With one more line: a name and its value.
     pub fn fact(mut self, name: impl Into<String>, value: impl Display) -> Self {
         self.facts.push((name.into(), value.to_string()));
         self

@@ -1,7 +1,7 @@
 //! Pictures of spheres, capsules and boxes, without a window: PNG frames and looping GIFs for documentation.
 //!
-//! A [`Drawing`] is told what there is, a [`Camera`] where it is seen from, and out comes a [`Picture`], which can be
-//! written on, saved, or added to an [`Animation`]. Everything is given as plain numbers: no engine is known here.
+//! A [`Drawing`] of bodies, seen from a [`Camera`], becomes a [`Picture`], which can be written on, saved, or added to an
+//! [`Animation`]. Everything is given as plain numbers; the crate knows no engine.
 //!
 //! ```
 //! use unisize_pictures::{Animation, Camera, Drawing, Legend, palette};
@@ -28,9 +28,8 @@
 //!
 //! # How it is drawn
 //!
-//! Each body is cut by the rays through the samples of the rectangle that it may cover, exactly and with a depth for
-//! each sample, so bodies may pierce each other in any way. The sun sees the same bodies first, which gives
-//! the shadows. A picture takes O(bodies + samples covered) time, and memory for one band of rows at a time.
+//! Each body is intersected exactly with the rays through the samples of the rectangle that it may cover. Every sample has
+//! a depth, so bodies may pierce each other in any way. Shadows come from the same method, seen from the sun. A picture takes O(bodies + samples covered) time, and memory for one band of rows at a time.
 //!
 //! Nothing panics, whatever the numbers are: bodies that are not finite, or that are inside out, are skipped and
 //! [counted](Drawing::skipped).

@@ -6,16 +6,16 @@ use crate::shape::Shape;
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// The sun's view is so many samples wide and high for each pixel of the longer side of the picture,
+/// Samples of the sun's view, in width and height, per pixel of the longer side of the picture,
 const SIDE: usize = 2;
 
-/// and at least and at most so many.
+/// and the least and the most of them.
 const SIDES: [usize; 2] = [256, 2048];
 
-/// How many rows of it are seen at once.
+/// Rows of it that are made at once.
 const ROWS: usize = 64;
 
-/// Shadows are blurred over so many samples to each side.
+/// Shadows are blurred over this many samples to each side.
 const BLUR: isize = 2;
 
 /// Towards the sun: over the left shoulder of a camera that is a little turned.
@@ -79,7 +79,7 @@ impl Light {
 
     /// How much of the sun a point sees, 0 to 1.
     fn sunlit_share(&self, point: Vec3, normal: Vec3) -> f32 {
-        // A step away from the surface, which would darken itself otherwise.
+        // A step away from the surface, which would otherwise shadow itself.
         let blur = (BLUR as f32 + 0.5) * self.pitch;
         let seen = self.view.point(point + normal * (1.5 * blur));
         let Some([x, y]) = self.raster.place(seen) else {

@@ -1,13 +1,13 @@
 //! The colours of the pictures: few, restrained, and told apart by lightness as well as by hue.
 //!
-//! Pictures bring their own background, of a middle darkness, so that they look alike on light and on dark pages.
+//! Pictures have their own background of medium darkness, so that they look alike on light and on dark pages.
 
 use crate::Color;
 
-/// What the background is at its upper edge.
+/// The background at its upper edge.
 pub const SKY: Color = Color([0x3c, 0x48, 0x5a]);
 
-/// What the background is at its lower edge.
+/// The background at its lower edge.
 pub const HORIZON: Color = Color([0x26, 0x2e, 0x3b]);
 
 /// The ground, where it is lit.
@@ -16,7 +16,7 @@ pub const GROUND: Color = Color([0x62, 0x6f, 0x83]);
 /// The lines of the grid on the ground.
 pub const GRID: Color = Color([0x7e, 0x8b, 0x9e]);
 
-/// What is fixed: walls, obstacles, containers.
+/// Fixed bodies: walls, obstacles, containers.
 pub const FIXED: Color = Color([0x93, 0x9d, 0xab]);
 
 /// Lines and other marks on top of bodies.
@@ -25,7 +25,7 @@ pub const MARK: Color = Color([0xff, 0xf1, 0xd0]);
 /// Text.
 pub const TEXT: Color = Color([0xf2, 0xf4, 0xf7]);
 
-/// Text that comes second: what the figures are.
+/// Secondary text: the names of figures.
 pub const FAINT: Color = Color([0xa9, 0xb4, 0xc4]);
 
 /// The panel behind text.

@@ -1,4 +1,4 @@
-//! What is read back from GIF files.
+//! GIF files, read back.
 
 use gif::{ColorOutput, DecodeOptions, DisposalMethod};
 use unisize_pictures::{Animation, Camera, Color, Drawing, Picture, PictureError, palette};

@@ -1,4 +1,4 @@
-//! What is seen in pictures of a few bodies.
+//! Pictures of a few bodies, pixel by pixel.
 
 use unisize_pictures::{Camera, Color, Drawing, Picture, PictureError, palette};
 

@@ -20,6 +20,8 @@
 //! # }
 //! ```
 //!
+//! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
+//!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
@@ -50,8 +52,13 @@ pub mod dim2 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod gorge;
+    #[path = "../show.rs"]
+    mod show;
 
     pub use engine::*;
+    pub use gorge::Gorge;
+    pub use show::{HeldPairs, Show};
 }
 
 #[cfg(feature = "rapier3d")]
@@ -63,8 +70,18 @@ pub mod dim3 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod implosion;
+    mod pour;
+    mod ropes;
+    #[path = "../show.rs"]
+    mod show;
+    mod solids;
 
     pub use engine::*;
+    pub use implosion::Implosion;
+    pub use pour::Pour;
+    pub use ropes::Ropes;
+    pub use show::{HeldPairs, Show};
 }
 
 #[cfg(feature = "rapier2d-f64")]

@@ -1,4 +1,4 @@
-//! From a method to its broad phase.
+//! The broad phase of a method.
 
 use super::common_box::CommonBox;
 use super::ours::{Kernel, Settings, UnisizeBroadPhase};
@@ -14,14 +14,9 @@ pub(super) fn create(method: Method, typical_size: Real) -> Box<dyn BroadPhase> 
         Search::RankSweep => Kernel::RankSweep,
         Search::BruteForce => Kernel::BruteForce,
     };
-    let settings = Settings::default();
-    let margin = match method.margin {
-        Margin::Default => settings.margin,
-        Margin::Sizes(sizes) => sizes * typical_size,
-    };
-    Box::new(UnisizeBroadPhase::with_settings(Settings {
-        kernel,
-        margin,
-        ..settings
+    let settings = Settings::default().with_kernel(kernel);
+    Box::new(UnisizeBroadPhase::with_settings(match method.margin {
+        Margin::Default => settings,
+        Margin::Sizes(sizes) => settings.with_margin(sizes * typical_size),
     }))
 }

@@ -7,26 +7,26 @@ use std::time::{Duration, Instant};
 /// A broad phase that is timed, and the pairs that it holds by its events.
 pub(super) struct Clocked {
     inner: Box<dyn BroadPhase>,
-    /// The pairs held, the smaller handle first, if they are asked for.
+    /// The pairs held, the smaller handle first, if they are recorded.
     pub(super) held: Option<HashSet<[ColliderHandle; 2]>>,
     /// How long the last update took.
     pub(super) elapsed: Duration,
-    /// When it was done, with its books as well: when the narrow phase began.
+    /// When the update and the records were done: when the narrow phase began.
     pub(super) done: Instant,
 }
 
 impl Clocked {
-    pub(super) fn new(inner: Box<dyn BroadPhase>, is_asked_for_pairs: bool) -> Self {
+    pub(super) fn new(inner: Box<dyn BroadPhase>, records_pairs: bool) -> Self {
         Self {
             inner,
-            held: is_asked_for_pairs.then(HashSet::new),
+            held: records_pairs.then(HashSet::new),
             elapsed: Duration::ZERO,
             done: Instant::now(),
         }
     }
 }
 
-/// A pair by which it can be found, whatever comes first.
+/// A pair with the smaller handle first.
 pub(super) fn key(a: ColliderHandle, b: ColliderHandle) -> [ColliderHandle; 2] {
     if a.into_raw_parts() <= b.into_raw_parts() {
         [a, b]

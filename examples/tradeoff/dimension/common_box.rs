@@ -1,8 +1,8 @@
-//! The paper's kernel as it stands: every box is given the common size, and every pair that is found is reported.
+//! The paper's kernel as published: every box is enlarged to the common size, and every pair that is found is reported.
 //!
-//! The kernel then has no candidate to test, but reports pairs whose boxes do not overlap, the more the more sizes differ.
-//! All boxes are searched anew at each update. Floors and walls would make the common size that of the
-//! world; what is larger than the largest box that can move is compared with each box, one by one, as it is.
+//! It then needs no test of candidates, but reports pairs whose boxes do not overlap, more of them the more sizes differ. Every
+//! update searches all boxes anew. Floors and walls would make the common size that of the world, so boxes larger than any
+//! that can move are compared with all others one by one.
 
 use super::scenes::rapier::{math::DIM, prelude::*};
 use unisize::{Aabb, PairFinder, RankSweep};
@@ -33,7 +33,7 @@ impl CommonBox {
         self.proxies[slot] = proxy;
     }
 
-    /// The largest extent on each axis of what can move.
+    /// The largest extent of a movable box on each axis.
     fn common_size(&self) -> [Real; DIM] {
         let movable = self.proxies.iter().flatten().filter(|p| p.can_move);
         movable.fold([0.0; DIM], |size, proxy| {

@@ -1,4 +1,4 @@
-//! A method at work: a broad phase and a narrow phase of its own, in a world that others move.
+//! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
 
 use super::broad_phases;
 use super::clocked::Clocked;
@@ -22,10 +22,10 @@ pub(super) struct Lap {
 }
 
 impl Contestant {
-    pub(super) fn new(method: Method, typical_size: Real, is_asked_for_pairs: bool) -> Self {
+    pub(super) fn new(method: Method, typical_size: Real, records_pairs: bool) -> Self {
         let broad_phase = broad_phases::create(method, typical_size);
         Self {
-            broad_phase: Clocked::new(broad_phase, is_asked_for_pairs),
+            broad_phase: Clocked::new(broad_phase, records_pairs),
             narrow_phase: NarrowPhase::new(),
             pipeline: CollisionPipeline::new(),
         }
@@ -33,7 +33,7 @@ impl Contestant {
 
     /// Finds the contacts of a copy of the world in which these colliders have moved.
     ///
-    /// The narrow phase is timed with what Rapier does there for changes by the user, which is little: there are none.
+    /// The time of the narrow phase includes Rapier's handling of changes by the user, which is short: there are none.
     pub(super) fn step(&mut self, stage: &mut Stage, moved: &[ColliderHandle]) -> Lap {
         stage.mark(moved);
         self.pipeline.step(
@@ -71,7 +71,7 @@ impl Stage {
         }
     }
 
-    /// Makes Rapier take these colliders, and no others, for moved.
+    /// Marks these colliders, and no others, as moved.
     fn mark(&mut self, moved: &[ColliderHandle]) {
         for &handle in moved {
             if let Some(collider) = self.colliders.get_mut(handle) {

@@ -12,16 +12,15 @@ use unisize_scenes::SceneKind;
 /// The time step of the reference is this part of the usual one.
 const FINE: usize = 4;
 
-/// Simulations are elsewhere from each other when their bodies are, by more than this part of a typical size.
-const ELSEWHERE: f64 = 0.01;
+/// A simulation has left another when their bodies are further apart than this part of a typical size.
+const LEFT: f64 = 0.01;
 
 const RAPIER: Method = Method {
     search: Search::Rapier,
     margin: Margin::Default,
 };
 
-/// Simulates a scene on all methods: first on Rapier's with a fine time step, then twice with events in order, and then
-/// with each method as it is.
+/// Simulates a scene: the reference on Rapier's broad phase, two runs with sorted events, and one run on each method.
 pub(super) fn courses(
     kind: SceneKind,
     options: &Options,
@@ -61,7 +60,7 @@ pub(super) fn courses(
     courses
 }
 
-/// Where all bodies were at each step of a simulation, and what else is of interest.
+/// The places of all bodies at each step of a simulation, and its errors.
 struct Film {
     /// The places of the bodies that are not fixed, for each step.
     frames: Vec<Vec<Vector<Real>>>,
@@ -73,7 +72,7 @@ struct Film {
 }
 
 impl Film {
-    /// Simulates so many steps, each in so many parts.
+    /// Simulates `steps` steps, each in this many parts.
     fn shoot(
         mut scene: Scene,
         broad_phase: &mut dyn BroadPhase,
@@ -91,7 +90,7 @@ impl Film {
             worst_stretch: None,
         };
         for _ in 0..steps {
-            // The script takes the time from the whole step.
+            // The script needs the time of a whole step.
             scene.prepare();
             scene.world.params.dt = dt / parts as Real;
             for _ in 0..parts {
@@ -129,7 +128,7 @@ impl Film {
             distance.collect::<Vec<_>>()
         };
         let leaves = |other: &Self| {
-            let step = distances(other).iter().position(|&d| d > ELSEWHERE)?;
+            let step = distances(other).iter().position(|&d| d > LEFT)?;
             Some((step + 1) as f64 * self.dt)
         };
         Course {

@@ -1,14 +1,14 @@
-//! A broad phase that takes down which colliders it was given, and puts its events in order.
+//! A broad phase that records the colliders it is given and sorts its events.
 
 use super::scenes::rapier::prelude::*;
 
-/// A broad phase that takes down which colliders it was given, and puts its events in order.
+/// A broad phase that records the colliders it is given and sorts its events.
 ///
-/// The solver's result depends on the order of events in its last bits, and Rapier's own broad phase reports ends of
-/// pairs in that of a hash map with a random seed. In order, a simulation can be had again.
+/// The last bits of the solver's result depend on the order of events, and Rapier's own broad phase ends pairs in the order
+/// of a hash map with a random seed. With sorted events, a simulation is reproducible.
 pub(super) struct Listed {
     inner: Box<dyn BroadPhase>,
-    /// Colliders that were listed as modified, each once for every time, since this was last emptied.
+    /// The colliders listed as modified since this was last cleared, with repetitions.
     pub(super) modified: Vec<ColliderHandle>,
 }
 

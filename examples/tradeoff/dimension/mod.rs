@@ -1,6 +1,6 @@
-//! Measures in one dimension: one source, compiled once in each.
+//! The measurements in one dimension: one source, compiled once for each.
 
-use super::{DIM, ours, scenes};
+use super::{ours, scenes};
 
 mod broad_phases;
 mod clocked;
@@ -14,14 +14,14 @@ mod truth;
 use crate::method::Method;
 use crate::options::Options;
 use crate::study::Study;
-use scenes::rapier::prelude::*;
+use scenes::rapier::{math::DIM, prelude::*};
 use unisize_scenes::SceneKind;
 
 /// Measures in one scene; `on_step` is called after each step that is measured or simulated.
 pub(crate) fn study(kind: SceneKind, options: &Options, mut on_step: impl FnMut()) -> Study {
     let (bodies, course_bodies) = (options.bodies(kind), options.course_bodies(kind));
     let mut scene = scenes::Scene::build(kind, bodies, options.seed);
-    // Some pour their bodies in.
+    // Some scenes pour their bodies in.
     scene.prepare();
     let typical_size = typical_size(&scene);
     let methods = Method::all(bodies);
@@ -29,11 +29,11 @@ pub(crate) fn study(kind: SceneKind, options: &Options, mut on_step: impl FnMut(
     let courses = film::courses(kind, options, typical_size, &mut on_step);
     Study {
         scene: kind.name(),
-        dim: DIM,
+        dim: DIM as u8,
         bodies,
         steps: options.steps(),
         typical_size,
-        default_margin: ours::Settings::default().margin,
+        default_margin: ours::UnisizeBroadPhase::DEFAULT_MARGIN,
         course_bodies,
         figures,
         courses,

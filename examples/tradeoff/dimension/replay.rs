@@ -1,8 +1,8 @@
-//! All methods on one simulation, which none of them drives.
+//! All methods on one simulation that none of them drives.
 //!
-//! At each step every method is given the world as it then is, one after the other in an order drawn anew, and each
-//! several times, by instances of their own. Of the times of one step the median counts, and of the steps the mean: an
-//! update of unisize that searches takes longer than others, and is to count.
+//! At each step, several instances of every method get the world as it is, in a new random order. The figure of a method is
+//! the median over its instances and the mean over steps: an update of unisize that searches takes longer than others, and
+//! must count.
 
 use super::broad_phases;
 use super::contestant::{Contestant, Lap, Stage};
@@ -22,7 +22,7 @@ const DRIVER: Method = Method {
     margin: Margin::Default,
 };
 
-/// The share of steps that are not timed: memory is taken and scenes begin to move.
+/// One in this many steps, the first ones, is not timed: memory is allocated and scenes begin to move.
 const WARM_UP: usize = 10;
 
 /// Measures all methods.
@@ -73,7 +73,7 @@ fn shuffle<T>(turns: &mut [T], random: &mut oorandom::Rand32) {
 /// All instances of one method.
 struct Team {
     method: Method,
-    /// The first one is asked for its pairs.
+    /// The first one records its pairs.
     members: Vec<Contestant>,
     /// The times of this step.
     laps: Vec<Lap>,
@@ -112,7 +112,7 @@ impl Team {
 
     fn compare(&mut self, truth: &Truth) {
         let held = self.members[0].broad_phase.held.as_ref();
-        let held = held.expect("the first member is asked for its pairs");
+        let held = held.expect("the first member records its pairs");
         let [touching, near] = truth.recall(held);
         for (sum, recall) in [(&mut self.touching, touching), (&mut self.near, near)] {
             sum.found += recall.found;

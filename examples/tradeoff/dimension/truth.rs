@@ -1,4 +1,4 @@
-//! Which shapes touch, found without any of the methods: exact queries for every pair that comes anywhere near.
+//! The ground truth: which shapes touch, by exact queries of every pair with boxes near each other.
 
 use super::clocked::key;
 use super::scenes::World;
@@ -11,16 +11,16 @@ use crate::study::Recall;
 use std::collections::HashSet;
 use unisize::{Aabb, BruteForce, PairFinder};
 
-/// By how much boxes are loosened before they are compared, in typical sizes: much more than any touching pair needs.
+/// The slack of boxes in typical sizes: much more than touching pairs need.
 const SLACK: Real = 0.25;
 
-/// How many units in the last place a distance may be wrong by.
+/// The error of a distance, in units in the last place.
 const ROUNDING: Real = 8.0;
 
-/// The pairs of shapes that touch at one moment, of those that the narrow phase would look at.
+/// The pairs of shapes that touch at one moment, without those that the narrow phase would drop.
 pub(super) struct Truth {
     touching: Vec<[ColliderHandle; 2]>,
-    /// Nearer than the prediction distance, up to rounding, and those that touch.
+    /// The pairs nearer than the prediction distance, up to rounding; touching ones included.
     near: Vec<[ColliderHandle; 2]>,
 }
 
@@ -65,7 +65,7 @@ impl Truth {
         truth
     }
 
-    /// How many of them are held, of those that touch and of all.
+    /// The recall of the touching pairs, and of all.
     pub(super) fn recall(&self, held: &HashSet<[ColliderHandle; 2]>) -> [Recall; 2] {
         [&self.touching, &self.near].map(|pairs| Recall {
             found: pairs.iter().filter(|pair| held.contains(*pair)).count(),

@@ -1,4 +1,4 @@
-//! Where the window looks from: around a point in space, or down on the plane.
+//! The camera of the window: it orbits a point in space, or looks down on the plane.
 
 use kiss3d::camera::{Camera3d, OrbitCamera3d, Projection};
 use kiss3d::event::{MouseButton, WindowEvent};
@@ -6,21 +6,21 @@ use kiss3d::glamx::{Mat4, Pose3, Vec3};
 use kiss3d::window::Canvas;
 use unisize_pictures::{Camera, Sight};
 
-/// The vertical angle that stands for a view without perspective: only its product with a distance matters.
+/// The nominal angle of a view without perspective: only its product with the distance matters.
 const PARALLEL_ANGLE: f32 = 0.7;
 
-/// How many times as wide as high the films of the scenes are.
+/// The aspect ratio of the scenes' films.
 const FILM_ASPECT: f32 = 16.0 / 9.0;
 
-/// A camera that is moved by the mouse, the middle of which is in the middle of what the panel leaves free.
+/// A camera that is moved by the mouse and centred on the part of the window beside the panel.
 pub(crate) struct Eye {
     orbit: OrbitCamera3d,
-    /// How far everything is moved to the left, as a share of half the width of the window.
+    /// How far the picture is shifted to the left, as a share of half the width of the window.
     shift: f32,
 }
 
 impl Eye {
-    /// A camera that begins with this view, in a window the free part of which is `aspect` times as wide as high.
+    /// A camera that starts with this view, in a window whose free part has this aspect ratio.
     pub(crate) fn new(camera: &Camera, aspect: f32) -> Self {
         let mut orbit = match camera.sight() {
             Sight::Orbit {
@@ -40,7 +40,7 @@ impl Eye {
             }
             Sight::TopDown { center, height } => {
                 let target = Vec3::new(center[0], center[1], 0.0);
-                // All that would be seen in a film.
+                // At least what a film would show.
                 let height = height * (FILM_ASPECT / aspect).max(1.0);
                 let distance = height / 2.0 / (PARALLEL_ANGLE / 2.0).tan();
                 let mut orbit = OrbitCamera3d::new_with_frustum(
@@ -56,20 +56,20 @@ impl Eye {
                 orbit
             }
         };
-        // It would look at the origin.
+        // The key would make it look at the origin.
         orbit.rebind_reset_key(None);
         Self { orbit, shift: 0.0 }
     }
 
-    /// Tells how large the window is and how much of its width the panel takes.
+    /// Adapts to the size of the window and the width of the panel.
     pub(crate) fn fit(&mut self, canvas: &Canvas, [width, height]: [u32; 2], panel: f32) {
-        // The camera hears of sizes only when they change.
+        // The camera gets an event only when the size changes.
         let size = WindowEvent::FramebufferSize(width.max(1), height.max(1));
         self.orbit.handle_event(canvas, &size);
         self.shift = panel / width.max(1) as f32;
     }
 
-    /// A point that is seen in the same place and lies so much nearer.
+    /// A point that is seen in the same place but is nearer by this distance.
     pub(crate) fn nearer(&self, point: Vec3, by: f32) -> Vec3 {
         let way = match self.orbit.projection() {
             Projection::Perspective => self.orbit.eye() - point,
@@ -78,12 +78,12 @@ impl Eye {
         point + way.normalize_or_zero() * by
     }
 
-    /// How far it is from what it looks at.
+    /// Its distance from its target.
     pub(crate) fn distance(&self) -> f32 {
         self.orbit.dist()
     }
 
-    /// What it looks at.
+    /// The point that it looks at.
     pub(crate) fn target(&self) -> Vec3 {
         self.orbit.at()
     }

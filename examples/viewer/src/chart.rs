@@ -4,8 +4,7 @@ use crate::history::{History, Sample};
 use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot};
 use kiss3d::egui::{Color32, Rangef, RichText, Sense, Shape, Stroke, Ui, vec2};
 
-/// The colours of the broad phases, which differ in lightness too: those of Okabe and Ito for people who do not tell red
-/// from green.
+/// The colours of the broad phases, from Okabe and Ito's palette for the colour-blind; they differ in lightness too.
 pub(crate) const UNISIZE: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 pub(crate) const DEFAULT: Color32 = Color32::from_rgb(0xe6, 0x9f, 0x00);
 
@@ -13,18 +12,18 @@ pub(crate) const DEFAULT: Color32 = Color32::from_rgb(0xe6, 0x9f, 0x00);
 const HEIGHT: f32 = 140.0;
 const DASH: f32 = 6.0;
 
-/// Into about how many parts the lines of the grid cut the height.
+/// About how many grid lines there are.
 const LINES: f64 = 4.0;
 
-/// How much room there is for all but the rarest values, and how many milliseconds there are at least. Of rare ones, say, where
-/// something else ran on the machine, only the beginning is seen.
+/// The height of the chart over the usual maximum, and its least height in milliseconds. Rare values, as when something else ran
+/// on the machine, are cut off.
 const HEADROOM: f64 = 1.4;
 const LEAST: f64 = 0.01;
 
-/// What is read from a step.
+/// Reads a value from a sample.
 type Read = fn(&Sample) -> Option<f64>;
 
-/// The whole step as it is with unisize, and as it is with Rapier's own.
+/// The whole step with unisize, and with Rapier's own broad phase.
 const STEP: [Read; 2] = [
     |sample| Some(sample.unisize? + sample.rest),
     |sample| Some(sample.default? + sample.rest),
@@ -117,7 +116,7 @@ impl Series {
         }
     }
 
-    /// A piece of the line, and its name.
+    /// A sample of the line, and its name.
     fn show_in_legend(&self, ui: &mut Ui) {
         ui.add_space(4.0);
         let (rect, _) = ui.allocate_exact_size(vec2(20.0, 10.0), Sense::hover());
@@ -133,7 +132,7 @@ impl Series {
     }
 }
 
-/// The means of the last steps in the broad phase and in the whole step, for unisize and for the default.
+/// The means over the last steps of the broad phase and of the whole step, for unisize and for the default.
 pub(crate) fn means(history: &History, count: usize) -> [[Option<f64>; 2]; 2] {
     [BROAD_PHASE, STEP].map(|read| read.map(|read| history.mean(count, read)))
 }
@@ -183,7 +182,7 @@ mod tests {
         assert_eq!(format_milliseconds(0.5), "0.5");
         assert_eq!(format_milliseconds(0.25), "0.25");
         assert_eq!(format_milliseconds(20.0), "20");
-        // As it comes of a multiple of a step.
+        // As a multiple of a step comes out.
         assert_eq!(format_milliseconds(3.0 * 0.1), "0.3");
     }
 

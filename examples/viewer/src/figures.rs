@@ -1,5 +1,4 @@
-//! The bodies of a drawing, as instances of three shapes on the graphics card: however many there are, they are drawn at
-//! once.
+//! The bodies of a drawing, as instances of three shapes on the graphics card, so that any number is drawn at once.
 
 use kiss3d::color::Color;
 use kiss3d::glamx::{Mat3, Vec3};
@@ -7,10 +6,10 @@ use kiss3d::light::Light;
 use kiss3d::scene::{InstanceData3d, SceneNode3d};
 use unisize_pictures::{Drawing, Figure, Solid, palette};
 
-/// How much higher the last figure in the plane lies than the first one, as a share of the size of the drawing.
+/// The height of the last figure in the plane over the first, as a share of the size of the drawing.
 const LAYERS: f32 = 0.1;
 
-/// Into how many parts circles are cut: bodies are small, and there are many of them.
+/// Segments of a circle: few, since bodies are small and many.
 const ROUND: u32 = 14;
 
 /// All shapes with their instances, below one node.
@@ -23,7 +22,7 @@ pub(crate) struct Figures {
     cuboids: Batch,
 }
 
-/// A shape, and what is made of it.
+/// A shape and its instances.
 struct Batch {
     node: SceneNode3d,
     instances: Vec<InstanceData3d>,
@@ -39,7 +38,7 @@ impl Batch {
         }
     }
 
-    /// The shape is drawn with its middle here, and its axes, of length 1, turned into these.
+    /// Adds an instance at this position, with its unit axes mapped to these.
     fn add(&mut self, position: Vec3, axes: Mat3, color: Color) {
         self.instances.push(InstanceData3d {
             position,
@@ -79,7 +78,7 @@ impl Figures {
         &mut self.root
     }
 
-    /// Shows a drawing, of which `reach` is about the size.
+    /// Shows a drawing whose size is about `reach`.
     pub(crate) fn show(&mut self, drawing: &Drawing, middle: Vec3, reach: f32) {
         let mut is_flat = true;
         let layer = LAYERS * reach / drawing.figures().count().max(1) as f32;
@@ -95,7 +94,7 @@ impl Figures {
             let color = shown(palette::GROUND);
             self.cuboids.add(center, Mat3::from_diagonal(half), color);
         }
-        // Figures in the plane have their colour as it is, so they are lit from the front.
+        // Figures in the plane keep their exact colour when lit from the front.
         let sun = if is_flat {
             Vec3::NEG_Z
         } else {
@@ -125,7 +124,7 @@ impl Figures {
                 let [x, y, mut z] = half_edges.map(Vec3::from);
                 let mut center = Vec3::from(center);
                 if !figure.is_lit {
-                    // Without any thickness it would have no normal.
+                    // Without thickness it would have no normal.
                     z = Vec3::Z * 1e-6;
                     center.z += layer;
                 }
@@ -145,7 +144,7 @@ impl Figures {
     }
 }
 
-/// A colour of the pictures as one of the window.
+/// Converts a colour of the pictures to one of the window.
 pub(crate) fn shown(color: unisize_pictures::Color) -> Color {
     let [red, green, blue] = color.linear();
     Color::new(red, green, blue, 1.0)

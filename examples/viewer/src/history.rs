@@ -1,4 +1,4 @@
-//! How long the last steps took.
+//! The times of the last steps.
 
 use std::collections::VecDeque;
 
@@ -13,11 +13,11 @@ pub(crate) struct Sample {
     pub(crate) rest: f64,
 }
 
-/// The last steps, the oldest first; older ones are forgotten.
+/// The last steps, the oldest first.
 pub(crate) struct History {
     samples: VecDeque<Sample>,
     capacity: usize,
-    /// How many steps there were in all.
+    /// The number of all steps so far.
     steps: usize,
 }
 
@@ -43,13 +43,13 @@ impl History {
         self.steps = 0;
     }
 
-    /// The numbers of the first and the last step for which there is room, the first step of all being 1.
+    /// The numbers of the first and the last step of the chart; the very first step is 1.
     pub(crate) fn range(&self) -> [usize; 2] {
         let last = self.steps.max(self.capacity);
         [last - self.capacity + 1, last]
     }
 
-    /// Numbers of steps with what is read from their samples, where there is something to read.
+    /// The numbers of steps and their values, without the steps that have none.
     pub(crate) fn points(&self, read: impl Fn(&Sample) -> Option<f64>) -> Vec<[f64; 2]> {
         let first = self.steps - self.samples.len() + 1;
         let numbered = (first..).zip(&self.samples);
@@ -58,7 +58,7 @@ impl History {
             .collect()
     }
 
-    /// What only a share of 2 in 100 of the values read exceeds.
+    /// The value that only 2 % of the values exceed.
     pub(crate) fn usual_maximum(&self, reads: &[impl Fn(&Sample) -> Option<f64>]) -> Option<f64> {
         let values = |read| self.samples.iter().filter_map(read);
         let mut values: Vec<f64> = reads.iter().flat_map(values).collect();
@@ -66,7 +66,7 @@ impl History {
         Some(*values.select_nth_unstable_by(index, f64::total_cmp).1)
     }
 
-    /// The mean over the last `count` steps for which there is something to read.
+    /// The mean over the last `count` steps that have a value.
     pub(crate) fn mean(&self, count: usize, read: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
         let values: Vec<f64> = self
             .samples

@@ -1,15 +1,15 @@
-//! Lines that show what a broad phase does: pairs, and the strips into which the grid cuts space.
+//! Lines that show the pairs of a broad phase and the strips of its grid.
 
 /// A line between two points.
 pub(crate) type Line = [[f32; 3]; 2];
 
-/// How many strips of an axis are drawn at most: more of them would be a grey area.
+/// The most strips of an axis that are drawn: more would be a grey area.
 const MOST_STRIPS: u32 = 400;
 
-/// Boxes with an edge so many times as long as usual are not of the class whose grid is drawn.
+/// Boxes with a diagonal longer than this many usual ones belong to another class than the one whose grid is drawn.
 const OUTSIZE: f32 = 12.0;
 
-/// A box is much larger than another if its diagonal is so many times as long.
+/// A box is much larger than another if its diagonal is longer by this factor.
 const MUCH_LARGER: f32 = 4.0;
 
 /// A box.
@@ -34,13 +34,13 @@ impl Extent {
     }
 
     fn nearest(&self, point: [f32; 3]) -> [f32; 3] {
-        // Not `clamp`, which panics if a box is inside out.
+        // Not `clamp`, which would panic on an inverted box.
         std::array::from_fn(|axis| point[axis].max(self.mins[axis]).min(self.maxs[axis]))
     }
 }
 
-/// The line of a pair: from centre to centre, or from the centre of a box to the nearest point of one much larger, the
-/// centre of which may be far away.
+/// The line of a pair, from centre to centre. In a box that is much larger than the other, it ends at the nearest point instead,
+/// because the centre may be far away.
 pub(crate) fn pair_line(first: &Extent, second: &Extent) -> Line {
     let [a, b] = [first, second].map(Extent::center);
     let [size_a, size_b] = [first, second].map(Extent::diagonal);
@@ -53,12 +53,12 @@ pub(crate) fn pair_line(first: &Extent, second: &Extent) -> Line {
     }
 }
 
-/// The borders between strips, drawn on the sides of the space that is cut which are away from `eye`.
+/// The borders between strips, drawn on the far walls of the space as seen from `eye`.
 ///
-/// `strips` is how many there are along the second and the third axis, 0 where an axis is not cut. The grid itself is not
-/// public. It begins a quarter of the spread of the boxes before them and is one and a half times as long (see
-/// `src/grid_sweep/grid.rs`), and so it is drawn here: the number of strips is the one that is in use, the place of
-/// a border is right up to about half a strip.
+/// `strips` is their number along the second and the third axis, 0 where an axis is not cut. The grid itself is not public. It
+/// begins before the boxes by a quarter of their spread and is one and a half times as long (see
+/// `src/grid_sweep/grid.rs`), and is drawn like that here: the number of strips is exact, the place of a border is an estimate,
+/// right to about half a strip.
 pub(crate) fn strip_lines(extents: &[Extent], strips: [u32; 2], eye: [f32; 3]) -> Vec<Line> {
     let Some(room) = room(extents) else {
         return Vec::new();
@@ -94,13 +94,13 @@ pub(crate) fn strip_lines(extents: &[Extent], strips: [u32; 2], eye: [f32; 3]) -
     lines
 }
 
-/// The diagonal that half of the boxes do not exceed, 0 without boxes.
+/// The median diagonal, 0 without boxes.
 pub(crate) fn usual_size(extents: &[Extent]) -> f32 {
     let mut sizes: Vec<f32> = extents.iter().map(Extent::diagonal).collect();
     quantile(&mut sizes, 0.5).unwrap_or_default()
 }
 
-/// What the boxes of usual sizes fill, if there are any.
+/// The bounds of the boxes of usual sizes, if there are any.
 fn room(extents: &[Extent]) -> Option<Extent> {
     let limit = OUTSIZE * usual_size(extents);
     let usual = extents.iter().filter(|extent| extent.diagonal() <= limit);
@@ -110,7 +110,7 @@ fn room(extents: &[Extent]) -> Option<Extent> {
     })
 }
 
-/// The borders between so many strips of an axis, on which boxes begin at `mins`.
+/// The borders between `count` strips of an axis on which boxes begin at `mins`.
 fn borders(mut mins: Vec<f32>, count: u32) -> Vec<f32> {
     if !(2..=MOST_STRIPS).contains(&count) {
         return Vec::new();
@@ -119,7 +119,7 @@ fn borders(mut mins: Vec<f32>, count: u32) -> Vec<f32> {
         return Vec::new();
     };
     let spread = high - low;
-    // The last strip is only begun: its number is the length over the width, rounded down.
+    // The last strip is incomplete: its number is the length over the width, rounded down.
     let width = 1.5 * spread / (count as f32 - 0.5);
     let origin = low - spread / 4.0;
     (1..count)

@@ -4,15 +4,13 @@
 //! cargo run --release -- --scene rope3d
 //! ```
 //!
-//! A [`stage::Stage`] is a scene with its broad phases. What knows an engine is in the folder `dimension`, and is compiled once
-//! for each dimension; everything else knows none. What is seen is what the scene would draw into its film.
+//! A [`stage::Stage`] is a scene with its broad phases. Only the folder `dimension` knows an engine; it is compiled once for
+//! each dimension. What is seen is what the scene would draw into its film.
 
 mod camera;
 mod chart;
 #[path = "../../show/choice.rs"]
 mod choice;
-mod dim2;
-mod dim3;
 mod figures;
 mod history;
 mod lines;
@@ -22,6 +20,36 @@ mod setup;
 mod stage;
 mod viewer;
 mod window;
+
+#[path = "dimension"]
+mod dim2 {
+    //! Scenes in two dimensions.
+    use scenes::rapier;
+    use unisize::rapier2d as ours;
+    use unisize_scenes::dim2 as scenes;
+
+    mod live;
+    #[path = "../../../show/side.rs"]
+    mod side;
+    mod watched;
+    pub(crate) use live::Live;
+}
+
+#[path = "dimension"]
+mod dim3 {
+    //! Scenes in three dimensions.
+    use scenes::rapier;
+    use unisize::rapier3d as ours;
+    use unisize_scenes::dim3 as scenes;
+
+    mod live;
+    #[path = "../../../show/side.rs"]
+    mod side;
+    #[cfg(test)]
+    mod tests;
+    mod watched;
+    pub(crate) use live::Live;
+}
 
 use clap::Parser;
 use options::Options;

@@ -7,23 +7,23 @@ use clap::Parser;
 use clap::builder::RangedU64ValueParser;
 use std::path::PathBuf;
 
-/// Shows the scenes of unisize's examples live, in a window
+/// Shows the worlds of unisize's examples live, in a window
 #[derive(Clone, Debug, Parser)]
 #[command(name = "viewer")]
 pub(crate) struct Options {
-    /// The scene to begin with
+    /// The scene to start with
     #[arg(long, value_enum, default_value = "rope3d")]
     pub(crate) scene: Scene,
     /// About how many bodies [default: what runs in about real time]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     bodies: Option<usize>,
-    /// What finds the pairs
+    /// The broad phase that finds the pairs
     #[arg(long, value_enum, default_value = "unisize")]
     broad_phase: Choice,
-    /// Let the other broad phase work on the same colliders, and time both
+    /// Give the other broad phase the same colliders, and time both
     #[arg(long)]
     both: bool,
-    /// What finds the pairs in unisize
+    /// The kernel of unisize
     #[arg(long, value_enum, default_value = "grid-sweep")]
     kernel: KernelName,
     /// How far a collider may move before its box is renewed, in units of length
@@ -35,10 +35,10 @@ pub(crate) struct Options {
     /// Draw the strips of the grid
     #[arg(long)]
     pub(crate) strips: bool,
-    /// Begin in pause
+    /// Start paused
     #[arg(long)]
     pub(crate) paused: bool,
-    /// Write a picture of the window and end
+    /// Write a picture of the window and exit
     #[arg(long, value_name = "FILE.png", value_parser = png)]
     pub(crate) screenshot: Option<PathBuf>,
     /// After how many steps the picture is taken
@@ -76,7 +76,7 @@ fn between(low: u64, high: u64) -> RangedU64ValueParser<usize> {
 fn margin(text: &str) -> Result<f32, String> {
     match text.parse() {
         Ok(margin) if (0.0..=10.0).contains(&margin) => Ok(margin),
-        _ => Err("a number from 0 to 10 is wanted".to_owned()),
+        _ => Err("must be a number from 0 to 10".to_owned()),
     }
 }
 
@@ -85,7 +85,7 @@ fn png(text: &str) -> Result<PathBuf, String> {
     let is_png = path.extension().is_some_and(|extension| extension == "png");
     is_png
         .then_some(path)
-        .ok_or_else(|| "it does not end in .png".to_owned())
+        .ok_or_else(|| "must end in .png".to_owned())
 }
 
 #[cfg(test)]

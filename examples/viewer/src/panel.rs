@@ -1,4 +1,4 @@
-//! The panel: what can be changed, the numbers, and the chart.
+//! The panel: controls, numbers, and charts.
 
 use crate::chart;
 use crate::choice::Choice;
@@ -18,23 +18,23 @@ pub(crate) const WIDTH: f32 = 330.0;
 pub(crate) const PAIRS: Color = Color([0xff, 0xf1, 0xd0]);
 pub(crate) const STRIPS: Color = Color([0xc0, 0xa8, 0xff]);
 
-/// Means are those of so many steps.
+/// Means are over this many steps.
 const MEAN_OF: usize = 60;
 
-/// What the user has chosen.
+/// The state of the controls.
 pub(crate) struct Controls {
     pub(crate) scene: Scene,
-    /// From the next restart on.
+    /// Applied at the next restart.
     pub(crate) bodies: usize,
     pub(crate) setup: Setup,
     pub(crate) shows_pairs: bool,
     pub(crate) shows_strips: bool,
     pub(crate) is_paused: bool,
-    /// Whether a scene that is over is shown again.
+    /// Whether a scene restarts when it is over.
     pub(crate) repeats: bool,
 }
 
-/// What the user has asked for in this frame.
+/// The buttons pressed in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Wishes {
     pub(crate) step: bool,
@@ -81,7 +81,7 @@ pub(crate) fn show(
     shown.and_then(|shown| shown.inner).unwrap_or_default()
 }
 
-/// Which scene, and its time.
+/// The choice of a scene, and the control of its time.
 fn scene(ui: &mut Ui, controls: &mut Controls) -> Wishes {
     let mut wishes = Wishes::default();
     ui.horizontal(|ui| {
@@ -106,7 +106,7 @@ fn scene(ui: &mut Ui, controls: &mut Controls) -> Wishes {
         .on_hover_text("from the next restart on");
     });
     ui.horizontal(|ui| {
-        let pause = if controls.is_paused { "Go on" } else { "Pause" };
+        let pause = if controls.is_paused { "Resume" } else { "Pause" };
         if ui.button(pause).on_hover_text("space").clicked() {
             controls.is_paused = !controls.is_paused;
         }
@@ -122,7 +122,7 @@ fn scene(ui: &mut Ui, controls: &mut Controls) -> Wishes {
     wishes
 }
 
-/// Which broad phase, and what is drawn of it.
+/// The choice of a broad phase, and what is drawn of it.
 fn broad_phase(ui: &mut Ui, controls: &mut Controls) {
     let setup = &mut controls.setup;
     ui.horizontal(|ui| {
@@ -146,7 +146,7 @@ fn broad_phase(ui: &mut Ui, controls: &mut Controls) {
         ui.spacing_mut().slider_width = 50.0;
         let margin = Slider::new(&mut setup.margin, 0.0..=0.1)
             .fixed_decimals(3)
-            // Each change makes a new broad phase: not one for each pixel.
+            // Each change makes a new broad phase, so there are few steps.
             .step_by(0.005);
         ui.add(margin).on_hover_text(
             "how far a collider may move before its box is renewed, in units of length",
@@ -155,7 +155,7 @@ fn broad_phase(ui: &mut Ui, controls: &mut Controls) {
     ui.horizontal(|ui| {
         ui.checkbox(&mut controls.shows_pairs, colored("draw pairs", PAIRS));
         ui.checkbox(&mut controls.shows_strips, colored("draw strips", STRIPS))
-            .on_hover_text("as many as there are; where they are is an estimate");
+            .on_hover_text("their number is exact, their place an estimate");
     });
 }
 
@@ -191,7 +191,7 @@ fn numbers(ui: &mut Ui, controls: &Controls, stage: &dyn Stage, history: &Histor
                 ui.label(match (agree, comparable) {
                     (true, _) => RichText::new("the same").color(Color32::WHITE),
                     (false, true) => RichText::new("DIFFERENT").color(Color32::LIGHT_RED),
-                    (false, false) => RichText::new("different, as are the margins"),
+                    (false, false) => RichText::new("different, because the margins are"),
                 });
                 ui.end_row();
             }

@@ -1,14 +1,14 @@
-//! Which broad phase is on stage, and how it works.
+//! The setup of the broad phases on stage.
 
 use crate::choice::Choice;
 use clap::ValueEnum;
 
-/// What can be changed in the midst of a simulation.
+/// The settings that can change during a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Setup {
-    /// Whose pairs Rapier hears of.
+    /// The broad phase whose pairs are reported to Rapier.
     pub(crate) choice: Choice,
-    /// Whether the other one works on the same colliders, so that both are timed.
+    /// Whether the other one gets the same colliders, so that both are timed.
     pub(crate) times_both: bool,
     pub(crate) kernel: KernelName,
     /// As in unisize's settings.
@@ -18,10 +18,10 @@ pub(crate) struct Setup {
 /// The margin of Rapier's own broad phase, and the default of unisize.
 pub(crate) const RAPIERS_MARGIN: f32 = 0.01;
 
-/// What finds the pairs in unisize.
+/// A kernel of unisize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum KernelName {
-    /// The fast one
+    /// The fast kernel
     GridSweep,
     /// The algorithm of Capannini and Larsson
     RankSweep,

@@ -1,4 +1,4 @@
-//! A scene on stage, whatever its dimension is.
+//! A scene on stage, in either dimension.
 
 use crate::history::Sample;
 use crate::lines::{Extent, Line};
@@ -6,37 +6,39 @@ use crate::setup::Setup;
 use crate::{dim2, dim3};
 use clap::ValueEnum;
 use unisize_pictures::{Camera, Drawing};
+use unisize_scenes::dim2::Gorge;
+use unisize_scenes::dim3::{Implosion, Pour, Ropes};
 
-/// A world in motion, with its broad phases.
+/// A simulated world with its broad phases.
 pub(crate) trait Stage {
-    /// Simulates a step and says how long it took.
+    /// Simulates a step and returns its times.
     fn step(&mut self) -> Sample;
 
-    /// How many steps were simulated.
+    /// The number of steps simulated so far.
     fn steps(&self) -> usize;
 
-    /// After how many steps there is nothing new to be seen.
+    /// The number of steps after which nothing new is to be seen.
     fn length(&self) -> usize;
 
-    /// Goes on in the same world with new broad phases.
+    /// Continues in the same world with new broad phases.
     fn change(&mut self, setup: &Setup);
 
-    /// Where it is best seen from.
+    /// The best view of it.
     fn camera(&self) -> Camera;
 
-    /// What is seen.
+    /// Draws the world.
     fn draw(&self, drawing: &mut Drawing);
 
     /// The boxes of all colliders, without margins.
     fn extents(&mut self) -> Vec<Extent>;
 
-    /// A line for each pair that the broad phase holds, but for pairs of two walls.
+    /// A line for each pair that the broad phase holds, except pairs of walls.
     fn pair_lines(&mut self) -> Vec<Line>;
 
-    /// Into how many strips the second and the third axis are cut; 0 if that is not known.
+    /// The number of strips of the second and the third axis; 0 if unknown.
     fn strips(&self) -> [u32; 2];
 
-    /// What there is to be known.
+    /// The numbers in the panel.
     fn facts(&self) -> Vec<Fact>;
 
     /// Whether both broad phases hold the same pairs, if both are timed.
@@ -59,16 +61,16 @@ impl Fact {
 /// The scenes, by the names of the examples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Scene {
-    /// Ropes of jointed capsules fall over bars and knot
+    /// Ropes of jointed capsules fall over bars and tangle
     #[value(name = "rope3d")]
     Rope3d,
     /// Grains are poured into a container
     #[value(name = "particles3d")]
     Particles3d,
-    /// A stampede whose animals find their neighbours by the pairs of the broad phase
+    /// A stampede: the pairs of the broad phase are the neighbours that animals avoid
     #[value(name = "crowd2d")]
     Crowd2d,
-    /// Boxes in a plane fly through its centre
+    /// Boxes in a plane all fly through its centre
     #[value(name = "cluster")]
     Cluster,
 }
@@ -90,7 +92,7 @@ impl Scene {
         }
     }
 
-    /// How many bodies there are unless it is said otherwise: as many as are simulated in about real time.
+    /// The default number of bodies: what runs in about real time.
     pub(crate) fn bodies(self) -> usize {
         match self {
             Self::Rope3d => 1_200,
@@ -100,13 +102,13 @@ impl Scene {
         }
     }
 
-    /// Puts the scene on stage with about so many bodies.
+    /// Puts the scene on stage with about this many bodies.
     pub(crate) fn open(self, bodies: usize, setup: &Setup) -> Box<dyn Stage> {
         match self {
-            Self::Rope3d => Box::new(dim3::Live::<dim3::Ropes>::new(bodies, setup)),
-            Self::Particles3d => Box::new(dim3::Live::<dim3::Pour>::new(bodies, setup)),
-            Self::Crowd2d => Box::new(dim2::Live::<dim2::Stampede>::new(bodies, setup)),
-            Self::Cluster => Box::new(dim3::Live::<dim3::Implosion>::new(bodies, setup)),
+            Self::Rope3d => Box::new(dim3::Live::<Ropes>::new(bodies, setup)),
+            Self::Particles3d => Box::new(dim3::Live::<Pour>::new(bodies, setup)),
+            Self::Crowd2d => Box::new(dim2::Live::<Gorge>::new(bodies, setup)),
+            Self::Cluster => Box::new(dim3::Live::<Implosion>::new(bodies, setup)),
         }
     }
 }

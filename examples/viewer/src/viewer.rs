@@ -1,4 +1,4 @@
-//! The course of the program: simulate a step, draw it, and do what the user asks for.
+//! The main loop: simulate a step, draw it, and handle the user's input.
 
 use crate::camera::Eye;
 use crate::figures::{Figures, shown};
@@ -22,22 +22,22 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use unisize_pictures::{Drawing, palette};
 
-/// For how many steps the chart has room.
+/// The number of steps on the chart.
 const HISTORY: usize = 300;
 
-/// The time of a step in the world.
+/// The simulated time of a step.
 const STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
-/// How many frames it takes until the panel has found its sizes.
+/// Frames until the layout of the panel has settled.
 const SETTLED: usize = 4;
 
-/// How many lines the grid on the ground has at most, in each direction.
+/// The most lines of the grid on the ground in each direction.
 const GRID_LINES: f32 = 120.0;
 
-/// Shows what the options ask for, until the window is closed or its picture is taken.
+/// Runs until the window is closed or its picture is taken.
 ///
 /// # Errors
-/// If there is no window, or the picture cannot be written.
+/// If the window cannot be opened or the picture cannot be written.
 pub(crate) fn run(options: &Options) -> Result<()> {
     let mut viewer = Viewer::new(options)?;
     if let Some(path) = &options.screenshot {
@@ -63,7 +63,7 @@ struct Viewer {
     history: History,
     figures: Figures,
     eye: Eye,
-    /// The distance of the camera at the beginning: about how large the scene is.
+    /// The initial distance of the camera: about the size of the scene.
     reach: f32,
     /// When the next step is due.
     due: Instant,
@@ -96,12 +96,12 @@ impl Viewer {
         })
     }
 
-    /// Simulates what is due, and draws it. Returns whether the window is still open.
+    /// Simulates a step if one is due, and draws. Returns whether the window is still open.
     fn frame(&mut self) -> bool {
         let now = Instant::now();
         if !self.controls.is_paused && now >= self.due {
             self.step();
-            // Where steps take longer than they should, time is slower, and nothing piles up.
+            // Where steps take longer than they should, simulated time slows down and no backlog builds up.
             self.due = now.max(self.due + STEP);
         }
         self.draw();
@@ -180,7 +180,7 @@ impl Viewer {
             self.draw_lines(&strips, 0.002 * self.reach, panel::STRIPS, 1.0);
         }
         if self.controls.shows_pairs {
-            // Out of the bodies, in which they would be hidden.
+            // In front of the bodies, which would hide them.
             let nearer = 0.6 * usual_size(&self.stage.extents());
             let pairs = self.stage.pair_lines();
             self.draw_lines(&pairs, nearer, panel::PAIRS, 1.0);
@@ -211,7 +211,7 @@ impl Viewer {
         self.draw_lines(&lines, 0.0, palette::GRID, 1.0);
     }
 
-    /// Draws lines, so much nearer than they are.
+    /// Draws lines, moved towards the eye by `nearer`.
     fn draw_lines(
         &mut self,
         lines: &[Line],
@@ -229,7 +229,7 @@ impl Viewer {
     fn take_picture(&self, path: &Path) -> Result<()> {
         let cannot = || format!("cannot write {}", path.display());
         let file = BufWriter::new(File::create(path).with_context(cannot)?);
-        // A window is made of areas of one colour, which a filter would only spoil.
+        // Areas of one colour compress best without a filter.
         let quality = (CompressionType::Best, FilterType::NoFilter);
         let encoder = PngEncoder::new_with_quality(file, quality.0, quality.1);
         let picture = self.window.snap_image();
@@ -242,7 +242,7 @@ fn panel_width(window: &Window) -> f32 {
     panel::WIDTH * window.scale_factor() as f32
 }
 
-/// How many times as wide as high the part of the window is that the panel leaves free.
+/// The aspect ratio of the part of the window beside the panel.
 fn free_aspect(window: &Window) -> f32 {
     let free = window.width() as f32 - panel_width(window);
     free.max(1.0) / window.height().max(1) as f32

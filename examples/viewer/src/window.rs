@@ -7,10 +7,10 @@ use std::any::Any;
 use std::{env, panic};
 use unisize_pictures::palette;
 
-/// What helps.
-const WITHOUT: &str = "How to do without is said in examples/viewer/README.md.";
+/// A hint for error messages.
+const WITHOUT: &str = "examples/viewer/README.md explains how to run without a display.";
 
-/// Opens a window of so many pixels.
+/// Opens a window of this size in pixels.
 ///
 /// # Errors
 /// If there is no display, or no graphics adapter that can draw on it.
@@ -19,7 +19,7 @@ pub(crate) fn open([width, height]: [u32; 2]) -> Result<Window> {
         has_display(),
         "there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set. {WITHOUT}"
     );
-    // The library ends with a panic where there is nothing to draw with, which is no news worth a backtrace.
+    // kiss3d panics where there is nothing to draw with; the error below says so without a backtrace.
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let window = panic::catch_unwind(|| {
@@ -34,16 +34,16 @@ pub(crate) fn open([width, height]: [u32; 2]) -> Result<Window> {
     })?;
     window.set_background_color(crate::figures::shown(palette::HORIZON));
     window.set_shadows_enabled(false);
-    // Colours as they are.
+    // Exact colours.
     window.set_tonemap(Tonemap::None);
     Ok(window)
 }
 
-/// Whether there is anything to open a window on, as far as it is known beforehand.
+/// Whether there may be a display, as far as the environment tells.
 fn has_display() -> bool {
     let is_set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
-    let asks_for_one = cfg!(all(unix, not(target_os = "macos")));
-    !asks_for_one
+    let needs_variable = cfg!(all(unix, not(target_os = "macos")));
+    !needs_variable
         || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
             .into_iter()
             .any(is_set)

@@ -20,10 +20,7 @@ struct Driven {
 
 impl Driven {
     fn new() -> Self {
-        let settings = Settings {
-            margin: 0.0,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with_margin(0.0);
         Self {
             bodies: RigidBodySet::new(),
             colliders: ColliderSet::new(),

@@ -76,10 +76,7 @@ fn sizes_that_differ_much_are_several_classes() {
 #[test]
 fn looking_ahead_spares_searches_and_can_be_fixed() {
     let runs_with = |foresight| {
-        let mut plane = Plane::new(Settings {
-            foresight,
-            ..Settings::default()
-        });
+        let mut plane = Plane::new(Settings::default().with_foresight(foresight));
         (0..20).for_each(|_| plane.advance(1));
         let stats = plane.broad_phase.stats();
         (stats.full_runs, stats.foresight)
@@ -96,14 +93,10 @@ fn looking_ahead_spares_searches_and_can_be_fixed() {
 #[test]
 fn few_movers_are_a_layer_unless_there_are_to_be_none() {
     let outcome_with = |layers| {
-        let mut plane = Plane::new(Settings {
-            foresight: Some(0),
-            layers,
-            ..Settings::default()
-        });
+        let mut plane = Plane::new(Settings::default().with_foresight(0).with_layers(layers));
         plane.advance(100);
         let stats = plane.broad_phase.stats();
-        (stats.full_runs, stats.moving)
+        (stats.full_runs, stats.delta)
     };
     assert_eq!(outcome_with(true), (1, 25));
     assert_eq!(outcome_with(false), (2, 0));

@@ -235,10 +235,7 @@ fn lengths_that_are_none_make_no_margin() {
 
 #[test]
 fn an_infinite_margin_makes_infinite_boxes() {
-    let settings = Settings {
-        margin: Real::INFINITY,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with_margin(Real::INFINITY);
     let mut desk = Desk {
         broad_phase: UnisizeBroadPhase::with_settings(settings),
         ..Desk::default()

@@ -19,10 +19,7 @@ pub(super) struct Watched {
 
 impl Watched {
     pub(super) fn new(margin: f32) -> Self {
-        let settings = Settings {
-            margin: margin.into(),
-            ..Settings::default()
-        };
+        let settings = Settings::default().with_margin(Real::from(margin));
         // These are never removed. Rapier's tree loops forever, or panics, once it has lost all but one of its colliders.
         let mut world = World::new(Vector::zeros());
         for x in [-20.0, 0.0, 20.0] {

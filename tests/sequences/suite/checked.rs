@@ -18,13 +18,13 @@ pub(crate) struct CheckedBroadPhase {
 impl CheckedBroadPhase {
     pub(crate) fn new(kernel: Kernel, sequence: &Sequence) -> Self {
         Self {
-            inner: UnisizeBroadPhase::with_settings(Settings {
-                kernel,
-                margin: sequence.margin.into(),
-                foresight: sequence.foresight,
-                layers: sequence.layers,
-                ..Settings::default()
-            }),
+            inner: UnisizeBroadPhase::with_settings(
+                Settings::default()
+                    .with_kernel(kernel)
+                    .with_margin(Real::from(sequence.margin))
+                    .with_foresight(sequence.foresight)
+                    .with_layers(sequence.layers),
+            ),
             model: Model::default(),
             updates: 0,
             prediction: Real::MAX,
@@ -61,6 +61,7 @@ impl CheckedBroadPhase {
         self.inner
             .update(params, colliders, bodies, modified, removed, &mut sent);
         let margin = self.inner.settings().margin;
+        let margin = margin.expect("each sequence has one");
         let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");

@@ -20,12 +20,13 @@ fn crowd() -> (Crowd, UnisizeBroadPhase) {
         crowd.update(&mut broad_phase);
         if update > 10 {
             let value = serde_json::to_value(&broad_phase).unwrap();
-            let Value::Array(stale) = &value["tracker"]["layers"]["moving"]["stale"] else {
-                panic!("there is no moving layer");
+            let Value::Array(outdated) = &value["table"]["tracker"]["layers"]["delta"]["outdated"]
+            else {
+                panic!("there is no delta layer");
             };
-            let has_gone =
-                list(&mut value["tracker"]["candidates"]["pairs"].clone()).contains(&Value::Null);
-            if has_gone && stale.iter().any(|slot| !slot[1].is_null()) {
+            let has_gone = list(&mut value["table"]["tracker"]["candidates"]["pairs"].clone())
+                .contains(&Value::Null);
+            if has_gone && outdated.iter().any(|slot| !slot[1].is_null()) {
                 return (crowd, broad_phase);
             }
         }
@@ -99,7 +100,7 @@ fn list(value: &mut Value) -> &mut Vec<Value> {
 
 /// The first proxy.
 fn proxy(value: &mut Value) -> &mut Value {
-    let mut proxies = list(&mut value["tracker"]["proxies"]).iter_mut();
+    let mut proxies = list(&mut value["table"]["tracker"]["proxies"]).iter_mut();
     proxies
         .find(|proxy| !proxy.is_null())
         .expect("there are proxies")
@@ -107,25 +108,25 @@ fn proxy(value: &mut Value) -> &mut Value {
 
 #[test]
 fn lengths_must_agree() {
-    let fewer = complaint(|value| drop(list(&mut value["generations"]).pop()));
+    let fewer = complaint(|value| drop(list(&mut value["table"]["generations"]).pop()));
     assert!(fewer.contains("generations"), "{fewer}");
-    let more = complaint(|value| list(&mut value["tracker"]["proxies"]).push(Value::Null));
+    let more = complaint(|value| list(&mut value["table"]["tracker"]["proxies"]).push(Value::Null));
     assert!(more.contains("generations"), "{more}");
 }
 
 #[test]
 fn every_box_has_a_collider() {
     let unknown = complaint(|value| {
-        let proxies = list(&mut value["tracker"]["proxies"]).iter();
+        let proxies = list(&mut value["table"]["tracker"]["proxies"]).iter();
         let slot = proxies.enumerate().find(|(_, proxy)| !proxy.is_null());
         let slot = slot.expect("there are proxies").0;
-        value["generations"][slot] = Value::Null;
+        value["table"]["generations"][slot] = Value::Null;
     });
     assert!(unknown.contains("no collider"), "{unknown}");
 }
 
 #[test]
-fn boxes_must_be_valid_and_in_their_reach() {
+fn boxes_must_be_valid_and_in_their_fat_box() {
     let inverted = complaint(|value| {
         let aabb = &mut proxy(value)["aabb"];
         aabb["mins"][0] = json!(aabb["maxs"][0].as_f64().unwrap() + 1.0);
@@ -133,15 +134,15 @@ fn boxes_must_be_valid_and_in_their_reach() {
     assert!(inverted.contains("not valid"), "{inverted}");
     let outside = complaint(|value| {
         let proxy = proxy(value);
-        proxy["reach"]["maxs"][1] = proxy["aabb"]["mins"][1].clone();
+        proxy["fat"]["maxs"][1] = proxy["aabb"]["mins"][1].clone();
     });
-    assert!(outside.contains("reach"), "{outside}");
+    assert!(outside.contains("fat box"), "{outside}");
 }
 
 #[test]
-fn candidates_must_be_the_overlapping_reaches() {
+fn candidates_must_be_the_overlapping_fat_boxes() {
     fn pairs(value: &mut Value) -> &mut Vec<Value> {
-        list(&mut value["tracker"]["candidates"]["pairs"])
+        list(&mut value["table"]["tracker"]["candidates"]["pairs"])
     }
     for said in [
         complaint(|value| drop(pairs(value).pop())),
@@ -158,8 +159,11 @@ fn candidates_must_be_the_overlapping_reaches() {
     ] {
         assert!(said.contains("candidates"), "{said}");
     }
-    for (name, wrong) in [("links_wanted", json!(u32::MAX)), ("pairs", json!([[1]]))] {
-        complaint(|value| value["tracker"]["candidates"][name] = wrong.clone());
+    for (name, wrong) in [
+        ("lists", json!({ "are_made": false, "missed": u32::MAX })),
+        ("pairs", json!([[1]])),
+    ] {
+        complaint(|value| value["table"]["tracker"]["candidates"][name] = wrong.clone());
     }
 }
 
@@ -172,33 +176,50 @@ fn horizons_are_limited() {
         ("next_pause", json!(u32::MAX)),
         ("next_pause", json!(0)),
     ] {
-        let said = complaint(|value| value["tracker"]["horizon"][name] = wrong.clone());
+        let said = complaint(|value| value["table"]["tracker"]["horizon"][name] = wrong.clone());
         assert!(said.contains("horizon"), "{said}");
     }
 }
 
 #[test]
 fn layers_must_fit() {
-    fn stale<'a>(value: &'a mut Value, layer: &str) -> &'a mut Vec<Value> {
-        list(&mut value["tracker"]["layers"][layer]["stale"])
+    fn outdated<'a>(value: &'a mut Value, layer: &str) -> &'a mut Vec<Value> {
+        list(&mut value["table"]["tracker"]["layers"][layer]["outdated"])
     }
-    for layer in ["resting", "moving"] {
-        let beyond = complaint(|value| stale(value, layer).push(json!([1_000_000, null])));
+    for layer in ["base", "delta"] {
+        let beyond = complaint(|value| outdated(value, layer).push(json!([1_000_000, null])));
         assert!(beyond.contains("out of range"), "{beyond}");
         let twice = complaint(|value| {
-            let first = stale(value, layer)[0].clone();
-            stale(value, layer).push(first);
+            let first = outdated(value, layer)[0].clone();
+            outdated(value, layer).push(first);
         });
         assert!(twice.contains("twice"), "{twice}");
         let inverted = complaint(|value| {
             let [one, other] = [0.0, 1.0].map(|x: Real| vec![x; super::rapier::math::DIM]);
-            stale(value, layer)[0][1] = json!({ "mins": other, "maxs": one });
+            outdated(value, layer)[0][1] = json!({ "mins": other, "maxs": one });
         });
         assert!(inverted.contains("not valid"), "{inverted}");
     }
     let unrelated = complaint(|value| {
-        let moving = stale(value, "moving")[0][0].clone();
-        stale(value, "resting").retain(|slot| slot[0] != moving);
+        let delta = outdated(value, "delta")[0][0].clone();
+        outdated(value, "base").retain(|slot| slot[0] != delta);
     });
-    assert!(unrelated.contains("moves in the next"), "{unrelated}");
+    assert!(unrelated.contains("not in the base"), "{unrelated}");
+}
+
+#[test]
+fn another_format_is_named() {
+    let other = complaint(|value| value["format"] = json!(1));
+    assert!(
+        other.contains("format 1") && other.contains("reads format 2"),
+        "{other}"
+    );
+    // Before anything is read that the other version may have otherwise.
+    let mut bytes = postcard::to_stdvec(&crowd().1).unwrap();
+    bytes[0] = 77;
+    bytes.truncate(1);
+    assert!(postcard::from_bytes::<UnisizeBroadPhase>(&bytes).is_err());
+    let json = json!({ "format": 77 }).to_string();
+    let said = serde_json::from_str::<UnisizeBroadPhase>(&json).unwrap_err();
+    assert!(said.to_string().contains("format 77"), "{said}");
 }

@@ -6,13 +6,12 @@ use super::{Kernel, Settings, Stats, UnisizeBroadPhase};
 #[test]
 fn settings_come_back_and_may_be_left_out() {
     for kernel in [Kernel::GridSweep, Kernel::RankSweep, Kernel::BruteForce] {
-        let settings = Settings {
-            kernel,
-            margin: 0.1,
-            foresight: Some(5),
-            layers: false,
-            timed: true,
-        };
+        let settings = Settings::default()
+            .with_kernel(kernel)
+            .with_margin(0.1)
+            .with_foresight(5)
+            .with_layers(false)
+            .with_timed(true);
         let bytes = postcard::to_stdvec(&settings).unwrap();
         assert_eq!(postcard::from_bytes(&bytes), Ok(settings));
         let json = serde_json::to_string(&settings).unwrap();
@@ -25,11 +24,7 @@ fn settings_come_back_and_may_be_left_out() {
 
 #[test]
 fn what_is_fixed_stays_fixed_in_a_broad_phase_that_was_read() {
-    let settings = Settings {
-        foresight: Some(5),
-        timed: true,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with_foresight(5).with_timed(true);
     let mut crowd = Crowd::new(400, 20.0, 0.1);
     let mut ours = UnisizeBroadPhase::with_settings(settings);
     crowd.update(&mut ours);

@@ -1,8 +1,9 @@
-//! A scene on stage: stepped, watched, and asked what there is to be seen.
+//! A scene on stage: it is stepped, timed, and drawn.
 
 use super::rapier::math::DIM;
 use super::rapier::prelude::*;
-use super::show::{Show, Watched};
+use super::scenes::{HeldPairs, Show};
+use super::watched::Watched;
 use crate::choice::Choice;
 use crate::history::Sample;
 use crate::lines::{Extent, Line, pair_line};
@@ -83,7 +84,7 @@ impl<S: Show> Stage for Live<S> {
         let ends = |pair: ColliderPair| {
             let first = colliders.get(pair.collider1)?;
             let second = colliders.get(pair.collider2)?;
-            // Walls that meet are of no interest.
+            // Pairs of walls are of no interest.
             let moves = first.parent().is_some() || second.parent().is_some();
             moves.then(|| pair_line(&extent(first), &extent(second)))
         };
@@ -99,7 +100,7 @@ impl<S: Show> Stage for Live<S> {
     fn facts(&self) -> Vec<Fact> {
         let mut facts = vec![
             Fact::new("bodies", thousands(self.show.bodies()), "that move"),
-            Fact::new("steps", thousands(self.steps), "so far, 60 to a second"),
+            Fact::new("steps", thousands(self.steps), "so far, 60 per second"),
         ];
         if let Some(stats) = self.watched.stats() {
             let strips = match self.strips() {
@@ -114,12 +115,12 @@ impl<S: Show> Stage for Live<S> {
                 Fact::new(
                     "candidates",
                     thousands(stats.candidates),
-                    "pairs that are watched because they may soon be held, or are",
+                    "pairs that are held or may soon be",
                 ),
                 Fact::new(
                     "boxes moved",
                     format!("{} of {}", thousands(stats.moved), thousands(stats.listed)),
-                    "colliders whose box changed in the last update, of those that it was given",
+                    "colliders whose box changed in the last update, of those listed to it",
                 ),
                 Fact::new(
                     "pairs added, ended",
@@ -128,8 +129,8 @@ impl<S: Show> Stage for Live<S> {
                 ),
                 Fact::new(
                     "moving layer",
-                    thousands(stats.moving),
-                    "boxes that are new, gone, or elsewhere than was foreseen, since the last search for all pairs",
+                    thousands(stats.delta),
+                    "boxes that are new, gone, or outside their reach since the last search for all pairs",
                 ),
                 Fact::new(
                     "foresight",
@@ -137,12 +138,12 @@ impl<S: Show> Stage for Live<S> {
                         1 => "1 move".to_owned(),
                         moves => format!("{moves} moves"),
                     },
-                    "for how many moves ahead pairs are searched for",
+                    "the number of moves for which a search serves",
                 ),
                 Fact::new(
                     "full searches",
                     format!("{searches} in {updates} updates"),
-                    "the other updates did without a search for all pairs",
+                    "searches for all pairs; the other updates needed none",
                 ),
                 Fact::new(
                     "classes of sizes",
@@ -152,7 +153,7 @@ impl<S: Show> Stage for Live<S> {
                 Fact::new(
                     "strips",
                     strips,
-                    "into how many the grid of the smallest boxes is cut, along the second and the third axis",
+                    "of the grid of the smallest boxes, along the second and the third axis",
                 ),
             ]);
         }
@@ -171,8 +172,8 @@ impl<S: Show> Stage for Live<S> {
     }
 }
 
-/// Lists all colliders for the next step: a new broad phase knows only those that are listed to it. Setting a collider's
-/// position, even to what it is, lists it.
+/// Lists all colliders for the next step, because a new broad phase knows none. Setting a collider's position lists it, even if
+/// the position is the same.
 pub(super) fn list_all(colliders: &mut ColliderSet) {
     for (_, collider) in colliders.iter_mut() {
         collider.set_position(*collider.position());

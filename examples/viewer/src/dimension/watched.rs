@@ -2,6 +2,7 @@
 
 use super::ours::{Kernel, Settings, Stats, UnisizeBroadPhase};
 use super::rapier::prelude::*;
+use super::scenes::HeldPairs;
 use super::side::{Side, pair};
 use crate::choice::Choice;
 use crate::setup::{KernelName, Setup};
@@ -13,15 +14,15 @@ pub(crate) struct Watched {
     unisize: Option<Side<UnisizeBroadPhase>>,
     default: Option<Side<DefaultBroadPhase>>,
     choice: Choice,
-    /// Whether Rapier hears of pairs.
+    /// Whether pairs are reported to Rapier.
     has_contacts: bool,
-    /// The pairs that Rapier knows from an earlier broad phase and has not heard of from this one.
+    /// The pairs that an earlier broad phase reported to Rapier and this one has not yet confirmed or ended.
     inherited: Vec<ColliderPair>,
-    /// The time of all updates, with what is done here for the sake of watching.
+    /// The time of all updates, including the records that are kept here.
     elapsed: Duration,
 }
 
-/// The time that all updates took so far.
+/// The time of all updates so far.
 #[derive(Clone, Copy)]
 pub(crate) struct Clock {
     pub(crate) unisize: Option<Duration>,
@@ -32,19 +33,18 @@ pub(crate) struct Clock {
 impl Watched {
     pub(crate) fn new(setup: &Setup, has_contacts: bool) -> Self {
         let takes_part = |side| setup.times_both || side == setup.choice;
-        let settings = Settings {
-            kernel: match setup.kernel {
-                KernelName::GridSweep => Kernel::GridSweep,
-                KernelName::RankSweep => Kernel::RankSweep,
-                KernelName::BruteForce => Kernel::BruteForce,
-            },
-            margin: setup.margin as Real,
-            ..Settings::default()
+        let kernel = match setup.kernel {
+            KernelName::GridSweep => Kernel::GridSweep,
+            KernelName::RankSweep => Kernel::RankSweep,
+            KernelName::BruteForce => Kernel::BruteForce,
         };
+        let settings = Settings::default()
+            .with_kernel(kernel)
+            .with_margin(setup.margin as Real);
         Self {
             unisize: takes_part(Choice::Unisize)
                 .then(|| Side::new(UnisizeBroadPhase::with_settings(settings), false)),
-            // It does not tell which pairs it holds.
+            // It has no list of its pairs.
             default: takes_part(Choice::Default).then(|| Side::new(DefaultBroadPhase::new(), true)),
             choice: setup.choice,
             has_contacts,
@@ -53,7 +53,7 @@ impl Watched {
         }
     }
 
-    /// Another broad phase for the same world, all colliders of which have to be listed in the next step.
+    /// Replaces the broad phases in the same world. The next step must list all colliders.
     pub(crate) fn succeeded_by(&mut self, setup: &Setup) {
         let mut inherited = std::mem::take(&mut self.inherited);
         if self.has_contacts {
@@ -63,16 +63,6 @@ impl Watched {
             inherited,
             ..Self::new(setup, self.has_contacts)
         };
-    }
-
-    /// The pairs that are held, in the same order in each run.
-    pub(crate) fn pairs(&self) -> Vec<ColliderPair> {
-        let ours = self.unisize.as_ref().map(|side| &side.broad_phase);
-        match (self.choice, ours, &self.default) {
-            (Choice::Unisize, Some(unisize), _) => unisize.pairs().collect(),
-            (_, _, Some(default)) => default.pairs(),
-            _ => Vec::new(),
-        }
     }
 
     /// The statistics of unisize, if it takes part.
@@ -101,8 +91,7 @@ impl Watched {
         }
     }
 
-    /// Ends the inherited pairs that this broad phase does not hold; it reports the others as new, which Rapier takes as
-    /// it is meant.
+    /// Ends the inherited pairs that this broad phase does not hold. It reports the others as new, which Rapier ignores.
     fn settle(&mut self, colliders: &ColliderSet, events: &mut Vec<BroadPhasePairEvent>) {
         let held: BTreeSet<_> = self.pairs().into_iter().map(pair).collect();
         let ended = self.inherited.drain(..).filter(|inherited| {
@@ -112,6 +101,17 @@ impl Watched {
                 && !held.contains(&pair(*inherited))
         });
         events.extend(ended.map(BroadPhasePairEvent::DeletePair));
+    }
+}
+
+impl HeldPairs for Watched {
+    fn pairs(&self) -> Vec<ColliderPair> {
+        let ours = self.unisize.as_ref().map(|side| &side.broad_phase);
+        match (self.choice, ours, &self.default) {
+            (Choice::Unisize, Some(unisize), _) => unisize.pairs().collect(),
+            (_, _, Some(default)) => default.pairs(),
+            _ => Vec::new(),
+        }
     }
 }
 

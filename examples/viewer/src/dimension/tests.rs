@@ -1,8 +1,10 @@
-//! Broad phases that succeed each other in the midst of a simulation.
+//! Broad phases that replace each other during a simulation.
 
+use super::Live;
 use super::live::list_all;
-use super::show::{Show, Watched};
-use super::{Live, Pour, Ropes};
+use super::rapier::prelude::ContactPair;
+use super::scenes::{HeldPairs, Pour, Ropes, Show};
+use super::watched::Watched;
 use crate::choice::Choice;
 use crate::setup::{KernelName, RAPIERS_MARGIN, Setup};
 use crate::stage::Stage;
@@ -37,7 +39,7 @@ fn both_agree_whatever_came_before() {
     assert_eq!(stage.steps(), 240);
 }
 
-/// Rapier must not keep pairs that nobody will ever end.
+/// Rapier must not keep pairs that no broad phase will end.
 #[test]
 fn pairs_are_inherited_or_ended() {
     let wide = Setup {
@@ -54,7 +56,7 @@ fn pairs_are_inherited_or_ended() {
         world.step(watched, &(), &());
         let held = watched.pairs();
         let contacts = world.narrow_phase.contact_pairs();
-        let is_held = |pair: &rapier3d::prelude::ContactPair| {
+        let is_held = |pair: &ContactPair| {
             held.iter().any(|held| {
                 let held = [held.collider1, held.collider2];
                 held.contains(&pair.collider1) && held.contains(&pair.collider2)

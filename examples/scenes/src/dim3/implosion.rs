@@ -1,23 +1,22 @@
-//! Boxes of one size that start evenly spread over a square, each with a velocity towards its centre, and pass through each
-//! other: first a cluster, then a ring.
+//! Boxes of one size start evenly spread over a square, fly through its centre and through each other: first a cluster, then
+//! a ring.
 
 use super::rapier::prelude::*;
-use super::scenes::World;
-use super::show::{Show, Watched};
+use super::{HeldPairs, Show, World};
+use crate::ConvergingBoxes;
 use unisize_pictures::{Camera, Drawing, palette};
-use unisize_scenes::ConvergingBoxes;
 
 /// Half the side of a box.
 const HALF: Real = 0.5;
 
-/// From this number of pairs on, a box has the last colour.
+/// A box with this many pairs has the last colour.
 const MANY: f32 = 120.0;
 
-/// Where on the way through the colours a box without pairs is.
+/// The place of a box without pairs on the scale of colours, 0 to 1.
 const ALONE: f32 = 0.28;
 
-/// The boxes.
-pub(crate) struct Implosion {
+/// Boxes that fly through the centre of a square.
+pub struct Implosion {
     world: World,
     boxes: Vec<ColliderHandle>,
     /// Half the side of the square.
@@ -27,7 +26,7 @@ pub(crate) struct Implosion {
 impl Show for Implosion {
     const NAME: &'static str = "cluster";
     const ABOUT: &'static str =
-        "Boxes in a plane that all fly through its centre, without contact response";
+        "Boxes in a plane all fly through its centre, without contact response";
     const BODIES: usize = 100_000;
     const STEPS: usize = 2 * ConvergingBoxes::HALF_WAY;
     const STEPS_PER_FRAME: usize = 10;
@@ -75,7 +74,7 @@ impl Show for Implosion {
             .turned(0.5)
     }
 
-    fn draw(&self, drawing: &mut Drawing, broad_phase: &Watched) {
+    fn draw(&self, drawing: &mut Drawing, broad_phase: &dyn HeldPairs) {
         drawing.background(palette::HORIZON, palette::PANEL);
         let mut counts = vec![0_u32; self.world.colliders.len()];
         for pair in broad_phase.pairs() {

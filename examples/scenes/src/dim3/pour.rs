@@ -1,16 +1,15 @@
-//! A container with glass walls, and a jet of grains that goes round above it.
+//! A container with glass walls, filled by a jet of grains that circles above it.
 
 use super::rapier::prelude::*;
-use super::scenes::World;
-use super::show::{Show, Watched};
 use super::solids;
+use super::{HeldPairs, Show, World};
 use std::f32::consts::TAU;
 use unisize_pictures::{Camera, Color, Drawing, palette};
 
 /// The radius of a grain.
 const RADIUS: Real = 0.1;
 
-/// The distance between grains of a layer of the jet, and of the layers.
+/// The distance between the grains of a layer of the jet, and between layers.
 const SPACING: Real = 2.2 * RADIUS;
 
 /// The speed of the jet.
@@ -19,21 +18,21 @@ const SPEED: Real = 8.0;
 /// The share of the steps by which all grains are poured.
 const POURED: f32 = 0.8;
 
-/// How many steps the jet takes to go round.
+/// Steps in which the jet goes round once.
 const ROUND: f32 = 120.0;
 
-/// A colour for so many parts of the grains.
+/// The grains change colour this many times.
 const COLORS: usize = 6;
 
 /// Half the thickness of walls and of the bars between them.
 const HALF_WALL: Real = 0.5;
 const HALF_BAR: Real = 0.05;
 
-/// The grains, and what they are poured into.
-pub(crate) struct Pour {
+/// Grains that are poured into a container.
+pub struct Pour {
     world: World,
     grains: Vec<ColliderHandle>,
-    /// How many there will be.
+    /// How many grains there will be.
     bodies: usize,
     /// Half the width of the container, and its height.
     half_width: Real,
@@ -41,7 +40,7 @@ pub(crate) struct Pour {
 }
 
 impl Pour {
-    /// Inserts floor and walls, which end high above the rim: nothing is spilt.
+    /// Inserts the floor and the walls, which reach far above the visible rim so that nothing is spilt.
     fn insert_container(&mut self) {
         let half = self.half_width;
         let out = half + HALF_WALL;
@@ -68,13 +67,13 @@ impl Pour {
         }
     }
 
-    /// Inserts a layer of at most so many grains into the jet.
+    /// Inserts a layer of at most `count` grains into the jet.
     fn insert_layer(&mut self, step: usize, count: usize) {
         let angle = step as Real / ROUND * TAU;
         let middle = vector![angle.cos(), 0.0, angle.sin()] * (0.4 * self.half_width)
             + vector![0.0, 1.7 * self.height, 0.0];
         for index in 0..count {
-            // Like the seeds of a sunflower, no two are too near to each other.
+            // The pattern of a sunflower's seeds keeps grains apart.
             let away = SPACING * 0.6 * (index as Real).sqrt();
             let (sine, cosine) = (index as Real * 2.399_963 + 0.1 * step as Real).sin_cos();
             let grain = RigidBodyBuilder::dynamic()
@@ -93,7 +92,7 @@ impl Pour {
 
 impl Show for Pour {
     const NAME: &'static str = "particles3d";
-    const ABOUT: &'static str = "Grains that are poured into a container, colour after colour";
+    const ABOUT: &'static str = "Grains are poured into a container, colour after colour";
     const BODIES: usize = 20_000;
     const STEPS: usize = 560;
     const STEPS_PER_FRAME: usize = 7;
@@ -118,7 +117,7 @@ impl Show for Pour {
         &mut self.world
     }
 
-    fn prepare(&mut self, step: usize, _: &Watched) {
+    fn prepare(&mut self, step: usize, _: &dyn HeldPairs) {
         let share = step as f32 / (POURED * Self::STEPS as f32);
         let poured = (self.bodies as f32 * share.min(1.0)).ceil() as usize;
         let interval = (SPACING / SPEED * 60.0).ceil() as usize;
@@ -140,7 +139,7 @@ impl Show for Pour {
         .raised(0.42)
     }
 
-    fn draw(&self, drawing: &mut Drawing, _: &Watched) {
+    fn draw(&self, drawing: &mut Drawing, _: &dyn HeldPairs) {
         let upright = [0.0, 0.0, 0.0, 1.0];
         drawing.ground(-0.1);
         let edge = self.half_width + HALF_BAR;

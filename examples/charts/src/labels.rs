@@ -15,17 +15,17 @@ type Rectangle = [i32; 4];
 
 /// What is taken already.
 #[derive(Default)]
-pub(super) struct Labels(Vec<Rectangle>);
+pub(crate) struct Labels(Vec<Rectangle>);
 
 impl Labels {
     /// Keeps labels off a point of this radius.
-    pub(super) fn avoid(&mut self, (x, y): (i32, i32), radius: i32) {
+    pub(crate) fn avoid(&mut self, (x, y): (i32, i32), radius: i32) {
         self.0
             .push([x - radius, y - radius, x + radius, y + radius]);
     }
 
     /// Keeps labels off a line.
-    pub(super) fn avoid_line(&mut self, (x, y): (i32, i32), end: (i32, i32)) {
+    pub(crate) fn avoid_line(&mut self, (x, y): (i32, i32), end: (i32, i32)) {
         let (width, height) = (end.0 - x, end.1 - y);
         let parts = (width.abs().max(height.abs()) / DOT).max(1);
         self.0.extend((0..=parts).map(|part| {
@@ -36,7 +36,7 @@ impl Labels {
 
     /// Where the upper left corner of a label should be, from its point: at the first place around it, nearer ones
     /// first, that is free and within these bounds.
-    pub(super) fn place(
+    pub(crate) fn place(
         &mut self,
         (x, y): (i32, i32),
         text: &str,

@@ -1,19 +1,18 @@
-//! Layers of ropes, one crosswise over the other, that fall over bars, turning in opposite directions.
+//! Layers of ropes, each across the one below and turning against it, fall over bars.
 
 use super::rapier::prelude::*;
-use super::scenes::World;
-use super::show::{Show, Watched};
 use super::solids;
+use super::{HeldPairs, Show, World};
 use unisize_pictures::{Camera, Drawing, palette};
 
-/// How many capsules there are in a rope.
+/// Capsules per rope.
 const SEGMENTS: usize = 40;
 
 /// Half the distance between the joints of a capsule, and its radius.
 const HALF: Real = 0.12;
 const RADIUS: Real = 0.085;
 
-/// The distance between ropes of a layer, and between layers.
+/// The distance between the ropes of a layer, and between layers.
 const SPACING: Real = 0.42;
 
 /// The height of the lowest layer.
@@ -22,8 +21,8 @@ const HEIGHT: Real = 2.9;
 /// How fast a layer turns at the start, in radians per second.
 const SPIN: Real = 1.4;
 
-/// The ropes, with what they fall over.
-pub(crate) struct Ropes {
+/// Ropes that fall over bars.
+pub struct Ropes {
     world: World,
     /// The capsules, rope after rope.
     segments: Vec<ColliderHandle>,
@@ -47,7 +46,7 @@ impl Ropes {
         }
     }
 
-    /// Inserts a rope that lies across its layer, at this place on the other axis.
+    /// Inserts a rope along one axis of its layer, at this place on the other.
     fn insert_rope(&mut self, layer: usize, place: Real, segments: usize) {
         let length = 2.0 * HALF * SEGMENTS as Real;
         let lies_along_x = layer % 2 == 0;
@@ -89,7 +88,7 @@ impl Ropes {
 
 impl Show for Ropes {
     const NAME: &'static str = "rope3d";
-    const ABOUT: &'static str = "Ropes of jointed capsules that fall over bars and knot";
+    const ABOUT: &'static str = "Ropes of jointed capsules fall over bars and tangle";
     const BODIES: usize = 2_000;
     const STEPS: usize = 260;
     const STEPS_PER_FRAME: usize = 4;
@@ -131,7 +130,7 @@ impl Show for Ropes {
             .raised(0.38)
     }
 
-    fn draw(&self, drawing: &mut Drawing, _: &Watched) {
+    fn draw(&self, drawing: &mut Drawing, _: &dyn HeldPairs) {
         drawing.ground(0.0);
         for &bar in &self.bars {
             solids::draw(drawing, &self.world.colliders[bar], palette::FIXED);

@@ -1,38 +1,37 @@
-//! Animals that run through a gorge with rocks in it, come back at its beginning, and make room for each other.
+//! A stampede: animals run through a gorge with rocks in it, avoid each other, and start again at its beginning.
 
 use super::rapier::prelude::*;
-use super::scenes::World;
-use super::show::{Show, Watched};
+use super::{HeldPairs, Show, World};
 use unisize_pictures::{Camera, Color, Drawing, palette};
 
 /// Half the length and half the width of an animal.
 const HALF_LENGTH: Real = 0.32;
 const HALF_WIDTH: Real = 0.14;
 
-/// How far an animal sees: half the side of its box is half of it.
+/// How far an animal sees; the side of its box.
 const SIGHT: Real = 1.1;
 
-/// Animals nearer than this push each other away.
+/// Animals nearer than this avoid each other more strongly.
 const PERSONAL: Real = 0.55;
 
-/// How fast animals like to run, and how fast they can, in units of length per second.
+/// The preferred and the highest speed of animals, in units of length per second.
 const SPEED: Real = 5.0;
 const FASTEST: Real = 8.0;
 
-/// How strongly animals turn to where they want to go, from each other, along with each other, and from rocks.
+/// How strongly animals keep to their way, avoid each other, align with each other, and avoid rocks.
 const EAGERNESS: Real = 2.5;
 const AVERSION: Real = 22.0;
 const ALIGNMENT: Real = 1.2;
 const CAUTION: Real = 40.0;
 
-/// How much room there is for an animal at the start, in units of area.
+/// The area per animal at the start.
 const ROOM: Real = 0.55;
 
-/// The length of the gorge for each unit of its height.
+/// The length of the gorge over its height.
 const ASPECT: Real = 2.0;
 
 /// The animals, and the rocks between which they run.
-pub(crate) struct Stampede {
+pub struct Gorge {
     world: World,
     animals: Vec<Animal>,
     rocks: Vec<Rock>,
@@ -52,7 +51,7 @@ struct Rock {
     radius: Real,
 }
 
-/// Who a collider belongs to, as it is kept in its user data.
+/// The owner of a collider, kept in its user data.
 enum Owner {
     Animal(usize),
     Rock(usize),
@@ -75,12 +74,12 @@ impl Owner {
     }
 }
 
-impl Stampede {
+impl Gorge {
     fn half_length(&self) -> Real {
         ASPECT * self.half_height
     }
 
-    /// Half the width of the way between the cliffs: narrow in the middle.
+    /// Half the distance between the cliffs, which is narrow in the middle.
     fn half_way(half_height: Real, x: Real) -> Real {
         let share = x / (ASPECT * half_height);
         half_height * (0.86 - 0.42 * (-10.0 * share * share).exp())
@@ -144,7 +143,7 @@ impl Stampede {
         }
     }
 
-    /// Two animals that see each other: they keep apart, and run alike.
+    /// Two animals that see each other keep apart and align.
     fn meet(&mut self, first: usize, second: usize) {
         let way = self.animals[second].place - self.animals[first].place;
         let distance = way.norm();
@@ -161,7 +160,7 @@ impl Stampede {
         self.animals[second].wish += push - likeness;
     }
 
-    /// An animal that sees a rock: it goes around, on the side on which it is.
+    /// An animal that sees a rock goes around it on its own side.
     fn avoid(&mut self, animal: usize, rock: usize) {
         let rock = &self.rocks[rock];
         let animal = &mut self.animals[animal];
@@ -176,7 +175,7 @@ impl Stampede {
         animal.wish += (away + around * 0.5) * (CAUTION * nearness * nearness);
     }
 
-    /// Turns wishes into velocities, and brings those who have left back to the beginning.
+    /// Turns wishes into velocities, and moves animals that have left the gorge back to its beginning.
     fn run(&mut self) {
         let dt = self.world.params.dt;
         let half_length = self.half_length();
@@ -196,9 +195,10 @@ impl Stampede {
     }
 }
 
-impl Show for Stampede {
+impl Show for Gorge {
     const NAME: &'static str = "crowd2d";
-    const ABOUT: &'static str = "A stampede through a gorge, in which pairs of boxes are neighbours that make room for each other";
+    const ABOUT: &'static str =
+        "A stampede through a gorge: the pairs of boxes are the neighbours that animals avoid";
     const BODIES: usize = 800;
     const STEPS: usize = 300;
     const STEPS_PER_FRAME: usize = 3;
@@ -226,7 +226,7 @@ impl Show for Stampede {
         &mut self.world
     }
 
-    fn prepare(&mut self, _: usize, broad_phase: &Watched) {
+    fn prepare(&mut self, _: usize, broad_phase: &dyn HeldPairs) {
         for animal in &mut self.animals {
             animal.place = *self.world.bodies[animal.body].translation();
             animal.wish = Vector::zeros();
@@ -251,7 +251,7 @@ impl Show for Stampede {
         Camera::top_down([0.0; 2], 1.96 * self.half_height)
     }
 
-    fn draw(&self, drawing: &mut Drawing, _: &Watched) {
+    fn draw(&self, drawing: &mut Drawing, _: &dyn HeldPairs) {
         drawing.background(Color([0x4a, 0x56, 0x68]), Color([0x4a, 0x56, 0x68]));
         for animal in &self.animals {
             let (forward, half) = (animal.velocity, [HALF_LENGTH, HALF_WIDTH]);

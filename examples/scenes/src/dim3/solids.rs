@@ -1,10 +1,10 @@
-//! The colliders of a world in three dimensions, as they are drawn.
+//! How the colliders of a world in three dimensions are drawn.
 
 use super::rapier::prelude::*;
 use unisize_pictures::{Color, Drawing};
 
 /// Draws a collider, if it is a ball, a capsule or a cuboid.
-pub(crate) fn draw(drawing: &mut Drawing, collider: &Collider, color: Color) {
+pub(super) fn draw(drawing: &mut Drawing, collider: &Collider, color: Color) {
     let position = collider.position();
     let place = |point: Point<Real>| (position * point).coords.into();
     let shape = collider.shape();

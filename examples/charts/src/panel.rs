@@ -1,0 +1,155 @@
+//! One panel: series over two axes, and perhaps one on an axis of its own on the right.
+
+use crate::labels::Labels;
+use crate::{Axis, Series};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+const CAPTION: (&str, u32) = ("sans-serif", 17);
+const AXIS_TITLE: (&str, u32) = ("sans-serif", 14);
+const TICK: (&str, u32) = ("sans-serif", 13);
+const POINT_LABEL: (&str, u32) = ("sans-serif", 12);
+
+/// Series over two axes.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    title: String,
+    x: Axis,
+    y: Axis,
+    series: Vec<Series>,
+    right: Option<(Axis, Series)>,
+}
+
+impl Panel {
+    /// A panel; the first series is drawn last, above all others.
+    pub fn new(
+        title: impl Into<String>,
+        x: Axis,
+        y: Axis,
+        series: impl IntoIterator<Item = Series>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y,
+            series: series.into_iter().collect(),
+            right: None,
+        }
+    }
+
+    /// With another series, behind the others, on an axis of its own on the right.
+    pub fn right(mut self, axis: Axis, series: Series) -> Self {
+        self.right = Some((axis, series));
+        self
+    }
+
+    pub(crate) fn all_series(&self) -> impl Iterator<Item = &Series> {
+        let right = self.right.iter().map(|(_, series)| series);
+        self.series.iter().chain(right)
+    }
+
+    /// Draws the panel. Its axes span the values of all `sharing` panels that have the same axis.
+    pub(crate) fn draw<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        sharing: &[Self],
+    ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+        let xs = sharing.iter().filter(|panel| panel.x == self.x);
+        let ys = sharing.iter().filter(|panel| panel.y == self.y);
+        let x = self.x.scale(xs.flat_map(points_of).map(|(x, _)| x));
+        let y = self.y.scale(ys.flat_map(points_of).map(|(_, y)| y));
+        // The type of a chart says whether it has a second axis, so there is one in any case.
+        let right = match &self.right {
+            Some((axis, series)) => axis.scale(series.points.iter().map(|&(_, y)| y)),
+            None => y.clone(),
+        };
+
+        let mut builder = ChartBuilder::on(area);
+        builder
+            .caption(&self.title, CAPTION)
+            .margin(8)
+            .margin_right(18)
+            .x_label_area_size(42)
+            .y_label_area_size(60);
+        if self.right.is_some() {
+            builder.right_y_label_area_size(60);
+        }
+        let mut chart = builder
+            .build_cartesian_2d(x.clone(), y)?
+            .set_secondary_coord(x, right);
+        chart
+            .configure_mesh()
+            .light_line_style(WHITE)
+            .label_style(TICK)
+            .axis_desc_style(AXIS_TITLE)
+            .x_desc(&self.x.title)
+            .y_desc(&self.y.title)
+            .x_label_formatter(&|&place| self.x.label(place))
+            .y_label_formatter(&|&place| self.y.label(place))
+            .draw()?;
+        if let Some((axis, series)) = &self.right {
+            chart
+                .configure_secondary_axes()
+                .label_style(TICK)
+                .axis_desc_style(AXIS_TITLE)
+                .y_desc(&axis.title)
+                .y_label_formatter(&|&place| axis.label(place))
+                .draw()?;
+            let places = places(series, &self.x, axis).map(|(place, _)| place);
+            chart.draw_secondary_series(LineSeries::new(places, series.line_style()))?;
+        }
+
+        let mut labels = Labels::default();
+        let mut texts = Vec::new();
+        for series in self.series.iter().rev() {
+            let places: Vec<_> = places(series, &self.x, &self.y).collect();
+            let line = || places.iter().map(|(place, _)| *place);
+            if series.has_line() {
+                chart.draw_series(LineSeries::new(line(), series.line_style()))?;
+            }
+            if series.has_marks() {
+                chart.draw_series(line().map(|place| series.mark(place)))?;
+            }
+            let pixels: Vec<_> = line().map(|place| chart.backend_coord(&place)).collect();
+            for &pixel in &pixels {
+                labels.avoid(pixel, series.radius());
+            }
+            for ends in pixels.windows(2).filter(|_| series.has_line()) {
+                labels.avoid_line(ends[0], ends[1]);
+            }
+            let labelled = places.into_iter().zip(pixels);
+            let labelled = labelled.filter(|((_, label), _)| !label.is_empty());
+            texts.extend(
+                labelled.map(|((place, label), at)| (place, label.to_owned(), at, series.color())),
+            );
+        }
+        let (x, y) = chart.plotting_area().get_pixel_range();
+        let bounds = [x.start, y.start, x.end, y.end];
+        for (place, label, at, color) in texts {
+            let offset = labels.place(at, &label, bounds);
+            let text = Text::new(label, offset, POINT_LABEL.into_font().color(&color));
+            chart.draw_series([EmptyElement::at(place) + text])?;
+        }
+        Ok(())
+    }
+}
+
+/// Where the points of a series are, with their labels. Those without a place on a logarithmic axis are left out.
+fn places<'a>(
+    series: &'a Series,
+    x: &'a Axis,
+    y: &'a Axis,
+) -> impl Iterator<Item = ((f64, f64), &'a str)> {
+    let labels = series.labels.iter().map(String::as_str);
+    let labels = labels.chain(std::iter::repeat(""));
+    let points = series.points.iter().zip(labels);
+    let places = points.map(|(&(a, b), label)| ((x.place(a), y.place(b)), label));
+    places.filter(|((a, b), _)| a.is_finite() && b.is_finite())
+}
+
+fn points_of(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
+    panel
+        .series
+        .iter()
+        .flat_map(|series| series.points.iter().copied())
+}

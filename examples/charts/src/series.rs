@@ -1,0 +1,96 @@
+//! A named line through points.
+
+use plotters::prelude::*;
+
+/// Points of one colour, joined by a line.
+#[derive(Clone, Debug)]
+pub struct Series {
+    pub(crate) name: String,
+    pub(crate) points: Vec<(f64, f64)>,
+    /// The labels of the first points; an empty one is not drawn.
+    pub(crate) labels: Vec<String>,
+    color: RGBColor,
+    stroke: u32,
+    mark: Mark,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Mark {
+    /// A filled circle of this radius.
+    Dot(i32),
+    /// A circle around the mark of another series.
+    Ring,
+}
+
+const RING_RADIUS: i32 = 8;
+
+/// With more points than this, a line has no marks.
+const MARKED: usize = 40;
+
+impl Series {
+    /// A line with a dot at every point, unless there are many.
+    pub fn new(
+        name: impl Into<String>,
+        color: RGBColor,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            points: points.into_iter().collect(),
+            labels: Vec::new(),
+            color,
+            stroke: 2,
+            mark: Mark::Dot(3),
+        }
+    }
+
+    /// With a thicker line and larger dots.
+    pub fn bold(mut self) -> Self {
+        (self.stroke, self.mark) = (4, Mark::Dot(5));
+        self
+    }
+
+    /// With a ring around each point, to mark points of other series.
+    pub fn ringed(mut self) -> Self {
+        self.mark = Mark::Ring;
+        self
+    }
+
+    /// With a label beside each point, in the order of the points; an empty one is left out.
+    pub fn labelled(mut self, labels: impl IntoIterator<Item = String>) -> Self {
+        self.labels = labels.into_iter().collect();
+        self
+    }
+
+    pub(crate) fn has_marks(&self) -> bool {
+        self.points.len() <= MARKED
+    }
+
+    pub(crate) fn has_line(&self) -> bool {
+        matches!(self.mark, Mark::Dot(_))
+    }
+
+    pub(crate) fn color(&self) -> RGBColor {
+        self.color
+    }
+
+    pub(crate) fn line_style(&self) -> ShapeStyle {
+        self.color.stroke_width(self.stroke)
+    }
+
+    pub(crate) fn radius(&self) -> i32 {
+        match self.mark {
+            Mark::Dot(radius) => radius,
+            Mark::Ring => RING_RADIUS,
+        }
+    }
+
+    /// The mark of a point.
+    pub(crate) fn mark<C>(&self, center: C) -> Circle<C, i32> {
+        let style = match self.mark {
+            Mark::Dot(_) => self.color.filled(),
+            Mark::Ring => self.color.stroke_width(2),
+        };
+        Circle::new(center, self.radius(), style)
+    }
+}
