@@ -1,14 +1,14 @@
 //! The paper, reproduced: its tables, its figures, its applications and its open questions, beside our own measurements.
 //!
 //! ```text
-//! cargo run --release --features rapier2d,rapier3d,parallel,baselines --example paper
+//! cargo run --release --features rapier2d,rapier3d,rapier2d_0_36,parallel,baselines --example paper
 //! ```
 //!
 //! remakes every table, chart and picture of `docs/paper.md`, which says what each of them shows: tables are put into the
 //! page where their names stand in comments, charts and pictures into `docs/paper/`. One part of it alone is
 //!
 //! ```text
-//! cargo run --release --features rapier2d,rapier3d,parallel,baselines --example paper -- table1
+//! cargo run --release --features rapier2d,rapier3d,rapier2d_0_36,parallel,baselines --example paper -- table1
 //! ```
 //!
 //! All methods get the same boxes in the same frames, in turns, and all must find the same pairs, or the run ends with 1,
