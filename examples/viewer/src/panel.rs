@@ -106,7 +106,11 @@ fn scene(ui: &mut Ui, controls: &mut Controls) -> Wishes {
         .on_hover_text("from the next restart on");
     });
     ui.horizontal(|ui| {
-        let pause = if controls.is_paused { "Resume" } else { "Pause" };
+        let pause = if controls.is_paused {
+            "Resume"
+        } else {
+            "Pause"
+        };
         if ui.button(pause).on_hover_text("space").clicked() {
             controls.is_paused = !controls.is_paused;
         }
