@@ -262,31 +262,33 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
         }
     }
 
-    /// Ends an update: reports how the set of pairs has changed. `filter` may first leave out some of the changes, or add
+    /// Ends an update: appends how the set of pairs has changed. `filter` may leave out some of the changes, or add
     /// others; it is also given the generations and the slots of which a collider was removed.
-    pub(crate) fn finish<H: Handle>(
+    pub(crate) fn finish<H: Handle, E>(
         &mut self,
         changes: &mut Vec<PairChange>,
         filter: impl FnOnce(&mut Vec<PairChange>, &[Option<u32>], &[u32]),
-        mut report: impl FnMut(PairEvent<H>),
+        events: &mut Vec<E>,
+        event: impl Fn(PairEvent<H>) -> E,
     ) {
         self.tracker.finish(|change| changes.push(change));
         let lap = self.tracker.stopwatch.start();
         filter(changes, &self.generations, &self.removed);
         self.removed.clear();
         self.is_begun = false;
-        for change in changes.drain(..) {
-            match change {
-                PairChange::Added(pair) => {
-                    self.stats.added += 1;
-                    report(PairEvent::Added(handles(&self.generations, pair)));
-                }
-                PairChange::Deleted(pair) => {
-                    self.stats.deleted += 1;
-                    report(PairEvent::Deleted(handles(&self.generations, pair)));
-                }
+        let Self {
+            generations, stats, ..
+        } = self;
+        events.extend(changes.drain(..).map(|change| match change {
+            PairChange::Added(pair) => {
+                stats.added += 1;
+                event(PairEvent::Added(handles(generations, pair)))
             }
-        }
+            PairChange::Deleted(pair) => {
+                stats.deleted += 1;
+                event(PairEvent::Deleted(handles(generations, pair)))
+            }
+        }));
         self.tracker.stopwatch.lap(lap, |times| &mut times.events);
     }
 }

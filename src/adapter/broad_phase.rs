@@ -136,12 +136,11 @@ impl UnisizeBroadPhase {
             self.filter
                 .sift(changes, lists[0], removed, generations, colliders, bodies);
         };
-        self.table.finish(&mut self.changes, filter, |event| {
-            events.push(match event {
+        self.table
+            .finish(&mut self.changes, filter, events, |event| match event {
                 PairEvent::Added(pair) => BroadPhasePairEvent::AddPair(collider_pair(pair)),
                 PairEvent::Deleted(pair) => BroadPhasePairEvent::DeletePair(collider_pair(pair)),
             });
-        });
     }
 }
 

@@ -146,7 +146,9 @@ impl Candidates {
         for &slot in moved {
             slots.insert(slot as usize);
         }
-        array.pick(rows, |slot| slots.contains(slot as usize));
+        let is_moved = slots.lookup();
+        array.pick(rows, |slot| is_moved(slot as usize));
+        drop(is_moved);
         for row in rows.iter() {
             if array
                 .get(row)

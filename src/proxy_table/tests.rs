@@ -245,25 +245,26 @@ impl World {
 
         let [mut added, mut deleted] = self.model.finish();
         let counts = [added.len(), deleted.len()];
-        let mut changes = Vec::new();
-        self.table.finish(
-            &mut changes,
-            |_, _, _| (),
-            |event: PairEvent<Id>| {
-                let (due, pair) = match event {
-                    PairEvent::Added(pair) => (&mut added, pair),
-                    PairEvent::Deleted(pair) => (&mut deleted, pair),
-                };
-                for id in pair {
-                    let known = self.model.known.get(&id.slot);
-                    assert!(
-                        known.is_some_and(|known| known.0 == id.generation),
-                        "{id:?}"
-                    );
-                }
-                assert!(due.remove(&pair.map(|id| id.slot)), "{event:?} is spurious");
-            },
-        );
+        let mut events = Vec::new();
+        self.table
+            .finish(&mut Vec::new(), |_, _, _| (), &mut events, |event| event);
+        for event in events {
+            let (due, pair) = match event {
+                PairEvent::Added(pair) => (&mut added, pair),
+                PairEvent::Deleted(pair) => (&mut deleted, pair),
+            };
+            for id in pair {
+                let known = self.model.known.get(&id.slot);
+                assert!(
+                    known.is_some_and(|known| known.0 == id.generation),
+                    "{id:?}"
+                );
+            }
+            assert!(
+                due.remove(&pair.map(|id: Id| id.slot)),
+                "{event:?} is spurious"
+            );
+        }
         assert!(added.is_empty(), "not added: {added:?}");
         assert!(deleted.is_empty(), "not deleted: {deleted:?}");
 

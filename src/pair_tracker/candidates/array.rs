@@ -205,6 +205,7 @@ impl CandidateArray {
         }
     }
 
+    #[inline(always)]
     fn turn(&mut self, row: usize, report: &mut impl FnMut(PairChange)) {
         self.held[row] = !self.held[row];
         if self.held[row] {
