@@ -36,6 +36,34 @@ pub(crate) enum PairChange {
     Deleted([u32; 2]),
 }
 
+/// The slots whose fat boxes were drawn anew, or are gone.
+#[derive(Clone, Debug)]
+pub(crate) enum Redrawn {
+    Slots(Vec<u32>),
+    All,
+}
+
+impl Default for Redrawn {
+    fn default() -> Self {
+        Self::Slots(Vec::new())
+    }
+}
+
+impl Redrawn {
+    pub(crate) fn is_empty(&self) -> bool {
+        matches!(self, Self::Slots(slots) if slots.is_empty())
+    }
+
+    /// Adds others; some may occur more than once.
+    pub(crate) fn extend(&mut self, others: &Self) {
+        match (&mut *self, others) {
+            (Self::All, _) => {}
+            (_, Self::All) => *self = Self::All,
+            (Self::Slots(slots), Self::Slots(others)) => slots.extend_from_slice(others),
+        }
+    }
+}
+
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R, const D: usize> {
@@ -56,6 +84,9 @@ pub(crate) struct PairTracker<R, const D: usize> {
     layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
+    /// What the last update has drawn anew, if anybody follows it.
+    redrawn: Redrawn,
+    pub(crate) is_followed: bool,
     pub(crate) stopwatch: Stopwatch,
 }
 
@@ -75,6 +106,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             candidates: Candidates::default(),
             layers: Layers::new(kernel, layers),
             found: Vec::new(),
+            redrawn: Redrawn::default(),
+            is_followed: false,
             stopwatch: Stopwatch::default(),
         }
     }
@@ -161,6 +194,16 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         !self.moved.is_empty()
     }
 
+    /// The fat boxes by slot; all NaN where there is no proxy.
+    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
+        &self.fat_boxes
+    }
+
+    /// The fat boxes that the last call of [`finish`](Self::finish) has drawn anew, if they are followed.
+    pub(crate) fn redrawn(&self) -> &Redrawn {
+        &self.redrawn
+    }
+
     /// The held pairs, by slots, smaller first.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.candidates.held()
@@ -196,6 +239,11 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         let plan = Plan::of::<D>(&self.known(), || {
             mean_speed(&self.moved, &self.boxes, &self.previous)
         });
+        self.redrawn = match plan {
+            _ if !self.is_followed => Redrawn::default(),
+            Plan::FullRun(_) => Redrawn::All,
+            _ => Redrawn::Slots(self.escaped.slots().to_vec()),
+        };
         let lap = match plan {
             Plan::Nothing => return,
             Plan::Compare(extent) => {

@@ -17,7 +17,7 @@ mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{PairChange, PairTracker};
+use crate::pair_tracker::{PairChange, PairTracker, Redrawn};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, Kernel, Real, Settings, Stats};
 use reading::Reader;
@@ -97,9 +97,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
         stats
     }
 
-    /// The slots that have a box, with their boxes.
-    pub(crate) fn boxes(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
-        self.tracker.proxies()
+    /// The fat boxes by slot; invalid where there is no box.
+    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
+        self.tracker.fat_boxes()
+    }
+
+    /// From now on, tells which fat boxes each update has [drawn anew](Self::redrawn), or no longer.
+    pub(crate) fn follow_redrawn(&mut self, is_followed: bool) {
+        self.tracker.is_followed = is_followed;
+    }
+
+    /// The fat boxes that the last update has drawn anew, if they are followed.
+    pub(crate) fn redrawn(&self) -> &Redrawn {
+        self.tracker.redrawn()
     }
 
     /// The held pairs, by slots, smaller first.
@@ -117,11 +127,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
         let (slot, generation) = handle.into_raw_parts();
         let known = self.generations.get(slot as usize)?;
         (*known == Some(generation)).then_some(slot)
-    }
-
-    /// Whether boxes or colliders have changed since the last [`finish`](Self::finish).
-    pub(crate) fn is_touched(&self) -> bool {
-        self.tracker.is_touched()
     }
 
     /// Removes a collider, if it is the one that is known in its slot; its pairs end without an event.

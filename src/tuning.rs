@@ -131,3 +131,22 @@ pub(crate) mod update {
     /// Proxies that are looked at to learn how fast things move. Below: a few outliers decide.
     pub(crate) const SPEED_SAMPLE: usize = 128;
 }
+
+/// The tree for queries. Shown by the example `compare` with `--rays 1`.
+#[cfg(feature = "_adapter")]
+pub(crate) mod queries {
+    /// Leaves. A tree of no more is built afresh whenever it is outdated: it is as cheap, and Parry's trees that lose nearly
+    /// all leaves are not sound.
+    pub(crate) const BUILD_UP_TO: usize = 16;
+
+    /// Updates. A tree that nobody has asked for in as many is given up. Above: scenes that have stopped asking go on noting
+    /// what has changed. Below: a program that asks now and then builds a tree each time.
+    pub(crate) const KEEP_UNASKED: u32 = 64;
+
+    /// One leaf in this many. Once more have been written, one step of incremental optimization is made, on a twentieth of
+    /// the tree. Above: time. Below: the tree ages, and rays visit more of it.
+    pub(crate) const OPTIMIZE_FROM_ONE_IN: usize = 2;
+
+    /// One leaf in this many. Once more have been removed, the nodes are put in order, which frees those that they left.
+    pub(crate) const REORDER_FROM_ONE_IN: usize = 4;
+}

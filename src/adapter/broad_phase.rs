@@ -1,14 +1,12 @@
 //! The broad phase itself: Rapier's lists of colliders in, Rapier's pair events out.
 
-use std::sync::OnceLock;
-
 use super::Settings;
 use super::collider_box::ColliderBoxes;
 use super::outline::Outline;
+use super::query_tree::QueryTree;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet};
 use super::rapier::math::{DIM, Real};
-use super::rapier::parry::partitioning::Bvh;
 use super::version::{self, PairFilter};
 use crate::pair_tracker::PairChange;
 use crate::proxy_table::{PairEvent, ProxyTable};
@@ -33,8 +31,7 @@ pub struct UnisizeBroadPhase {
     pub(super) settings: Settings,
     /// Scratch: how pairs have changed.
     pub(super) changes: Vec<PairChange>,
-    /// The tree for queries, if any were made since the boxes last changed.
-    pub(super) tree: OnceLock<Bvh>,
+    pub(super) query_tree: QueryTree,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -69,7 +66,7 @@ impl UnisizeBroadPhase {
             filter: PairFilter::default(),
             settings,
             changes: Vec::new(),
-            tree: OnceLock::new(),
+            query_tree: QueryTree::default(),
         }
     }
 
@@ -129,9 +126,8 @@ impl UnisizeBroadPhase {
         let boxes = ColliderBoxes::new(params, colliders, bodies);
         let margin = self.margin(params);
         self.table.update(lists, &boxes, margin);
-        if self.table.is_touched() {
-            self.tree = OnceLock::new();
-        }
+        let is_tree_kept = self.query_tree.is_kept();
+        self.table.follow_redrawn(is_tree_kept);
         let filter = |changes: &mut Vec<_>, generations: &[_], removed: &[_]| {
             self.filter
                 .sift(changes, lists[0], removed, generations, colliders, bodies);
@@ -141,6 +137,9 @@ impl UnisizeBroadPhase {
                 PairEvent::Added(pair) => BroadPhasePairEvent::AddPair(collider_pair(pair)),
                 PairEvent::Deleted(pair) => BroadPhasePairEvent::DeletePair(collider_pair(pair)),
             });
+        if is_tree_kept {
+            self.query_tree.note(self.table.redrawn());
+        }
     }
 }
 

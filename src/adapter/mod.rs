@@ -14,6 +14,7 @@ mod collider_box;
 mod conversions;
 mod outline;
 mod queries;
+mod query_tree;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 

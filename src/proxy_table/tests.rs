@@ -280,7 +280,7 @@ impl World {
         assert_eq!(stats.refused, self.model.known.len() - proxies);
         assert_eq!(stats.pairs, self.model.held.len());
         assert!(self.table.pairs().collect::<BTreeSet<_>>() == self.model.held);
-        for (slot, aabb) in self.table.boxes() {
+        for (slot, aabb) in self.table.tracker.proxies() {
             assert_eq!(self.model.known[&slot].1.as_ref(), Some(aabb));
         }
         self.table.validate(Kernel::GridSweep);

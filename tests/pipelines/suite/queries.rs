@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 
 use super::rapier::parry::partitioning::BvhNode;
-use super::rapier::parry::query::{DefaultQueryDispatcher, NonlinearRigidMotion, ShapeCastOptions};
+use super::rapier::parry::query::{
+    DefaultQueryDispatcher, NonlinearRigidMotion, QueryDispatcher, ShapeCastOptions,
+};
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, dynamic, fixed, triple};
 use super::{World, spin};
@@ -54,8 +56,15 @@ fn a_few_colliders_with_any_index() {
     }
 }
 
-/// Asks both worlds the same.
+/// Asks both worlds the same, and compares the answers.
 fn same<T: PartialEq + Debug>(twins: &Twins, ask: impl Fn(QueryPipeline<'_>) -> T) -> T {
+    let [ours, theirs] = both(twins, ask);
+    assert_eq!(ours, theirs);
+    ours
+}
+
+/// Asks both worlds the same.
+fn both<T>(twins: &Twins, ask: impl Fn(QueryPipeline<'_>) -> T) -> [T; 2] {
     let dispatcher = &DefaultQueryDispatcher;
     let filter = QueryFilter::default();
     let (ours, theirs) = (&twins.ours, &twins.theirs);
@@ -63,13 +72,41 @@ fn same<T: PartialEq + Debug>(twins: &Twins, ask: impl Fn(QueryPipeline<'_>) -> 
     let ours = unisize.as_query_pipeline(dispatcher, &ours.bodies, &ours.colliders, filter);
     let default = &twins.default;
     let theirs = default.as_query_pipeline(dispatcher, &theirs.bodies, &theirs.colliders, filter);
-    let answer = ask(ours);
-    assert_eq!(answer, ask(theirs));
-    answer
+    [ask(ours), ask(theirs)]
 }
 
 fn indices<T>(hits: impl Iterator<Item = (ColliderHandle, T)>) -> BTreeSet<u32> {
     hits.map(|(handle, _)| handle.into_raw_parts().0).collect()
+}
+
+/// Parry runs a nonlinear cast against a ball around each node of the tree as well, and for some motions misses what is
+/// behind one: Rapier's broad phase does, and so does ours, by the shapes of their trees. So where the answers differ, one
+/// of them must be what is hit first of all colliders, each by itself, and the other one a later hit, or none.
+fn compare_nonlinear_casts(twins: &Twins, start: Isometry<Real>, probe: &Ball) -> Option<Real> {
+    let motion = NonlinearRigidMotion::new(start, Point::origin(), at(-1.0, -0.3), spin(0.5));
+    let [ours, theirs] = both(twins, |scene| {
+        let hit = scene.cast_shape_nonlinear(&motion, probe, 0.0, 10.0, false);
+        hit.map(|(_, hit)| hit.time_of_impact)
+    });
+    if ours != theirs {
+        let colliders = twins.ours.colliders.iter_enabled();
+        let times: Vec<_> = colliders
+            .filter_map(|(_, collider)| {
+                let still = NonlinearRigidMotion::constant_position(*collider.position());
+                let (dispatcher, shape) = (DefaultQueryDispatcher, collider.shape());
+                let hit = dispatcher
+                    .cast_shapes_nonlinear(&still, shape, &motion, probe, 0.0, 10.0, false)
+                    .expect("these shapes can be cast");
+                hit.map(|hit| hit.time_of_impact)
+            })
+            .collect();
+        let first = times.iter().copied().min_by(Real::total_cmp);
+        assert!(ours == first || theirs == first, "{ours:?}, {theirs:?}");
+        for time in ours.iter().chain(&theirs) {
+            assert!(times.contains(time), "{time} is no hit");
+        }
+    }
+    ours
 }
 
 fn compare_queries(twins: &Twins) -> usize {
@@ -94,24 +131,19 @@ fn compare_queries(twins: &Twins) -> usize {
         let probe = Ball::new(1.7);
         hits += same(twins, |scene| indices(scene.intersect_shape(pose, &probe))).len();
         let region = Aabb::from_half_extents(point, triple([1.5; 3]));
-        hits += same(twins, |scene| {
+        let [ours, theirs] = both(twins, |scene| {
             indices(scene.intersect_aabb_conservative(region))
-        })
-        .len();
+        });
+        // It may tell of more, for it goes by boxes that are drawn out ahead.
+        assert!(ours.is_superset(&theirs), "{theirs:?} but {ours:?}");
+        hits += theirs.len();
         let cast = same(twins, |scene| {
             let options = ShapeCastOptions::with_max_time_of_impact(50.0);
             let hit = scene.cast_shape(&pose, &at(-1.0, -0.3), &probe, options);
             hit.map(|(_, hit)| hit.time_of_impact)
         });
         hits += cast.map_or(0, |_| 1);
-        let cast = same(twins, |scene| {
-            let (start, spin) = (pose, spin(0.5));
-            let center = Point::origin();
-            let motion = NonlinearRigidMotion::new(start, center, at(-1.0, -0.3), spin);
-            let hit = scene.cast_shape_nonlinear(&motion, &probe, 0.0, 10.0, false);
-            hit.map(|(_, hit)| hit.time_of_impact)
-        });
-        hits += cast.map_or(0, |_| 1);
+        hits += compare_nonlinear_casts(twins, pose, &probe).map_or(0, |_| 1);
     }
     hits
 }

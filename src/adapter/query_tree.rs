@@ -1,0 +1,179 @@
+//! The tree that answers queries, kept between updates.
+//!
+//! Nobody pays for it who does not ask: it is built at the first query, and brought up to date when the next one comes.
+//! Its leaves are the fat boxes, so only those that were drawn anew have to be written, which in most updates are few.
+//! A fat box contains its collider's box: a query meets a few leaves more, and decides on the shapes all the same.
+
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+use super::rapier::geometry::Aabb;
+use super::rapier::math::{DIM, Real};
+use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+use crate::pair_tracker::Redrawn;
+use crate::tuning::queries::{
+    BUILD_UP_TO, KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, REORDER_FROM_ONE_IN,
+};
+
+/// The boxes by slot; invalid where there is none.
+type Boxes<'a> = &'a [crate::Aabb<Real, DIM>];
+
+/// The tree, if anybody has asked for it of late.
+#[derive(Default)]
+pub(super) struct QueryTree {
+    /// As of the last update.
+    current: OnceLock<Tree>,
+    /// As of an earlier one, and what has changed since.
+    outdated: Mutex<Option<(Tree, Redrawn)>>,
+    /// Updates since it was asked for.
+    unasked: u32,
+}
+
+#[derive(Clone)]
+struct Tree {
+    bvh: Bvh,
+    workspace: Workspace,
+    leaves: usize,
+    /// Leaves written since the tree was last optimized, and removed since its nodes were last put in order.
+    written: usize,
+    removed: usize,
+}
+
+/// Scratch memory of Parry's, which cannot be cloned.
+#[derive(Default)]
+struct Workspace(BvhWorkspace);
+
+impl Clone for Workspace {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Clone for QueryTree {
+    fn clone(&self) -> Self {
+        Self {
+            current: self.current.clone(),
+            outdated: Mutex::new(self.lock().clone()),
+            unasked: self.unasked,
+        }
+    }
+}
+
+impl QueryTree {
+    /// Whether there is a tree, so that changes are to be [noted](Self::note).
+    pub(super) fn is_kept(&mut self) -> bool {
+        self.current.get().is_some() || self.outdated_mut().is_some()
+    }
+
+    /// Takes note of the fat boxes that an update has drawn anew. A tree that nobody asks for is given up in the end.
+    pub(super) fn note(&mut self, redrawn: &Redrawn) {
+        if let Some(tree) = self.current.take() {
+            self.unasked = 0;
+            if redrawn.is_empty() {
+                // It is still right.
+                self.current = OnceLock::from(tree);
+                return;
+            }
+            *self.outdated_mut() = Some((tree, Redrawn::default()));
+        }
+        self.unasked += 1;
+        let is_given_up = self.unasked > KEEP_UNASKED;
+        let outdated = self.outdated_mut();
+        if is_given_up {
+            *outdated = None;
+        } else if let Some((_, all)) = outdated {
+            all.extend(redrawn);
+        }
+    }
+
+    /// The tree of these boxes. **O(n log n)** at first, then **O(n)** with a small constant once after an update in which
+    /// fat boxes were drawn anew, and **O(1)** otherwise.
+    pub(super) fn of(&self, boxes: Boxes) -> &Bvh {
+        let tree = self.current.get_or_init(|| match self.lock().take() {
+            Some((tree, redrawn)) => tree.refreshed(boxes, &redrawn),
+            None => Tree::new(boxes),
+        });
+        &tree.bvh
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Option<(Tree, Redrawn)>> {
+        self.outdated.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn outdated_mut(&mut self) -> &mut Option<(Tree, Redrawn)> {
+        self.outdated
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Tree {
+    fn new(boxes: Boxes) -> Self {
+        let valid = boxes.iter().enumerate().filter(|(_, aabb)| aabb.is_valid());
+        let leaves: Vec<_> = valid
+            .map(|(slot, &aabb)| (slot, Aabb::from(aabb)))
+            .collect();
+        let count = leaves.len();
+        let bvh = if count > 2 {
+            Bvh::from_iter(BvhBuildStrategy::Binned, leaves)
+        } else {
+            // Parry builds trees of one and two leaves only if their indices are 0 and 1.
+            let mut bvh = Bvh::new();
+            for (slot, aabb) in leaves {
+                bvh.insert(aabb, slot as u32);
+            }
+            bvh
+        };
+        Self {
+            bvh,
+            workspace: Workspace::default(),
+            leaves: count,
+            written: 0,
+            removed: 0,
+        }
+    }
+
+    /// The tree with the leaves of redrawn boxes brought up to date.
+    fn refreshed(mut self, boxes: Boxes, redrawn: &Redrawn) -> Self {
+        match redrawn {
+            Redrawn::All => (0..boxes.len()).for_each(|slot| self.write(slot, boxes)),
+            Redrawn::Slots(slots) => slots
+                .iter()
+                .for_each(|&slot| self.write(slot as usize, boxes)),
+        }
+        if self.leaves <= BUILD_UP_TO {
+            // Parry's trees that lose nearly all leaves are not sound.
+            return Self::new(boxes);
+        }
+        if self.removed * REORDER_FROM_ONE_IN > self.leaves {
+            self.removed = 0;
+            self.bvh.refit(&mut self.workspace.0);
+        } else {
+            self.bvh.refit_without_opt();
+        }
+        if self.written * OPTIMIZE_FROM_ONE_IN > self.leaves {
+            self.written = 0;
+            self.bvh.optimize_incremental(&mut self.workspace.0);
+            self.bvh.refit_without_opt();
+        }
+        self
+    }
+
+    fn write(&mut self, slot: usize, boxes: Boxes) {
+        let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
+        let aabb = &boxes[slot];
+        if !aabb.is_valid() {
+            if leaf.is_some() && self.leaves > BUILD_UP_TO {
+                self.bvh.remove(slot as u32);
+                self.removed += 1;
+            }
+            self.leaves -= usize::from(leaf.is_some());
+            return;
+        }
+        let aabb = Aabb::from(*aabb);
+        if leaf != Some(aabb) {
+            self.leaves += usize::from(leaf.is_none());
+            self.written += 1;
+            self.bvh.insert_or_update_partially(aabb, slot as u32, 0.0);
+        }
+    }
+}
