@@ -71,6 +71,8 @@ mod invalid_box;
 #[cfg(feature = "_adapter")]
 mod kernel;
 mod lanes;
+#[cfg(feature = "_adapter")]
+mod pair_filter;
 mod pair_finder;
 #[cfg(feature = "_adapter")]
 mod pair_tracker;
@@ -111,6 +113,8 @@ pub use grid_sweep::GridSweep;
 pub use invalid_box::{InvalidBox, InvalidBoxReason};
 #[cfg(feature = "_adapter")]
 pub use kernel::Kernel;
+#[cfg(feature = "_adapter")]
+pub use pair_filter::PairFilter;
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;

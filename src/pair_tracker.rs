@@ -17,13 +17,15 @@ mod snapshot;
 #[cfg(test)]
 mod tests;
 
+use std::fmt::Debug;
+
 use crate::slot_set::SlotSet;
 use crate::stopwatch::{Lap, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK};
 use crate::{Aabb, Kernel, Real, Stats, parallel};
-use candidates::{Boxes, Candidates};
+use candidates::{Candidates, Proxies};
 use horizon::{Horizon, mean_speed};
-use layers::Layers;
+use layers::{Layers, retain_from};
 use policy::{Extent, Known, Plan};
 
 #[cfg(feature = "serde-serialize")]
@@ -34,6 +36,12 @@ pub(crate) use snapshot::TrackerSnapshot;
 pub(crate) enum PairChange {
     Added([u32; 2]),
     Deleted([u32; 2]),
+}
+
+/// What decides, with the boxes, whether two proxies are a pair. Pairs that may not meet are never candidates.
+pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
+    /// Whether the two may be a pair; the same in either order.
+    fn may_meet(self, other: Self) -> bool;
 }
 
 /// The slots whose fat boxes were drawn anew, or are gone.
@@ -66,13 +74,17 @@ impl Redrawn {
 
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
-pub(crate) struct PairTracker<R, const D: usize> {
+pub(crate) struct PairTracker<R, const D: usize, K> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
     boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     previous: Vec<Aabb<R, D>>,
     /// The fat box of each proxy; all NaN where there is none, or none yet.
     fat_boxes: Vec<Aabb<R, D>>,
+    /// The filter key of each slot.
+    keys: Vec<K>,
+    /// The keys that slots had at the end of the last `finish`, if they have others now and had a box then.
+    former_keys: Vec<(u32, K)>,
     /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
     /// Those of them that have left their fat box, have none yet, or are gone.
@@ -90,7 +102,7 @@ pub(crate) struct PairTracker<R, const D: usize> {
     pub(crate) stopwatch: Stopwatch,
 }
 
-impl<R: Real, const D: usize> PairTracker<R, D> {
+impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker without proxies. `foresight` fixes for how many moves ahead it searches; without `layers`, every search
     /// is for all pairs.
     pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>) -> Self {
@@ -98,6 +110,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             boxes: Vec::new(),
             previous: Vec::new(),
             fat_boxes: Vec::new(),
+            keys: Vec::new(),
+            former_keys: Vec::new(),
             moved: Vec::new(),
             escaped: SlotSet::default(),
             horizon: Horizon::FIRST,
@@ -112,11 +126,6 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
     }
 
-    /// The box of a slot without a proxy.
-    fn absent() -> Aabb<R, D> {
-        Aabb::new([R::NAN; D], [R::NAN; D])
-    }
-
     /// The box under this slot, if there is a proxy.
     pub(crate) fn get(&self, slot: u32) -> Option<&Aabb<R, D>> {
         self.boxes.get(slot as usize).filter(|b| b.is_valid())
@@ -125,7 +134,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     /// The box under this slot; all NaN if there is no proxy.
     pub(crate) fn slot_box(&self, slot: u32) -> Aabb<R, D> {
         let aabb = self.boxes.get(slot as usize).copied();
-        aabb.unwrap_or(Self::absent())
+        aabb.unwrap_or(absent())
     }
 
     /// Places or moves the proxy of a slot that there is room for. `aabb` must be valid.
@@ -140,10 +149,32 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
     }
 
-    /// The boxes and the fat boxes of all slots, to move proxies where they are. Each move is to be
+    /// Gives a slot that there is room for a filter key. If it is another one, the proxy is searched for anew.
+    pub(crate) fn set_key(&mut self, slot: u32, key: K) {
+        let index = slot as usize;
+        let former = std::mem::replace(&mut self.keys[index], key);
+        if former == key {
+            return;
+        }
+        if self.previous[index].is_valid() {
+            // If it changes twice in an update, the first one counts: `finish` keeps it.
+            self.former_keys.push((slot, former));
+        }
+        if self.boxes[index].is_valid() {
+            self.moved.push(slot);
+            self.escaped.insert(slot);
+        }
+    }
+
+    /// The filter key of a slot.
+    pub(crate) fn key(&self, slot: u32) -> K {
+        self.keys.get(slot as usize).copied().unwrap_or_default()
+    }
+
+    /// The boxes, the fat boxes and the filter keys of all slots, to move proxies where they are. Each move is to be
     /// [noted](Self::note).
-    pub(crate) fn boxes_and_fat_boxes(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>]) {
-        (&mut self.boxes, &self.fat_boxes)
+    pub(crate) fn parts(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>], &[K]) {
+        (&mut self.boxes, &self.fat_boxes, &self.keys)
     }
 
     /// Takes note of proxies that were moved, and of those of them that have left their fat box.
@@ -164,8 +195,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     pub(crate) fn make_room(&mut self, slots: usize) {
         if slots > self.boxes.len() {
             for boxes in [&mut self.boxes, &mut self.previous, &mut self.fat_boxes] {
-                boxes.resize(slots, Self::absent());
+                boxes.resize(slots, absent());
             }
+            self.keys.resize(slots, K::default());
             self.escaped.make_room(slots);
         }
     }
@@ -174,8 +206,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     pub(crate) fn refuse(&mut self, slot: u32) {
         let index = slot as usize;
         if index < self.boxes.len() {
-            self.boxes[index] = Self::absent();
-            self.fat_boxes[index] = Self::absent();
+            self.boxes[index] = absent();
+            self.fat_boxes[index] = absent();
             self.moved.push(slot);
             self.escaped.insert(slot);
         }
@@ -184,7 +216,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     /// Removes a proxy; its pairs end without an event.
     pub(crate) fn remove(&mut self, slot: u32) {
         if let Some(previous) = self.previous.get_mut(slot as usize) {
-            *previous = Self::absent();
+            *previous = absent();
             self.refuse(slot);
         }
     }
@@ -235,6 +267,9 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         let lap = self.stopwatch.start();
         if self.is_touched() {
             self.candidates.compact_if_sparse();
+            // Stable: of several keys that a slot has had in this update, the first one is kept.
+            self.former_keys.sort_by_key(|&(slot, _)| slot);
+            self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
         }
         let plan = Plan::of::<D>(&self.known(), || {
             mean_speed(&self.moved, &self.boxes, &self.previous)
@@ -295,19 +330,21 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             ..
         } = self;
         layers.find_escaped(fat_boxes, escaped, found, stopwatch);
-        self.stopwatch.start()
+        self.keep_those_that_may_meet()
     }
 
     /// Compares candidates, retires those of the escaped, and takes in those that were found for them.
     fn compare(&mut self, extent: Extent, lap: Lap, report: &mut impl FnMut(PairChange)) -> Lap {
-        let boxes = Boxes {
+        let proxies = Proxies {
             now: &self.boxes,
             before: &self.previous,
+            keys: &self.keys,
+            former_keys: &self.former_keys,
         };
         let (moved, escaped) = (&self.moved, &self.escaped);
         self.candidates
-            .compare(extent, moved, escaped, &boxes, report);
-        self.candidates.extend(&self.found, &boxes, report);
+            .compare(extent, moved, escaped, &proxies, report);
+        self.candidates.extend(&self.found, &proxies, report);
         if self.fixed_foresight.is_none() && self.are_too_many(self.candidates.len()) {
             self.horizon.shorten();
             self.layers.forget();
@@ -339,11 +376,13 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
                 break;
             }
         }
-        let boxes = Boxes {
+        let proxies = Proxies {
             now: &self.boxes,
             before: &self.previous,
+            keys: &self.keys,
+            former_keys: &self.former_keys,
         };
-        self.candidates.replace(&mut self.found, &boxes, report);
+        self.candidates.replace(&mut self.found, &proxies, report);
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {
             self.found = Vec::new();
         }
@@ -355,7 +394,17 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         self.stopwatch.lap(lap, |times| &mut times.difference);
         self.layers
             .find_all(&self.fat_boxes, &mut self.found, &mut self.stopwatch);
-        self.stopwatch.start()
+        self.keep_those_that_may_meet()
+    }
+
+    /// Drops what was found of pairs that may not meet.
+    fn keep_those_that_may_meet(&mut self) -> Lap {
+        let lap = self.stopwatch.start();
+        let keys = &self.keys;
+        retain_from(&mut self.found, 0, |[a, b]| {
+            keys[a as usize].may_meet(keys[b as usize])
+        });
+        lap
     }
 
     fn are_too_many(&self, candidates: usize) -> bool {
@@ -415,6 +464,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
         self.moved.clear();
         self.escaped.clear();
+        self.former_keys.clear();
     }
 
     /// Panics unless the held pairs are exactly those that overlap, by a full run of a kernel, and all that is kept besides
@@ -423,6 +473,8 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         assert!(!self.is_touched(), "an update was not finished");
         assert_eq!(self.boxes.len(), self.previous.len());
         assert_eq!(self.boxes.len(), self.fat_boxes.len());
+        assert_eq!(self.boxes.len(), self.keys.len());
+        assert!(self.former_keys.is_empty());
         for (slot, (now, before)) in self.boxes.iter().zip(&self.previous).enumerate() {
             let is_settled = now == before || !(now.is_valid() || before.is_valid());
             assert!(is_settled, "the box of slot {slot} is not settled");
@@ -433,7 +485,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
         self.candidates.validate(&self.boxes);
         let check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
-            let mut expected = overlapping(kernel, boxes);
+            let mut expected = overlapping(kernel, boxes, &self.keys);
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
@@ -447,9 +499,21 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     }
 }
 
-/// The overlapping pairs among the valid ones of `boxes`, by a fresh kernel.
-fn overlapping<R: Real, const D: usize>(kernel: Kernel, boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
+/// The box of a slot without a proxy.
+fn absent<R: Real, const D: usize>() -> Aabb<R, D> {
+    Aabb::new([R::NAN; D], [R::NAN; D])
+}
+
+/// The overlapping pairs among the valid ones of `boxes` that may meet, by a fresh kernel.
+fn overlapping<R: Real, const D: usize, K: FilterKey>(
+    kernel: Kernel,
+    boxes: &[Aabb<R, D>],
+    keys: &[K],
+) -> Vec<[u32; 2]> {
     let mut found = Vec::new();
     Layers::new(kernel, true).find_all(boxes, &mut found, &mut Stopwatch::default());
+    retain_from(&mut found, 0, |[a, b]| {
+        keys[a as usize].may_meet(keys[b as usize])
+    });
     found
 }

@@ -17,7 +17,7 @@ mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{PairChange, PairTracker, Redrawn};
+use crate::pair_tracker::{FilterKey, PairChange, PairTracker, Redrawn};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, Kernel, Real, Settings, Stats};
 use reading::Reader;
@@ -36,9 +36,11 @@ pub(crate) trait BoxSource<R, const D: usize>: Sync {
     type Handle: Handle;
     /// What is remembered of a collider between readings.
     type Memo: Clone + Default + Send;
+    /// What decides which colliders may be a pair.
+    type Key: FilterKey;
 
-    /// The box of a collider, without the margin; `None` if it is gone or disabled.
-    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<Aabb<R, D>>;
+    /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
+    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
 }
 
 /// A change of the pair set; the collider with the smaller slot first.
@@ -50,8 +52,8 @@ pub(crate) enum PairEvent<H> {
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
-pub(crate) struct ProxyTable<R, const D: usize, M> {
-    tracker: PairTracker<R, D>,
+pub(crate) struct ProxyTable<R, const D: usize, M, K> {
+    tracker: PairTracker<R, D, K>,
     /// The generation of the collider in each slot; `None` where there is none.
     generations: Vec<Option<u32>>,
     /// What is remembered of the collider in each slot, as many as generations.
@@ -61,12 +63,10 @@ pub(crate) struct ProxyTable<R, const D: usize, M> {
     has_warned: bool,
     /// Whether an update has begun that is not finished.
     is_begun: bool,
-    /// Slots of which a collider was removed in this update.
-    removed: Vec<u32>,
     reader: Reader,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
+impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// A table without colliders.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let Settings {
@@ -85,7 +85,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
             stats: Stats::default(),
             has_warned: false,
             is_begun: false,
-            removed: Vec::new(),
             reader: Reader::default(),
         }
     }
@@ -143,14 +142,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
             self.stats.refused -= 1;
         }
         self.tracker.remove(slot);
-        self.removed.push(slot);
     }
 
     /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
     /// renewed is loosened by `margin`.
     pub(crate) fn update<S>(&mut self, [listed, removed]: [&[S::Handle]; 2], source: &S, margin: R)
     where
-        S: BoxSource<R, D, Memo = M>,
+        S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin();
         self.stats.listed += listed.len() + removed.len();
@@ -166,7 +164,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
     }
 
     /// Brings the box of a collider up to date with one that is handed over, without the margin, as a part of the next
-    /// [update](Self::update). The collider must exist: memory follows the highest slot.
+    /// [update](Self::update). The collider must exist: memory follows the highest slot. It keeps its filter key.
     #[cfg_attr(
         not(test),
         expect(
@@ -177,7 +175,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
     pub(crate) fn hand_over(&mut self, handle: impl Handle, aabb: &Aabb<R, D>, margin: R) {
         self.begin();
         self.stats.listed += 1;
-        self.admit(handle, margin, |_| Some(*aabb));
+        let known = self.slot_of(handle);
+        let key = known.map_or(K::default(), |slot| self.tracker.key(slot));
+        self.admit(handle, margin, |_| Some((*aabb, key)));
     }
 
     /// Begins an update, if none has begun.
@@ -200,7 +200,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
         &mut self,
         handle: H,
         margin: R,
-        read: impl FnOnce(&mut M) -> Option<Aabb<R, D>>,
+        read: impl FnOnce(&mut M) -> Option<(Aabb<R, D>, K)>,
     ) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
@@ -208,7 +208,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
             Some(_) => std::mem::take(&mut self.memos[index]),
             None => M::default(),
         };
-        let Some(aabb) = read(&mut memo) else {
+        let Some((aabb, key)) = read(&mut memo) else {
             // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
             return self.remove(handle);
         };
@@ -231,6 +231,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
             }
         }
         self.memos[index] = memo;
+        self.tracker.set_key(slot, key);
         match Verdict::of(&self.tracker.slot_box(slot), &aabb, margin) {
             Verdict::Keep => {}
             Verdict::Renew(renewed) => {
@@ -267,19 +268,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
         }
     }
 
-    /// Ends an update: appends how the set of pairs has changed. `filter` may leave out some of the changes, or add
-    /// others; it is also given the generations and the slots of which a collider was removed.
+    /// Ends an update: appends how the set of pairs has changed. `changes` is scratch.
     pub(crate) fn finish<H: Handle, E>(
         &mut self,
         changes: &mut Vec<PairChange>,
-        filter: impl FnOnce(&mut Vec<PairChange>, &[Option<u32>], &[u32]),
         events: &mut Vec<E>,
         event: impl Fn(PairEvent<H>) -> E,
     ) {
         self.tracker.finish(|change| changes.push(change));
         let lap = self.tracker.stopwatch.start();
-        filter(changes, &self.generations, &self.removed);
-        self.removed.clear();
         self.is_begun = false;
         let Self {
             generations, stats, ..
@@ -307,7 +304,7 @@ fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
     })
 }
 
-impl<R: Real, const D: usize, M> ProxyTable<R, D, M> {
+impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Panics unless the books on colliders are in order, and the pairs those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.slots());

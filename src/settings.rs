@@ -1,6 +1,6 @@
 //! What a user may choose.
 
-use crate::{Kernel, Real};
+use crate::{Kernel, PairFilter, Real};
 
 /// How a broad phase works. The default suits every scene.
 ///
@@ -37,6 +37,9 @@ pub struct Settings<R> {
     /// count as 0. Default: `None`, the margin of Rapier's own broad phase, 0.01 in version 0.27 and 0.04 in 0.36, which
     /// makes the boxes the same as there.
     pub margin: Option<R>,
+    /// Which pairs are left out because they can have no effect. Default: `None`, [`PairFilter::Off`] for Rapier 0.27
+    /// and [`PairFilter::Groups`] for 0.36.
+    pub filter: Option<PairFilter>,
     /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
     /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
     /// densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than 64
@@ -55,6 +58,7 @@ impl<R> Default for Settings<R> {
         Self {
             kernel: Kernel::default(),
             margin: None,
+            filter: None,
             foresight: None,
             layers: true,
             timed: false,
@@ -72,6 +76,14 @@ impl<R: Real> Settings<R> {
     pub fn with_margin(self, margin: impl Into<Option<R>>) -> Self {
         Self {
             margin: margin.into(),
+            ..self
+        }
+    }
+
+    /// The same with another [`filter`](Self::filter).
+    pub fn with_filter(self, filter: impl Into<Option<PairFilter>>) -> Self {
+        Self {
+            filter: filter.into(),
             ..self
         }
     }

@@ -22,9 +22,6 @@ pub struct Stats {
     pub delta: usize,
     /// Pairs held.
     pub pairs: usize,
-    /// Pairs whose boxes overlap, but which are not held, because the narrow phase would drop them. 0 in Rapier 0.27,
-    /// whose narrow phase must see them all.
-    pub withheld: usize,
     /// Pairs that are watched because they may soon be held, or are.
     pub candidates: usize,
     /// For how many of their last moves ahead colliders are searched for; 0 where looking ahead does not pay.

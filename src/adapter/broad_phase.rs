@@ -2,15 +2,16 @@
 
 use super::Settings;
 use super::collider_box::ColliderBoxes;
+use super::filter_key::Key;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet};
 use super::rapier::math::{DIM, Real};
-use super::version::{self, PairFilter};
+use super::version;
 use crate::pair_tracker::PairChange;
 use crate::proxy_table::{PairEvent, ProxyTable};
-use crate::{Kernel, Stats};
+use crate::{Kernel, PairFilter, Stats};
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step` or
 /// `CollisionPipeline::step` in the place of `DefaultBroadPhase`; in 0.36, whose pipelines take none but their own, call its
@@ -26,8 +27,7 @@ use crate::{Kernel, Stats};
 /// there is one run of the [kernel](Kernel) over all boxes.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
-    pub(super) table: ProxyTable<Real, DIM, Outline>,
-    pub(super) filter: PairFilter,
+    pub(super) table: ProxyTable<Real, DIM, Outline, Key>,
     pub(super) settings: Settings,
     /// Scratch: how pairs have changed.
     pub(super) changes: Vec<PairChange>,
@@ -63,7 +63,6 @@ impl UnisizeBroadPhase {
     pub fn with_settings(settings: Settings) -> Self {
         Self {
             table: ProxyTable::new(&settings),
-            filter: PairFilter::default(),
             settings,
             changes: Vec::new(),
             query_tree: QueryTree::default(),
@@ -77,17 +76,13 @@ impl UnisizeBroadPhase {
 
     /// What it holds, and what the last update did. **O(1)**.
     pub fn stats(&self) -> Stats {
-        let mut stats = self.table.stats();
-        stats.withheld = self.filter.withheld();
-        stats.pairs -= stats.withheld;
-        stats
+        self.table.stats()
     }
 
     /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.table.pairs();
-        let pairs = pairs.filter(|&pair| !self.filter.withholds(pair));
         pairs.map(|pair| collider_pair(self.table.handles(pair)))
     }
 
@@ -96,12 +91,16 @@ impl UnisizeBroadPhase {
     /// # Panics
     /// If an invariant is broken, which would be a bug.
     pub fn validate(&self) {
-        self.filter.validate(self.table.pairs());
         // Another kernel than the one in use, so that one checks the other.
         self.table.validate(match self.settings.kernel {
             Kernel::RankSweep => Kernel::GridSweep,
             _ => Kernel::RankSweep,
         });
+    }
+
+    /// Which pairs are left out.
+    fn filter(&self) -> PairFilter {
+        self.settings.filter.unwrap_or(version::PAIR_FILTER)
     }
 
     /// How far a box that is renewed reaches beyond its collider, in length units of the scene.
@@ -123,17 +122,13 @@ impl UnisizeBroadPhase {
         if lists.iter().all(|handles| handles.is_empty()) {
             return;
         }
-        let boxes = ColliderBoxes::new(params, colliders, bodies);
+        let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);
         self.table.update(lists, &boxes, margin);
         let is_tree_kept = self.query_tree.is_kept();
         self.table.follow_redrawn(is_tree_kept);
-        let filter = |changes: &mut Vec<_>, generations: &[_], removed: &[_]| {
-            self.filter
-                .sift(changes, lists[0], removed, generations, colliders, bodies);
-        };
         self.table
-            .finish(&mut self.changes, filter, events, |event| match event {
+            .finish(&mut self.changes, events, |event| match event {
                 PairEvent::Added(pair) => BroadPhasePairEvent::AddPair(collider_pair(pair)),
                 PairEvent::Deleted(pair) => BroadPhasePairEvent::DeletePair(collider_pair(pair)),
             });

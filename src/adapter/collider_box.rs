@@ -1,12 +1,13 @@
-//! The box that a collider is to be tracked by, as Rapier's own broad phase computes it.
+//! The box that a collider is to be tracked by, as Rapier's own broad phase computes it, and its filter key.
 
+use super::filter_key::Key;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{ColliderHandle, ColliderSet};
 use super::rapier::math::{DIM, Real};
 use super::version;
-use crate::Aabb;
 use crate::proxy_table::BoxSource;
+use crate::{Aabb, PairFilter};
 
 /// Where boxes are read: the engine's sets, in one update.
 pub(super) struct ColliderBoxes<'a> {
@@ -14,6 +15,7 @@ pub(super) struct ColliderBoxes<'a> {
     bodies: &'a RigidBodySet,
     params: &'a IntegrationParameters,
     half_distance: Real,
+    filter: PairFilter,
 }
 
 impl<'a> ColliderBoxes<'a> {
@@ -21,12 +23,14 @@ impl<'a> ColliderBoxes<'a> {
         params: &'a IntegrationParameters,
         colliders: &'a ColliderSet,
         bodies: &'a RigidBodySet,
+        filter: PairFilter,
     ) -> Self {
         Self {
             colliders,
             bodies,
             params,
             half_distance: params.prediction_distance() / 2.0,
+            filter,
         }
     }
 }
@@ -34,6 +38,7 @@ impl<'a> ColliderBoxes<'a> {
 impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Handle = ColliderHandle;
     type Memo = Outline;
+    type Key = Key;
 
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
     /// where soft CCD expects the body at the end of the step.
@@ -41,7 +46,11 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     /// See `BroadPhaseBvh::update` in Rapier 0.27 and `Collider::compute_broad_phase_aabb` in 0.36: nearer than the
     /// prediction distance, two such boxes touch.
     #[inline(always)]
-    fn read(&self, handle: ColliderHandle, outline: &mut Outline) -> Option<Aabb<Real, DIM>> {
+    fn read(
+        &self,
+        handle: ColliderHandle,
+        outline: &mut Outline,
+    ) -> Option<(Aabb<Real, DIM>, Key)> {
         let collider = self.colliders.get(handle)?;
         if !collider.is_enabled() {
             return None;
@@ -60,6 +69,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
                 aabb
             }
         };
-        Some(aabb.loosened(distance))
+        let key = Key::new(self.filter, collider, body);
+        Some((aabb.loosened(distance), key))
     }
 }

@@ -12,6 +12,7 @@ use super::{rapier, version};
 mod broad_phase;
 mod collider_box;
 mod conversions;
+mod filter_key;
 mod outline;
 mod queries;
 mod query_tree;

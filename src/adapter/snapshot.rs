@@ -6,8 +6,8 @@
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
+use super::filter_key::Key;
 use super::rapier::math::{DIM, Real};
-use super::version::PairFilter;
 use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 use crate::snapshot_format::SnapshotFormat;
@@ -18,8 +18,7 @@ struct Snapshot {
     /// First, so that it is read before anything that another version may have otherwise.
     format: SnapshotFormat,
     settings: Settings,
-    table: TableSnapshot<Real, DIM>,
-    withheld: Vec<[u32; 2]>,
+    table: TableSnapshot<Real, DIM, Key>,
 }
 
 /// What is written decides all events to come, and their order: a simulation that is restored, with all of
@@ -31,7 +30,6 @@ impl Serialize for UnisizeBroadPhase {
             format: SnapshotFormat,
             settings: self.settings,
             table: self.table.snapshot(),
-            withheld: self.filter.pairs(),
         };
         snapshot.serialize(serializer)
     }
@@ -42,16 +40,11 @@ impl Serialize for UnisizeBroadPhase {
 impl<'de> Deserialize<'de> for UnisizeBroadPhase {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Snapshot {
-            settings,
-            table,
-            withheld,
-            ..
+            settings, table, ..
         } = Snapshot::deserialize(deserializer)?;
         let table = ProxyTable::restored(&settings, table).map_err(D::Error::custom)?;
-        let filter = PairFilter::restore(withheld, table.pairs()).map_err(D::Error::custom)?;
         Ok(Self {
             table,
-            filter,
             ..Self::with_settings(settings)
         })
     }

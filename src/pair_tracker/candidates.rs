@@ -9,13 +9,13 @@ mod lists;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 
-use super::PairChange;
 use super::policy::{Extent, Lists};
+use super::{FilterKey, PairChange};
 use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
 use crate::{Aabb, Real};
-pub(super) use array::Boxes;
 use array::CandidateArray;
+pub(super) use array::Proxies;
 use lists::CandidateLists;
 #[cfg(feature = "serde-serialize")]
 pub(super) use snapshot::CandidatesSnapshot;
@@ -60,26 +60,26 @@ impl Candidates {
     }
 
     /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
-    pub(super) fn replace<R: Real, const D: usize>(
+    pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &mut Vec<[u32; 2]>,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         self.lists.forget();
-        self.array.replace(found, boxes, report);
+        self.array.replace(found, proxies, report);
     }
 
     /// Adds candidates.
-    pub(super) fn extend<R: Real, const D: usize>(
+    pub(super) fn extend<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &[[u32; 2]],
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let first = self.array.rows();
-        self.array.extend(found, boxes, report);
-        self.lists.extend(&self.array, first, boxes.now.len());
+        self.array.extend(found, proxies, report);
+        self.lists.extend(&self.array, first, proxies.now.len());
     }
 
     /// Brings the candidates of the `moved` up to date with the present boxes, and retires those of the `escaped`, which
@@ -87,18 +87,18 @@ impl Candidates {
     ///
     /// Picking them out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are for very
     /// few.
-    pub(super) fn compare<R: Real, const D: usize>(
+    pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         extent: Extent,
         moved: &[u32],
         escaped: &SlotSet,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         match extent {
-            Extent::All => self.compare_all(escaped, boxes, report),
+            Extent::All => self.compare_all(escaped, proxies, report),
             Extent::Picked { lists_are_missed } => {
-                self.compare_picked(escaped, moved, boxes, report);
+                self.compare_picked(escaped, moved, proxies, report);
                 if lists_are_missed {
                     self.lists.miss();
                 }
@@ -106,43 +106,44 @@ impl Candidates {
             Extent::Listed => {
                 if !self.lists.state().are_made {
                     self.compact();
-                    self.lists.make(&self.array, boxes.now.len());
+                    self.lists.make(&self.array, proxies.now.len());
                 }
-                self.compare_listed(moved, escaped, boxes, report);
+                self.compare_listed(moved, escaped, proxies, report);
             }
         }
     }
 
-    fn compare_all<R: Real, const D: usize>(
+    fn compare_all<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         escaped: &SlotSet,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self { array, rows, .. } = self;
         let mut is_changed = array.compact();
         if escaped.len() > 0 {
             array.pick(rows, |slot| escaped.contains(slot));
-            rows.iter().for_each(|row| array.retire(row, boxes, report));
+            rows.iter()
+                .for_each(|row| array.retire(row, proxies, report));
             is_changed |= array.compact();
         }
         if is_changed {
             self.lists.forget();
         }
-        array.compare_all(rows, boxes, report);
+        array.compare_all(rows, proxies, report);
     }
 
-    fn compare_picked<R: Real, const D: usize>(
+    fn compare_picked<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         escaped: &SlotSet,
         moved: &[u32],
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self {
             array, slots, rows, ..
         } = self;
-        slots.resize(boxes.now.len());
+        slots.resize(proxies.now.len());
         for &slot in moved {
             slots.insert(slot as usize);
         }
@@ -154,28 +155,28 @@ impl Candidates {
                 .get(row)
                 .is_some_and(|pair| pair.iter().any(|&slot| escaped.contains(slot)))
             {
-                array.retire(row, boxes, report);
+                array.retire(row, proxies, report);
             } else {
-                array.compare(row, boxes, report);
+                array.compare(row, proxies, report);
             }
         }
         slots.clear_around(moved);
     }
 
-    fn compare_listed<R: Real, const D: usize>(
+    fn compare_listed<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         moved: &[u32],
         escaped: &SlotSet,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self { array, lists, .. } = self;
         for &slot in escaped.slots() {
-            lists.take(slot, |row| array.retire(row, boxes, report));
+            lists.take(slot, |row| array.retire(row, proxies, report));
         }
         for &slot in moved {
             lists.walk(slot, |row| {
-                array.compare(row, boxes, report);
+                array.compare(row, proxies, report);
                 array.get(row).is_some()
             });
         }

@@ -341,8 +341,13 @@ fn collect_valid<R: Real, const D: usize>(boxes: &[Aabb<R, D>], slots: &mut Vec<
     slots.extend(numbered.filter(|(_, b)| b.is_valid()).map(|(slot, _)| slot));
 }
 
-/// Keeps of the pairs from `first` on those that meet the condition.
-fn retain_from(pairs: &mut Vec<[u32; 2]>, first: usize, mut keep: impl FnMut([u32; 2]) -> bool) {
+/// Keeps of the pairs from `first` on those that meet the condition, without a branch.
+#[inline(always)]
+pub(super) fn retain_from(
+    pairs: &mut Vec<[u32; 2]>,
+    first: usize,
+    mut keep: impl FnMut([u32; 2]) -> bool,
+) {
     let mut kept = first;
     for i in first..pairs.len() {
         let pair = pairs[i];

@@ -9,36 +9,44 @@ use serde::{Deserialize, Serialize};
 
 use super::candidates::CandidatesSnapshot;
 use super::layers::LayersSnapshot;
-use super::{Horizon, PairTracker, overlapping};
+use super::{FilterKey, Horizon, PairTracker, absent, overlapping};
 use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come.
 #[derive(Serialize, Deserialize)]
-#[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
-pub(crate) struct TrackerSnapshot<R, const D: usize> {
+#[serde(bound(
+    serialize = "R: Serialize, K: Serialize",
+    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+))]
+pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     /// By slot.
-    proxies: Vec<Option<Proxy<R, D>>>,
+    proxies: Vec<Option<Proxy<R, D, K>>>,
     horizon: Horizon,
     full_runs: u64,
     candidates: CandidatesSnapshot,
     layers: LayersSnapshot<R, D>,
 }
 
-/// A box and its fat box.
+/// A box, its fat box and its filter key.
 #[derive(Serialize, Deserialize)]
-#[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
-struct Proxy<R, const D: usize> {
+#[serde(bound(
+    serialize = "R: Serialize, K: Serialize",
+    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+))]
+struct Proxy<R, const D: usize, K> {
     aabb: Aabb<R, D>,
     fat: Aabb<R, D>,
+    key: K,
 }
 
-impl<R: Real, const D: usize> PairTracker<R, D> {
+impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker between two updates.
-    pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D> {
+    pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
         debug_assert!(!self.is_touched(), "an update was not finished");
-        let proxies = self.boxes.iter().zip(&self.fat_boxes);
-        let proxy =
-            |(&aabb, &fat): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, fat });
+        let proxies = self.boxes.iter().zip(&self.fat_boxes).zip(&self.keys);
+        let proxy = |((&aabb, &fat), &key): ((&Aabb<R, D>, _), _)| {
+            aabb.is_valid().then_some(Proxy { aabb, fat, key })
+        };
         TrackerSnapshot {
             proxies: proxies.map(proxy).collect(),
             horizon: self.horizon,
@@ -52,7 +60,10 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
     ///
     /// # Errors
     /// What is wrong, if no tracker can have been there.
-    pub(crate) fn restore(&mut self, snapshot: TrackerSnapshot<R, D>) -> Result<(), &'static str> {
+    pub(crate) fn restore(
+        &mut self,
+        snapshot: TrackerSnapshot<R, D, K>,
+    ) -> Result<(), &'static str> {
         let TrackerSnapshot {
             proxies,
             horizon,
@@ -64,18 +75,20 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
             return Err("snapshot: there are more slots than 32-bit indices");
         }
         for proxy in proxies {
-            let [aabb, fat] = match proxy {
-                None => [Self::absent(); 2],
+            let [aabb, fat] = match &proxy {
+                None => [absent(); 2],
                 Some(Proxy { aabb, .. }) if !aabb.is_valid() => {
                     return Err("snapshot: a box is not valid");
                 }
-                Some(Proxy { aabb, fat }) if !fat.contains(&aabb) => {
+                Some(Proxy { aabb, fat, .. }) if !fat.contains(aabb) => {
                     return Err("snapshot: a box is not in its fat box");
                 }
-                Some(Proxy { aabb, fat }) => [aabb, fat],
+                Some(Proxy { aabb, fat, .. }) => [*aabb, *fat],
             };
             self.boxes.push(aabb);
             self.fat_boxes.push(fat);
+            self.keys
+                .push(proxy.map_or(K::default(), |proxy| proxy.key));
         }
         self.previous.clone_from(&self.boxes);
         self.escaped.make_room(self.boxes.len());
@@ -84,7 +97,7 @@ impl<R: Real, const D: usize> PairTracker<R, D> {
         }
         self.horizon = horizon;
         self.full_runs = full_runs;
-        let found = overlapping(Kernel::GridSweep, &self.fat_boxes);
+        let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
         self.candidates = candidates.restore(&self.boxes, found)?;
         self.layers.restore(layers, &self.fat_boxes)
     }

@@ -5,13 +5,24 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use oorandom::Rand32;
 
-use super::{PairChange, PairTracker};
+use super::{FilterKey, PairChange, PairTracker};
 use crate::{Aabb, Kernel};
+
+/// Those of one side may not meet, but for those of side 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Side(u32);
+
+impl FilterKey for Side {
+    fn may_meet(self, other: Self) -> bool {
+        self.0 != other.0 || self.0 == 0
+    }
+}
 
 /// What the tracker should hold.
 #[derive(Default)]
 struct Model {
     proxies: BTreeMap<u32, Aabb<f32, 2>>,
+    sides: BTreeMap<u32, Side>,
     held: BTreeSet<[u32; 2]>,
 }
 
@@ -21,12 +32,16 @@ impl Model {
         self.held.retain(|pair| !pair.contains(&slot));
     }
 
+    fn side(&self, slot: u32) -> Side {
+        self.sides.get(&slot).copied().unwrap_or_default()
+    }
+
     /// Returns the pairs added and deleted.
     fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
         let mut held = BTreeSet::new();
         for (&a, box_a) in &self.proxies {
             for (&b, box_b) in self.proxies.range(a + 1..) {
-                if box_a.overlaps(box_b) {
+                if box_a.overlaps(box_b) && self.side(a).may_meet(self.side(b)) {
                     held.insert([a, b]);
                 }
             }
@@ -39,7 +54,7 @@ impl Model {
 }
 
 /// A tracker with room for this number of slots.
-fn tracker(kernel: Kernel, slots: u32) -> PairTracker<f32, 2> {
+fn tracker(kernel: Kernel, slots: u32) -> PairTracker<f32, 2, Side> {
     let mut tracker = PairTracker::new(kernel, true, None);
     tracker.make_room(slots as usize);
     tracker
@@ -67,6 +82,11 @@ fn check(kernel: Kernel, slots: u32, seed: u64) {
         for _ in 0..changes {
             let slot = random.rand_range(0..slots);
             let known = model.proxies.get(&slot).copied();
+            if random.rand_range(0..5) == 0 {
+                let side = Side(random.rand_range(0..3));
+                tracker.set_key(slot, side);
+                model.sides.insert(slot, side);
+            }
             match (random.rand_range(0..10), known) {
                 (0, Some(_)) => {
                     tracker.remove(slot);
@@ -94,7 +114,7 @@ fn check(kernel: Kernel, slots: u32, seed: u64) {
 }
 
 /// Finishes the update of both, and compares.
-fn finish_both(tracker: &mut PairTracker<f32, 2>, model: &mut Model) {
+fn finish_both(tracker: &mut PairTracker<f32, 2, Side>, model: &mut Model) {
     let [mut added, mut deleted] = model.finish();
     tracker.finish(|change| {
         let is_due = match change {
@@ -263,4 +283,32 @@ fn few_movers_are_looked_up_and_many_are_not() {
         most = most.max(tracker.layers.delta());
     }
     assert!((2..50).contains(&most), "{most} were in the delta layer");
+}
+
+#[test]
+fn a_pair_begins_and_ends_with_what_allows_it() {
+    let mut tracker = tracker(Kernel::GridSweep, 3);
+    let mut model = Model::default();
+    for slot in 0..3 {
+        let aabb = Aabb::new([slot as f32 * 0.6, 0.0], [slot as f32 * 0.6 + 1.0, 1.0]);
+        tracker.place(slot, aabb);
+        model.proxies.insert(slot, aabb);
+    }
+    finish_both(&mut tracker, &mut model);
+    let mut set = |sides: &[(u32, u32)]| {
+        for &(slot, side) in sides {
+            tracker.set_key(slot, Side(side));
+            model.sides.insert(slot, Side(side));
+        }
+        finish_both(&mut tracker, &mut model);
+        tracker.candidates.len()
+    };
+    assert_eq!(set(&[]), 2);
+    assert_eq!(set(&[(0, 1), (1, 1)]), 1);
+    assert_eq!(set(&[(2, 1)]), 0);
+    assert_eq!(set(&[(1, 2)]), 2);
+    // There and back again, and by a detour: the first of the keys is the one that counts.
+    assert_eq!(set(&[(1, 1), (1, 2)]), 2);
+    assert_eq!(set(&[(1, 2), (1, 0), (1, 1)]), 0);
+    assert_eq!(set(&[(1, 0), (1, 2), (1, 0)]), 2);
 }

@@ -10,6 +10,7 @@
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable};
 use crate::bit_set::{BitSet, ones};
+use crate::pair_tracker::FilterKey;
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
 use crate::{Aabb, Real, parallel};
 
@@ -42,12 +43,13 @@ struct Left {
 }
 
 /// A run of slots, and what is kept under them.
-struct Part<'a, R, const D: usize, M> {
+struct Part<'a, R, const D: usize, M, K> {
     first_slot: usize,
     generations: &'a [Option<u32>],
     memos: &'a mut [M],
     boxes: &'a mut [Aabb<R, D>],
     fat_boxes: &'a [Aabb<R, D>],
+    keys: &'a [K],
     findings: &'a mut Findings,
 }
 
@@ -68,10 +70,10 @@ impl Findings {
     }
 }
 
-impl<R: Real, const D: usize, M> Part<'_, R, D, M> {
+impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
     /// Reads the collider of the slot `i` of the part.
     #[inline(always)]
-    fn read<S: BoxSource<R, D, Memo = M>>(
+    fn read<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         i: usize,
         generation: u32,
@@ -81,8 +83,8 @@ impl<R: Real, const D: usize, M> Part<'_, R, D, M> {
         let slot = self.first_slot + i;
         let handle = S::Handle::from_raw_parts(slot as u32, generation);
         let verdict = match source.read(handle, &mut self.memos[i]) {
-            Some(aabb) => Verdict::of(&self.boxes[i], &aabb, margin),
-            None => Verdict::Recheck,
+            Some((aabb, key)) if key == self.keys[i] => Verdict::of(&self.boxes[i], &aabb, margin),
+            _ => Verdict::Recheck,
         };
         match verdict {
             Verdict::Keep => {}
@@ -98,7 +100,7 @@ impl<R: Real, const D: usize, M> Part<'_, R, D, M> {
     }
 
     /// Reads handles as they are listed; the part must be all slots.
-    fn read_as_listed<S: BoxSource<R, D, Memo = M>>(
+    fn read_as_listed<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         handles: &[S::Handle],
         source: &S,
@@ -116,7 +118,7 @@ impl<R: Real, const D: usize, M> Part<'_, R, D, M> {
     }
 
     /// Reads the slots of the part whose bits are set, by index.
-    fn read_by_index<S: BoxSource<R, D, Memo = M>>(
+    fn read_by_index<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         listed: &[u64],
         source: &S,
@@ -137,7 +139,7 @@ impl Reader {
     /// Reads the listed colliders into the table.
     pub(super) fn read<R: Real, const D: usize, S: BoxSource<R, D>>(
         &mut self,
-        table: &mut ProxyTable<R, D, S::Memo>,
+        table: &mut ProxyTable<R, D, S::Memo, S::Key>,
         handles: &[S::Handle],
         source: &S,
         margin: R,
@@ -208,9 +210,9 @@ impl Reader {
     }
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
+impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Takes in what has come of a part, in the order of reading.
-    fn take_in<S: BoxSource<R, D, Memo = M>>(
+    fn take_in<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         findings: &Findings,
         source: &S,
@@ -236,29 +238,31 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
 }
 
 /// The slots that are in no part yet.
-struct Rest<'a, R, const D: usize, M> {
+struct Rest<'a, R, const D: usize, M, K> {
     first_slot: usize,
     generations: &'a [Option<u32>],
     memos: &'a mut [M],
     boxes: &'a mut [Aabb<R, D>],
     fat_boxes: &'a [Aabb<R, D>],
+    keys: &'a [K],
 }
 
-impl<'a, R: Real, const D: usize, M> Rest<'a, R, D, M> {
+impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
     /// All slots.
-    fn of(table: &'a mut ProxyTable<R, D, M>) -> Self {
-        let (boxes, fat_boxes) = table.tracker.boxes_and_fat_boxes();
+    fn of(table: &'a mut ProxyTable<R, D, M, K>) -> Self {
+        let (boxes, fat_boxes, keys) = table.tracker.parts();
         Self {
             first_slot: 0,
             generations: &table.generations,
             memos: &mut table.memos,
             boxes,
             fat_boxes,
+            keys,
         }
     }
 
     /// The next slots, at most this many, with a place for what comes of reading them.
-    fn part(&mut self, slots: usize, findings: &'a mut Findings) -> Part<'a, R, D, M> {
+    fn part(&mut self, slots: usize, findings: &'a mut Findings) -> Part<'a, R, D, M, K> {
         findings.clear();
         let first_slot = self.first_slot;
         let count = slots.min(self.generations.len());
@@ -270,6 +274,7 @@ impl<'a, R: Real, const D: usize, M> Rest<'a, R, D, M> {
             memos: self.memos.split_off_mut(..count).expect(off),
             boxes: self.boxes.split_off_mut(..count).expect(off),
             fat_boxes: self.fat_boxes.split_off(..count).expect(off),
+            keys: self.keys.split_off(..count).expect(off),
             findings,
         }
     }

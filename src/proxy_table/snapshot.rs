@@ -5,22 +5,25 @@
 use serde::{Deserialize, Serialize};
 
 use super::ProxyTable;
-use crate::pair_tracker::TrackerSnapshot;
+use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::{Aabb, PhaseTimes, Real, Settings, Stats};
 
 /// What decides the events to come.
 #[derive(Serialize, Deserialize)]
-#[serde(bound(serialize = "R: Serialize", deserialize = "R: Real + Deserialize<'de>"))]
-pub(crate) struct TableSnapshot<R, const D: usize> {
+#[serde(bound(
+    serialize = "R: Serialize, K: Serialize",
+    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+))]
+pub(crate) struct TableSnapshot<R, const D: usize, K> {
     stats: Stats,
     has_warned: bool,
     generations: Vec<Option<u32>>,
-    tracker: TrackerSnapshot<R, D>,
+    tracker: TrackerSnapshot<R, D, K>,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
+impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// A table between two updates.
-    pub(crate) fn snapshot(&self) -> TableSnapshot<R, D> {
+    pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
         TableSnapshot {
             stats: Stats {
                 times: PhaseTimes::default(),
@@ -38,7 +41,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send> ProxyTable<R, D, M> {
     /// What is wrong, if it can be no table.
     pub(crate) fn restored(
         settings: &Settings<R>,
-        snapshot: TableSnapshot<R, D>,
+        snapshot: TableSnapshot<R, D, K>,
     ) -> Result<Self, &'static str> {
         let TableSnapshot {
             stats,

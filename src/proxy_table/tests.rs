@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use oorandom::Rand32;
 
-use super::{BoxSource, Handle, PairEvent, ProxyTable};
+use super::{BoxSource, FilterKey, Handle, PairEvent, ProxyTable};
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
 use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings};
 
@@ -26,6 +26,16 @@ impl Handle for Id {
     }
 }
 
+/// Those of one side may not meet, but for those of side 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Side(u32);
+
+impl FilterKey for Side {
+    fn may_meet(self, other: Self) -> bool {
+        self.0 != other.0 || self.0 == 0
+    }
+}
+
 /// The engine's colliders, by slot.
 #[derive(Clone, Default)]
 struct Colliders {
@@ -36,6 +46,7 @@ struct Colliders {
 struct Collider {
     generation: u32,
     aabb: Aabb<f32, 2>,
+    side: Side,
     exists: bool,
     is_enabled: bool,
 }
@@ -63,15 +74,18 @@ struct Memo {
 impl BoxSource<f32, 2> for Colliders {
     type Handle = Id;
     type Memo = Memo;
+    type Key = Side;
 
-    fn read(&self, id: Id, memo: &mut Memo) -> Option<Aabb<f32, 2>> {
+    fn read(&self, id: Id, memo: &mut Memo) -> Option<(Aabb<f32, 2>, Side)> {
         assert!(
             memo.owner.is_none_or(|owner| owner == id),
             "the memo of another collider"
         );
         let collider = self.get(id)?;
         memo.owner = Some(id);
-        collider.is_enabled.then_some(collider.aabb)
+        collider
+            .is_enabled
+            .then_some((collider.aabb, collider.side))
     }
 }
 
@@ -80,6 +94,7 @@ impl BoxSource<f32, 2> for Colliders {
 struct Model {
     /// Colliders that are known, and the boxes of those that are not refused.
     known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
+    sides: BTreeMap<u32, Side>,
     held: BTreeSet<[u32; 2]>,
     moved: usize,
 }
@@ -96,7 +111,8 @@ impl Model {
         }
     }
 
-    fn read(&mut self, id: Id, aabb: Option<Aabb<f32, 2>>) {
+    /// Without a side, the collider keeps its own, or is of side 0.
+    fn read(&mut self, id: Id, aabb: Option<Aabb<f32, 2>>, side: Option<Side>) {
         let Some(aabb) = aabb else {
             return self.remove(id);
         };
@@ -105,6 +121,11 @@ impl Model {
                 self.remove(Id { generation, ..id });
             }
         }
+        let side = side.unwrap_or(match self.known.contains_key(&id.slot) {
+            true => self.sides[&id.slot],
+            false => Side::default(),
+        });
+        self.sides.insert(id.slot, side);
         let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
         let renewed = match held {
             Some(held) if held.contains(&aabb) => return,
@@ -127,6 +148,10 @@ impl Model {
         // Which the oracle's tests hold to the oracle.
         GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
         let held = pairs.iter().map(|pair| pair.map(|i| slots[i as usize]));
+        let held = held.filter(|pair| {
+            let [a, b] = pair.map(|slot| self.sides[&slot]);
+            a.may_meet(b)
+        });
         let before = std::mem::replace(&mut self.held, held.collect());
         let added = self.held.difference(&before).copied().collect();
         let deleted = before.difference(&self.held).copied().collect();
@@ -138,7 +163,7 @@ struct World {
     random: Rand32,
     side: f32,
     colliders: Colliders,
-    table: ProxyTable<f32, 2, Memo>,
+    table: ProxyTable<f32, 2, Memo, Side>,
     model: Model,
 }
 
@@ -212,6 +237,10 @@ impl World {
                 collider.aabb = anywhere;
                 modified.extend([id, id]);
             }
+            14..18 => {
+                collider.side = Side(choice % 3);
+                modified.push(id);
+            }
             13 => modified.push(Id {
                 generation: id.generation + 7,
                 ..id
@@ -233,21 +262,23 @@ impl World {
         for &id in handed_over {
             if let Some(aabb) = self.colliders.get(id).and_then(known) {
                 self.table.hand_over(id, &aabb, MARGIN);
-                self.model.read(id, Some(aabb));
+                self.model.read(id, Some(aabb), None);
             }
         }
         self.table
             .update([modified, removed], &self.colliders, MARGIN);
         removed.iter().for_each(|&id| self.model.remove(id));
         for &id in modified {
-            self.model.read(id, self.colliders.get(id).and_then(known));
+            let collider = self.colliders.get(id);
+            let side = collider.map(|collider| collider.side);
+            self.model.read(id, collider.and_then(known), side);
         }
 
         let [mut added, mut deleted] = self.model.finish();
         let counts = [added.len(), deleted.len()];
-        let mut events = Vec::new();
+        let mut events: Vec<PairEvent<Id>> = Vec::new();
         self.table
-            .finish(&mut Vec::new(), |_, _, _| (), &mut events, |event| event);
+            .finish(&mut Vec::new(), &mut events, |event: PairEvent<Id>| event);
         for event in events {
             let (due, pair) = match event {
                 PairEvent::Added(pair) => (&mut added, pair),
@@ -305,6 +336,7 @@ fn check(slots: u32, updates: usize, seed: u64) {
         world.colliders.slots.push(Collider {
             generation: 0,
             aabb,
+            side: Side::default(),
             exists: true,
             is_enabled: true,
         });
@@ -352,6 +384,7 @@ fn moved_colliders_are_counted_once() {
     let collider = Collider {
         generation: 0,
         aabb,
+        side: Side::default(),
         exists: true,
         is_enabled: true,
     };

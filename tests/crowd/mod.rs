@@ -8,6 +8,11 @@ use oorandom::Rand32;
 use super::rapier::prelude::*;
 use super::{PairEvent, UnisizeBroadPhase};
 
+/// A collider without a body. It counts as fixed, and fixed ones meet only if they say so.
+fn ball(radius: Real) -> ColliderBuilder {
+    ColliderBuilder::ball(radius).active_collision_types(ActiveCollisionTypes::all())
+}
+
 /// The colliders, and which of them are to be listed.
 #[derive(Clone)]
 pub(super) struct Crowd {
@@ -37,7 +42,7 @@ impl Crowd {
             // One in a hundred is much larger than the rest.
             let radius = if i % 100 == 50 { 4.0 } else { 0.5 };
             let place = crowd.somewhere();
-            let ball = ColliderBuilder::ball(radius).translation(place);
+            let ball = ball(radius).translation(place);
             crowd.handles.push(crowd.colliders.insert(ball));
             let velocity = Vector::from_fn(|_, _| (crowd.share() - 0.5) * 2.0 * speed);
             crowd.velocities.push(velocity);
@@ -105,7 +110,7 @@ impl Crowd {
         self.colliders
             .remove(handle, &mut islands, &mut self.bodies, false);
         self.removed.push(handle);
-        let ball = ColliderBuilder::ball(0.5).translation(self.somewhere());
+        let ball = ball(0.5).translation(self.somewhere());
         self.handles[i] = self.colliders.insert(ball);
     }
 

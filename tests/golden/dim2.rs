@@ -2,6 +2,8 @@
 
 use rapier2d as rapier;
 use unisize::rapier2d::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize::rapier2d::{PairFilter, Settings};
 use unisize_scenes::dim2::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim2::{Observed, Scene};

@@ -2,6 +2,8 @@
 
 use rapier3d as rapier;
 use unisize::rapier3d::UnisizeBroadPhase;
+#[cfg(feature = "enhanced-determinism")]
+use unisize::rapier3d::{PairFilter, Settings};
 use unisize_scenes::dim3::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim3::{Observed, Scene};

@@ -132,12 +132,15 @@ fn threads_do_not_matter() {
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {
-    use super::{Observed, SCENES, Scene};
+    use super::{Observed, PairFilter, SCENES, Scene, Settings};
     use unisize_scenes::SceneKind;
 
     let hash = |kind| {
         let mut scene = Scene::build(kind, 60, 1);
-        let mut broad_phase = Observed::new(UnisizeBroadPhase::new()).with_events();
+        // With all pairs, also those that can have no effect.
+        let settings = Settings::default().with_filter(PairFilter::Off);
+        let broad_phase = UnisizeBroadPhase::with_settings(settings);
+        let mut broad_phase = Observed::new(broad_phase).with_events();
         let mut hash = Hash::default();
         for _ in 0..100 {
             scene.step(&mut broad_phase, &(), &());

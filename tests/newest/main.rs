@@ -7,7 +7,7 @@
 #[path = "."]
 mod dim2 {
     use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36::{Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }
@@ -15,7 +15,7 @@ mod dim2 {
 #[path = "."]
 mod dim3 {
     use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36::{Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }

@@ -8,8 +8,9 @@ use arbitrary::{Result, Unstructured};
 
 use crate::flavours::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
 use crate::ops::{
-    BodyKind, FAR, FAR_INDICES, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List, MARGINS,
-    NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple, Types,
+    BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List,
+    MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple,
+    Types,
 };
 
 /// How many colliders there may be; the model looks at every pair of them.
@@ -50,6 +51,7 @@ impl Bytes<'_> {
             margin: self.one_of(&MARGINS)?,
             foresight: None,
             layers: true,
+            filter: self.one_of(&FILTERS)?,
             updates: vec![Vec::new()],
         };
         let mut count = 0;

@@ -6,6 +6,8 @@
 
 use std::fmt;
 
+use unisize::PairFilter;
+
 /// Moves that stay inside a margin or just leave it.
 pub(crate) const SMALL: [f32; 8] = [0.0, 0.001, -0.001, 0.005, -0.009, 0.01, 0.011, -0.02];
 
@@ -27,6 +29,9 @@ pub(crate) const NORMALS: [f32; 3] = [0.0, 1.0, -1.0];
 pub(crate) const SKINS: [f32; 4] = [0.0, 0.005, 0.1, 1.0];
 
 pub(crate) const LENGTH_UNITS: [f32; 3] = [1.0, 0.1, 10.0];
+
+pub(crate) const FILTERS: [PairFilter; 3] =
+    [PairFilter::Bodies, PairFilter::Groups, PairFilter::Off];
 
 pub(crate) const MARGINS: [f32; 4] = [0.01, 0.0, 0.1, -1.0];
 
@@ -149,6 +154,8 @@ pub(crate) struct Sequence {
     pub(crate) foresight: Option<u16>,
     /// Whether there are layers, in the settings.
     pub(crate) layers: bool,
+    /// Which pairs are left out, in the settings.
+    pub(crate) filter: PairFilter,
     pub(crate) updates: Vec<Vec<Op>>,
 }
 
@@ -156,8 +163,8 @@ impl fmt::Debug for Sequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "length unit {}, margin {}, foresight {:?}, layers {}",
-            self.length_unit, self.margin, self.foresight, self.layers
+            "length unit {}, margin {}, foresight {:?}, layers {}, filter {:?}",
+            self.length_unit, self.margin, self.foresight, self.layers, self.filter
         )?;
         for (i, ops) in self.updates.iter().enumerate() {
             writeln!(f, "update {i}")?;

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::ops::{
-    BodyKind, FAR, FAR_INDICES, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List, MARGINS,
-    NEAR, NORMALS, NewCollider, Op, Parent, SKINS, SMALL, Sequence, Shape, Triple, Types,
+    BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List,
+    MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, SKINS, SMALL, Sequence, Shape, Triple, Types,
 };
 
 pub(crate) fn sequences() -> impl Strategy<Value = Sequence> {
@@ -17,20 +17,31 @@ pub(crate) fn sequences() -> impl Strategy<Value = Sequence> {
     let foresight =
         prop_oneof![4 => Just(None), 1 => select(&[Some(0), Some(3), Some(u16::MAX)][..])];
     let layers = prop::bool::weighted(0.8);
-    (length_unit, margin, foresight, layers, opening, updates).prop_map(
-        |(length_unit, margin, foresight, layers, opening, mut updates)| {
-            let opening = opening.into_iter();
-            let opening = opening.map(|(collider, parent)| Op::Insert(collider, parent));
-            updates.insert(0, opening.collect());
-            Sequence {
-                length_unit,
-                margin,
-                foresight,
-                layers,
-                updates,
-            }
-        },
+    let filter = select(&FILTERS[..]);
+    (
+        length_unit,
+        margin,
+        foresight,
+        layers,
+        filter,
+        opening,
+        updates,
     )
+        .prop_map(
+            |(length_unit, margin, foresight, layers, filter, opening, mut updates)| {
+                let opening = opening.into_iter();
+                let opening = opening.map(|(collider, parent)| Op::Insert(collider, parent));
+                updates.insert(0, opening.collect());
+                Sequence {
+                    length_unit,
+                    margin,
+                    foresight,
+                    layers,
+                    filter,
+                    updates,
+                }
+            },
+        )
 }
 
 fn ops() -> impl Strategy<Value = Op> {

@@ -5,11 +5,10 @@ use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet};
 use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::utils::IsometryOps;
+use crate::PairFilter;
 
-mod pair_filter;
 mod unusual_box;
 
-pub(super) use pair_filter::PairFilter;
 pub(super) use unusual_box::unusual_box;
 
 pub(super) type Vector = super::rapier::math::Vector<Real>;
@@ -18,6 +17,9 @@ pub(super) type AngVector = super::rapier::math::AngVector<Real>;
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
+
+/// The filter by default.
+pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 
 /// The origin of a pose.
 #[inline(always)]

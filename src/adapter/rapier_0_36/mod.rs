@@ -5,17 +5,17 @@ use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet};
 use super::rapier::math::{DIM, Pose, Real};
 use super::rapier::parry::utils::PoseOps;
-use crate::Aabb;
-
-mod pair_filter;
+use crate::{Aabb, PairFilter};
 
 #[cfg(test)]
 pub(super) use super::rapier::math::AngVector;
 pub(super) use super::rapier::math::Vector;
-pub(super) use pair_filter::PairFilter;
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
+
+/// The filter by default.
+pub(super) const PAIR_FILTER: PairFilter = PairFilter::Groups;
 
 /// The origin of a pose.
 #[inline(always)]

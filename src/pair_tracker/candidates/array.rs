@@ -1,34 +1,55 @@
 //! The array of candidates, with a tombstone in the place of each that is gone.
 
 use crate::bit_set::BitSet;
-use crate::pair_tracker::PairChange;
+use crate::pair_tracker::{FilterKey, PairChange};
 use crate::{Aabb, Real};
 
 /// In the place of a slot: of a candidate that is gone.
 const TOMBSTONE: u32 = u32::MAX;
 
-/// The boxes that decide which candidates are held: the present ones, and those at the end of the last update.
-pub(in crate::pair_tracker) struct Boxes<'a, R, const D: usize> {
+/// What decides which candidates are held: boxes and filter keys, the present ones, and those at the end of the last
+/// update.
+pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
     pub(in crate::pair_tracker) now: &'a [Aabb<R, D>],
     pub(in crate::pair_tracker) before: &'a [Aabb<R, D>],
+    pub(in crate::pair_tracker) keys: &'a [K],
+    /// The former keys of slots whose key has changed, ascending.
+    pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
 }
 
-impl<R: Real, const D: usize> Boxes<'_, R, D> {
+impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     #[inline(always)]
     fn overlap(&self, pair: [u32; 2]) -> bool {
         overlap(self.now, pair)
     }
 
+    /// Whether a pair that may meet now was held before: it was, if and only if its boxes overlapped and it might meet then,
+    /// for kernels are exact.
     #[inline(always)]
-    fn overlapped(&self, pair: [u32; 2]) -> bool {
-        overlap(self.before, pair)
+    fn was_held(&self, pair: [u32; 2]) -> bool {
+        overlap(self.before, pair) && (self.former_keys.is_empty() || self.might_meet(pair))
     }
 
-    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap, for then it is found again. The
-    /// pairs of removed proxies, which have no box before either, end without an event.
+    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet, for then
+    /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
     #[inline(always)]
     fn end(&self, pair: [u32; 2]) -> bool {
-        !self.overlap(pair) & self.overlapped(pair)
+        let is_found = self.overlap(pair) && (self.former_keys.is_empty() || self.may_meet(pair));
+        !is_found & overlap(self.before, pair)
+    }
+
+    fn may_meet(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|slot| self.keys[slot as usize]);
+        a.may_meet(b)
+    }
+
+    #[cold]
+    fn might_meet(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|slot| {
+            let former = self.former_keys.binary_search_by_key(&slot, |key| key.0);
+            former.map_or(self.keys[slot as usize], |i| self.former_keys[i].1)
+        });
+        a.may_meet(b)
     }
 }
 
@@ -104,10 +125,10 @@ impl CandidateArray {
     }
 
     /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
-    pub(super) fn replace<R: Real, const D: usize>(
+    pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &mut Vec<[u32; 2]>,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self {
@@ -118,7 +139,7 @@ impl CandidateArray {
         } = self;
         answers.ask(pairs.len(), |rows| {
             let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-            gather(rows, |(&pair, &is_held)| is_held && boxes.end(pair))
+            gather(rows, |(&pair, &is_held)| is_held && proxies.end(pair))
         });
         let ended = answers.iter();
         ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
@@ -127,30 +148,30 @@ impl CandidateArray {
         self.held_count = 0;
         self.tombstones = 0;
         let pairs = std::mem::take(pairs);
-        self.hold_new(&pairs, boxes, report);
+        self.hold_new(&pairs, proxies, report);
         self.pairs = pairs;
     }
 
     /// Adds candidates.
-    pub(super) fn extend<R: Real, const D: usize>(
+    pub(super) fn extend<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &[[u32; 2]],
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        self.hold_new(found, boxes, report);
+        self.hold_new(found, proxies, report);
         self.pairs.extend_from_slice(found);
     }
 
-    fn hold_new<R: Real, const D: usize>(
+    fn hold_new<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &[[u32; 2]],
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self { held, answers, .. } = self;
         answers.ask(found.len(), |rows| {
-            gather(&found[rows], |&pair| boxes.overlap(pair))
+            gather(&found[rows], |&pair| proxies.overlap(pair))
         });
         let words = found.chunks(64).zip(answers.words());
         held.extend(
@@ -159,7 +180,7 @@ impl CandidateArray {
         self.held_count += answers.iter().count();
         // Few of those that are held were not before.
         for i in answers.iter() {
-            if !boxes.overlapped(found[i]) {
+            if !proxies.was_held(found[i]) {
                 report(PairChange::Added(found[i]));
             }
         }
@@ -173,10 +194,10 @@ impl CandidateArray {
     }
 
     /// Brings all rows, of which none may be a tombstone, up to date with the present boxes.
-    pub(super) fn compare_all<R: Real, const D: usize>(
+    pub(super) fn compare_all<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         turned: &mut BitSet,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         debug_assert_eq!(self.tombstones, 0);
@@ -185,21 +206,21 @@ impl CandidateArray {
         // turned.
         turned.ask(pairs.len(), |rows| {
             let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-            gather(rows, |(&pair, &is_held)| boxes.overlap(pair) ^ is_held)
+            gather(rows, |(&pair, &is_held)| proxies.overlap(pair) ^ is_held)
         });
         turned.iter().for_each(|row| self.turn(row, report));
     }
 
     /// Brings a row up to date with the present boxes.
     #[inline(always)]
-    pub(super) fn compare<R: Real, const D: usize>(
+    pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         row: usize,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         if let Some(pair) = self.get(row) {
-            if boxes.overlap(pair) != self.held[row] {
+            if proxies.overlap(pair) != self.held[row] {
                 self.turn(row, report);
             }
         }
@@ -219,10 +240,10 @@ impl CandidateArray {
 
     /// Puts a tombstone in the place of a candidate of which a proxy has left its fat box or is gone.
     #[inline(always)]
-    pub(super) fn retire<R: Real, const D: usize>(
+    pub(super) fn retire<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         row: usize,
-        boxes: &Boxes<R, D>,
+        proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Some(pair) = self.get(row) else {
@@ -232,7 +253,7 @@ impl CandidateArray {
         self.tombstones += 1;
         if std::mem::take(&mut self.held[row]) {
             self.held_count -= 1;
-            if boxes.end(pair) {
+            if proxies.end(pair) {
                 report(PairChange::Deleted(pair));
             }
         }

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{GridLayers, Layer, Layers, collect_valid};
-use crate::pair_tracker::PairTracker;
+use crate::pair_tracker::absent;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::{Aabb, Real};
@@ -90,7 +90,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         let outdated = self.outdated.slots();
         let mut members = Vec::new();
         if self.is_sorted && !outdated.is_empty() {
-            members.resize(slots, PairTracker::absent());
+            members.resize(slots, absent());
             for (slot, aabb) in self.order.members() {
                 members[slot as usize] = aabb;
             }
@@ -129,7 +129,7 @@ impl<R: Real, const D: usize> LayerSnapshot<R, D> {
             let member = members.get_mut(slot as usize);
             let member = member.ok_or("snapshot: a slot of a layer is out of range")?;
             outdated.insert(slot);
-            *member = aabb.unwrap_or(PairTracker::absent());
+            *member = aabb.unwrap_or(absent());
             if aabb.is_some_and(|aabb| !aabb.is_valid()) {
                 return Err("snapshot: a box of a layer is not valid");
             }

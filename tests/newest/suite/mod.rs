@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use oorandom::Rand32;
 
 use super::rapier::prelude::*;
-use super::{Settings, UnisizeBroadPhase};
+use super::{PairFilter, Settings, UnisizeBroadPhase};
 
 mod driven;
 mod queries;
@@ -25,6 +25,23 @@ fn pairs(broad_phase: &UnisizeBroadPhase) -> BTreeSet<Pair> {
     pairs
         .map(|pair| raw(pair.collider1, pair.collider2))
         .collect()
+}
+
+/// Whether the narrow phase would look at two colliders.
+fn may_meet(pair: Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool {
+    let pair = pair
+        .map(|(index, generation)| &colliders[ColliderHandle::from_raw_parts(index, generation)]);
+    let [first, second] = pair;
+    let are_on_one_body = first.parent().is_some() && first.parent() == second.parent();
+    let [one, other] = pair.map(|collider| match collider.parent() {
+        Some(body) => bodies[body].body_type(),
+        None => RigidBodyType::Fixed,
+    });
+    let mut types = pair
+        .iter()
+        .map(|collider| collider.active_collision_types());
+    let groups_meet = first.collision_groups().test(second.collision_groups());
+    !are_on_one_body && types.any(|types| types.test(one, other)) && groups_meet
 }
 
 /// A vector with each coordinate within this distance of 0.

@@ -65,11 +65,6 @@ pub(super) fn remove_body(world: &mut World, body: RigidBodyHandle, with_collide
     );
 }
 
-/// Whether a pair whose boxes overlap is one to report: the narrow phase filters.
-pub(super) fn may_meet(_: [&Collider; 2], _: &RigidBodySet) -> bool {
-    true
-}
-
 impl BroadPhase for CheckedBroadPhase {
     fn update(
         &mut self,

@@ -61,18 +61,3 @@ pub(super) fn remove_body(world: &mut World, body: RigidBodyHandle, with_collide
         with_colliders,
     );
 }
-
-/// Whether a pair whose boxes overlap is one to report: not if the narrow phase is sure to drop it.
-pub(super) fn may_meet(pair: [&Collider; 2], bodies: &RigidBodySet) -> bool {
-    let [first, second] = pair;
-    let are_on_one_body = first.parent().is_some() && first.parent() == second.parent();
-    let [one, other] = pair.map(|collider| match collider.parent() {
-        Some(body) => bodies[body].body_type(),
-        None => RigidBodyType::Fixed,
-    });
-    let one_has_the_types = pair
-        .iter()
-        .any(|collider| collider.active_collision_types().test(one, other));
-    let groups = first.collision_groups().test(second.collision_groups());
-    !are_on_one_body && one_has_the_types && groups
-}

@@ -4,16 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
-use super::version;
+use unisize::PairFilter;
 
 /// Two colliders, by index and generation, the smaller index first.
 pub(super) type Pair = [(u32, u32); 2];
 
-/// Every known collider, the pairs that overlap, and which of them are held.
-#[derive(Default)]
+/// Every known collider, and the pairs that are held: those that overlap and that the filter lets pass.
 pub(super) struct Model {
+    filter: PairFilter,
     proxies: BTreeMap<u32, Proxy>,
-    overlapping: BTreeSet<Pair>,
     held: BTreeSet<Pair>,
 }
 
@@ -21,6 +20,16 @@ struct Proxy {
     generation: u32,
     /// `None` while the collider's box is not sound.
     aabb: Option<Aabb>,
+    key: Key,
+}
+
+/// What filters look at, as of when the collider was last listed.
+#[derive(Clone, Copy)]
+struct Key {
+    body: Option<RigidBodyHandle>,
+    body_type: RigidBodyType,
+    collision_types: ActiveCollisionTypes,
+    groups: InteractionGroups,
 }
 
 /// How an update changes the held pairs.
@@ -31,13 +40,16 @@ pub(super) struct Changes {
 }
 
 impl Model {
-    pub(super) fn held(&self) -> &BTreeSet<Pair> {
-        &self.held
+    pub(super) fn new(filter: PairFilter) -> Self {
+        Self {
+            filter,
+            proxies: BTreeMap::new(),
+            held: BTreeSet::new(),
+        }
     }
 
-    /// The number of pairs that overlap and are not held.
-    pub(super) fn withheld(&self) -> usize {
-        self.overlapping.len() - self.held.len()
+    pub(super) fn held(&self) -> &BTreeSet<Pair> {
+        &self.held
     }
 
     /// The number of colliders with a sound box.
@@ -80,33 +92,39 @@ impl Model {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
                     let margin = (margin * params.length_unit).max(0.0);
-                    self.renew(handle, collider.compute_collision_aabb(skin), margin);
+                    let body = collider.parent().and_then(|body| bodies.get(body));
+                    let key = Key {
+                        body: collider.parent(),
+                        body_type: body.map_or(RigidBodyType::Fixed, |body| body.body_type()),
+                        collision_types: collider.active_collision_types(),
+                        groups: collider.collision_groups(),
+                    };
+                    self.renew(handle, collider.compute_collision_aabb(skin), margin, key);
                 }
                 _ => self.forget(handle),
             }
         }
 
-        let before = std::mem::take(&mut self.held);
-        let overlapping = self.overlapping_pairs();
-        let met_before = std::mem::replace(&mut self.overlapping, overlapping);
-        let is_asked_for = |pair: &Pair| {
-            let is_listed = |handle: &ColliderHandle| pair.contains(&handle.into_raw_parts());
-            !met_before.contains(pair) || modified.iter().any(is_listed)
-        };
-        let may_meet = |pair: &Pair| {
-            let pair = pair.map(|(index, generation)| {
-                &colliders[ColliderHandle::from_raw_parts(index, generation)]
-            });
-            version::may_meet(pair, bodies)
-        };
-        let held = self
-            .overlapping
-            .iter()
-            .filter(|&pair| before.contains(pair) || is_asked_for(pair) && may_meet(pair));
-        self.held = held.copied().collect();
+        let mut held = self.overlapping_pairs();
+        held.retain(|pair| self.may_meet(pair));
+        let before = std::mem::replace(&mut self.held, held);
         Changes {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
+        }
+    }
+
+    /// Whether the filter lets a pair of known colliders pass.
+    pub(super) fn may_meet(&self, pair: &Pair) -> bool {
+        let [a, b] = pair.map(|(index, _)| self.proxies[&index].key);
+        let is_of_one_body = a.body.is_some() && a.body == b.body;
+        let types_meet = |key: Key| key.collision_types.test(a.body_type, b.body_type);
+        let bodies_meet = !is_of_one_body && (types_meet(a) || types_meet(b));
+        match self.filter {
+            PairFilter::Off => true,
+            PairFilter::Bodies => bodies_meet,
+            PairFilter::Groups => bodies_meet && a.groups.test(b.groups),
+            _ => panic!("there is another filter"),
         }
     }
 
@@ -116,13 +134,12 @@ impl Model {
             let gone = handle.into_raw_parts();
             self.proxies.remove(&gone.0);
             self.held.retain(|pair| !pair.contains(&gone));
-            self.overlapping.retain(|pair| !pair.contains(&gone));
         }
     }
 
     /// Updates a collider's box: as it is if there was none, else with a margin and only once the collider has
     /// left the last one.
-    fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
+    fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real, key: Key) {
         let (index, generation) = handle.into_raw_parts();
         let known = self.proxies.get(&index).map(|proxy| proxy.generation);
         if let Some(stale) = known.filter(|&known| known != generation) {
@@ -135,7 +152,12 @@ impl Model {
             Some(last) if contains(&last, &aabb) => Some(last),
             Some(_) => Some(aabb.loosened(margin)),
         };
-        self.proxies.insert(index, Proxy { generation, aabb });
+        let proxy = Proxy {
+            generation,
+            aabb,
+            key,
+        };
+        self.proxies.insert(index, proxy);
     }
 
     fn overlapping_pairs(&self) -> BTreeSet<Pair> {

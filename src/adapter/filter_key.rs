@@ -1,0 +1,64 @@
+//! What decides which colliders may be a pair, as the narrow phase decides it.
+
+use super::rapier::dynamics::{RigidBody, RigidBodyType};
+use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups};
+use crate::PairFilter;
+use crate::pair_tracker::FilterKey;
+
+/// What of a collider and its body decides whether it may meet another one. What the filter does not ask for is the same
+/// for all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+pub(super) struct Key {
+    /// The index of the body; [`NOBODY`] if there is none.
+    body: u32,
+    body_type: RigidBodyType,
+    collision_types: ActiveCollisionTypes,
+    groups: InteractionGroups,
+}
+
+/// In the place of a body.
+const NOBODY: u32 = u32::MAX;
+
+impl Default for Key {
+    /// The key of one that may meet all of its kind.
+    fn default() -> Self {
+        Self {
+            body: NOBODY,
+            body_type: RigidBodyType::Dynamic,
+            collision_types: ActiveCollisionTypes::all(),
+            groups: InteractionGroups::all(),
+        }
+    }
+}
+
+impl Key {
+    #[inline(always)]
+    pub(super) fn new(filter: PairFilter, collider: &Collider, body: Option<&RigidBody>) -> Self {
+        let mut key = Self::default();
+        if filter == PairFilter::Off {
+            return key;
+        }
+        let parent = collider.parent();
+        key.body = parent.map_or(NOBODY, |body| body.into_raw_parts().0);
+        key.body_type = body.map_or(RigidBodyType::Fixed, RigidBody::body_type);
+        key.collision_types = collider.active_collision_types();
+        if filter == PairFilter::Groups {
+            key.groups = collider.collision_groups();
+        }
+        key
+    }
+}
+
+impl FilterKey for Key {
+    #[inline(always)]
+    fn may_meet(self, other: Self) -> bool {
+        let types = [self.body_type, other.body_type];
+        let types_meet = |key: Self| key.collision_types.test(types[0], types[1]);
+        let is_of_one_body = self.body == other.body && self.body != NOBODY;
+        !is_of_one_body & (types_meet(self) | types_meet(other)) & self.groups.test(other.groups)
+    }
+}

@@ -1,0 +1,39 @@
+//! Which pairs are left out although their boxes overlap.
+
+/// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
+///
+/// A pair that is left out takes neither time nor memory, here and in the narrow phase. It is reported as soon as one of
+/// its colliders is listed as modified and it may have an effect, and ends as soon as it may not any more. Rapier's
+/// `PhysicsPipeline` lists a collider whenever what the filter looks at has changed.
+///
+/// | world | leaves out |
+/// |---|---|
+/// | a map of many fixed colliders that touch | [`Bodies`](Self::Bodies) |
+/// | bodies of hundreds of colliders | [`Bodies`](Self::Bodies) |
+/// | crowds of which most members ignore each other | [`Groups`](Self::Groups) |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+#[non_exhaustive]
+pub enum PairFilter {
+    /// None is left out: every pair whose boxes overlap is reported, as by Rapier 0.27's own broad phase. Default for
+    /// Rapier 0.27.
+    Off,
+    /// Pairs of colliders of one body, and pairs of two bodies of types of which neither collider has the two among its
+    /// active collision types: two fixed ones above all, where a collider without a body counts as fixed.
+    ///
+    /// Contacts and intersections are the same. What can be told apart in Rapier 0.27, whose narrow phase finds through the
+    /// pairs that it knows which sleeping bodies to wake:
+    ///
+    /// - A collider that is changed, given to another body, or removed without waking its body, does not wake the body
+    ///   whose colliders it overlaps if all pairs of the two are left out.
+    /// - `CollisionPipeline` does not list the colliders of a body whose type changes for the second time, so their pairs
+    ///   begin when they are listed next.
+    Bodies,
+    /// Also pairs whose collision groups forbid it. Default for Rapier 0.36, whose own broad phase leaves out the same.
+    ///
+    /// In Rapier 0.27, changing a collider wakes no sleeping neighbours that its groups forbid.
+    Groups,
+}
