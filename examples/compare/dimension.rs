@@ -79,20 +79,13 @@ fn whole_steps(runs: &[Both<Independent>], steps: usize) -> Option<WholeSteps> {
             end: sides(runs, |run| end(run, steps)),
         })
         .collect();
-    let mean = |side: fn(&Repeat) -> &End| {
-        repeats
-            .iter()
-            .map(|repeat| side(repeat).ms_per_step)
-            .sum::<f64>()
-            / repeats.len() as f64
-    };
-    let ratio = Spread::of(repeats.iter().map(|repeat| repeat.ratio))?;
+    let spread = |figure: fn(&Repeat) -> f64| Spread::of(repeats.iter().map(figure));
     Some(WholeSteps {
         ms_per_step: Sides {
-            default: mean(|repeat| &repeat.end.default),
-            ours: mean(|repeat| &repeat.end.ours),
+            default: spread(|repeat| repeat.end.default.ms_per_step)?.median,
+            ours: spread(|repeat| repeat.end.ours.ms_per_step)?.median,
         },
-        ratio,
+        ratio: spread(|repeat| repeat.ratio)?,
         repeats,
     })
 }

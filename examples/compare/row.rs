@@ -35,7 +35,7 @@ pub(super) struct Row {
 /// Whole steps with their queries, on either broad phase alone.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct WholeSteps {
-    /// The mean over all repeats.
+    /// The median over all repeats of the mean over their steps.
     pub(super) ms_per_step: Sides<f64>,
     /// The default's time over ours, one of each repeat.
     pub(super) ratio: Spread,

@@ -168,8 +168,8 @@ fn print_updates<'a>(bar: &ProgressBar, rows: impl Iterator<Item = &'a Row>) {
 /// Prints the ends of the first repeat of each scene, and all complaints.
 fn print_alone<'a>(bar: &ProgressBar, rows: impl Iterator<Item = (&'a Row, &'a WholeSteps)>) {
     let head = format!(
-        "\n{:14} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>9} {:>9}",
-        "each alone", "asleep", "", "left", "", "energy", "", "stretch", "", "rays, ms", ""
+        "\n{:14} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>19}",
+        "each alone", "asleep", "", "left", "", "energy", "", "stretch", "", "rays, ms/step"
     );
     print(bar, &head);
     let head = format!(

@@ -73,7 +73,7 @@ pub(super) fn build(colliders: usize, random: &mut Random) -> Stage {
 
 /// The cell of the cargo, in the middle; none of a ship that is too small to keep it in.
 fn hold(hull: &Lattice, cells: usize) -> usize {
-    let half = hull.columns / 2;
+    let half = (hull.columns - 1) / 2;
     let index = (0..DIM as u32)
         .map(|axis| half * hull.columns.pow(axis))
         .sum();

@@ -4,7 +4,7 @@
 //! neighbours, and so nearly all pairs are of tiles, which the narrow phase drops.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Lattice, Random, Stage, UP, cube, falling, jitter, power, vector};
+use super::{Container, Lattice, Random, Stage, UP, cube, falling, jitter, power};
 
 /// Half the size of a tile.
 const HALF: Real = 0.5;
@@ -23,6 +23,9 @@ const SHARE: Real = 0.8;
 
 /// How many layers of balls there are, so that they land at different times.
 const LAYERS: usize = 4;
+
+/// The distance between layers, wide enough for their balls.
+const LAYER: Real = 2.0;
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     // Three times as wide as deep in the plane, three deep in space.
@@ -44,11 +47,12 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let spacing = (2.0 * map.half_width() * SHARE / balls_across).max(2.5 * RADIUS);
     let lattice = Lattice::with_columns(bodies, spacing, balls_across as usize);
     for index in 0..bodies {
-        let center = lattice.center(index) + jitter(random, 0.05);
+        let mut center = lattice.center(index);
+        center[UP] = 2.0 * RADIUS + (index / lattice.per_layer()) as Real * LAYER;
         let velocity = jitter(random, SPEED);
         world.insert(
             RigidBodyBuilder::dynamic()
-                .translation(center + vector(|axis| if axis == UP { RADIUS } else { 0.0 }))
+                .translation(center + jitter(random, 0.05))
                 .linvel(velocity),
             ColliderBuilder::ball(RADIUS),
         );
