@@ -18,9 +18,10 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
         ),
     );
     let head = format!(
-        "{:14} {:>6}  {:>17} {:>6} {:>9}  {:>15} {:>8} {:>9} {:>5}  {:>19} {:>6}  {}",
+        "{:14} {:>6} {:>9}  {:>17} {:>6} {:>9}  {:>15} {:>8} {:>9} {:>5}  {:>19} {:>6}  {}",
         "scene",
         "bodies",
+        "colliders",
         "whole step ms",
         "ratio",
         "quartiles",
@@ -34,7 +35,8 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
     );
     print(bar, &head);
     let head = format!(
-        "{:14} {:>6}  {:>8} {:>8} {:>6} {:>9}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9} {:>9} {:>6}  {}",
+        "{:14} {:>6} {:>9}  {:>8} {:>8} {:>6} {:>9}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9} {:>9} {:>6}  {}",
+        "",
         "",
         "",
         "default",
@@ -80,9 +82,10 @@ pub(super) fn print_row(bar: &ProgressBar, row: &Row) {
         ),
     };
     let line = format!(
-        "{:14} {:>6}  {whole_steps}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9.3} {:>9.3} {:>6.2}  {sanity}",
+        "{:14} {:>6} {:>9}  {whole_steps}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9.3} {:>9.3} {:>6.2}  {sanity}",
         row.scene,
         row.bodies,
+        row.colliders,
         row.pairs.default,
         row.pairs.ours,
         row.contacts.at_end,
