@@ -2,9 +2,10 @@
 
 use super::{DIM, ours, scenes};
 use crate::options::{Kernel, Options};
-use crate::row::{End, Row, Sides, Times, Total};
+use crate::row::{End, Rays, Repeat, Row, Sides, Times, Total, WholeSteps};
+use crate::spread::Spread;
 use ours::{Settings, UnisizeBroadPhase};
-use scenes::{Both, Candidate, Comparison, Independent, Tally, Timing};
+use scenes::{Both, Candidate, Comparison, Independent, QueryAccess, Tally, Timing};
 use unisize_scenes::SceneKind;
 
 /// Compares on one scene; `on_step` is called after each simulated step.
@@ -12,7 +13,8 @@ pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(us
     let comparison = Comparison {
         steps: options.steps(),
         contacts_every: options.contacts_every,
-        independent: options.independent(),
+        rays: options.rays,
+        repeats: options.repeats,
         ..Comparison::new(kind, options.bodies(kind), options.seed)
     };
     let outcome = comparison.run(&candidate(options), on_step);
@@ -31,12 +33,13 @@ pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(us
         contacts: total(outcome.contacts),
         intersections: total(outcome.intersections),
         contact_checks: outcome.contact_checks,
+        rays: Rays {
+            cast: outcome.rays.cast,
+            hits: outcome.rays.hits,
+        },
         redundant_events: sides(&outcome.redundant_events, |&count| count),
         broad_phase: sides(&outcome.timing, |timing| times(timing, outcome.steps)),
-        independent: outcome
-            .independent
-            .as_ref()
-            .map(|runs| sides(runs, |run| end(run, outcome.steps))),
+        whole_steps: whole_steps(&outcome.independent, outcome.steps),
         first_difference: outcome.first_difference,
     }
 }
@@ -48,7 +51,11 @@ fn candidate(options: &Options) -> Candidate<UnisizeBroadPhase> {
         Kernel::BruteForce => ours::Kernel::BruteForce,
     });
     let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
-        .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect());
+        .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
+        .with_queries(QueryAccess::new(
+            UnisizeBroadPhase::as_query_pipeline,
+            UnisizeBroadPhase::as_query_pipeline_mut,
+        ));
     if options.validate {
         candidate.with_validation(UnisizeBroadPhase::validate)
     } else {
@@ -61,6 +68,26 @@ fn sides<T, U>(both: &Both<T>, convert: impl Fn(&T) -> U) -> Sides<U> {
         default: convert(&both.default),
         ours: convert(&both.candidate),
     }
+}
+
+fn whole_steps(runs: &[Both<Independent>], steps: usize) -> Option<WholeSteps> {
+    let repeats: Vec<_> = runs
+        .iter()
+        .map(|runs| Repeat {
+            seed: runs.default.seed,
+            ratio: runs.ratio(),
+            end: sides(runs, |run| end(run, steps)),
+        })
+        .collect();
+    let spread = |figure: fn(&Repeat) -> f64| Spread::of(repeats.iter().map(figure));
+    Some(WholeSteps {
+        ms_per_step: Sides {
+            default: spread(|repeat| repeat.end.default.ms_per_step)?.median,
+            ours: spread(|repeat| repeat.end.ours.ms_per_step)?.median,
+        },
+        ratio: spread(|repeat| repeat.ratio)?,
+        repeats,
+    })
 }
 
 fn total(tally: Tally) -> Total {
@@ -92,5 +119,6 @@ fn end(run: &Independent, steps: usize) -> End {
         energy: sanity.energy(),
         max_rope_stretch: sanity.max_rope_stretch,
         ms_per_step: run.elapsed.as_secs_f64() * 1e3 / steps as f64,
+        ms_of_rays: run.casting.as_secs_f64() * 1e3 / steps as f64,
     }
 }

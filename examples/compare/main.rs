@@ -1,11 +1,12 @@
-//! Does unisize do the same as Rapier's own broad phase, and how fast?
+//! Does unisize do the same as Rapier's own broad phase, and how much faster does it make a step?
 //!
 //! ```text
 //! cargo run --release --features rapier2d,rapier3d,parallel --example compare
 //! ```
 //!
 //! simulates every scene in two and three dimensions with both broad phases side by side, compares the pairs
-//! they hold and the contacts after every step, and prints a table for each dimension.
+//! they hold and the contacts after every step, then times whole steps on each broad phase alone, and prints a table
+//! for each dimension.
 //! `examples/scenes/src/engine/comparison.rs` lists what is compared. Exits with 1 if anything differs, and
 //! with 2 on a usage error.
 
@@ -14,6 +15,7 @@ mod options;
 mod progress;
 mod report;
 mod row;
+mod spread;
 mod table;
 
 use clap::Parser;

@@ -17,8 +17,13 @@ const STEPS: usize = 300;
 /// Compares unisize with Rapier's own broad phase, on every scene.
 ///
 /// The default broad phase drives the simulation, and unisize gets the same updates. After every step the pairs
-/// that they hold, and the contacts and intersections that follow, are compared. Then each scene is simulated
-/// on either broad phase alone. Exits with 1 if anything differs.
+/// that they hold, the contacts and intersections that follow, and what rays hit are compared. Exits with 1 if
+/// anything differs.
+///
+/// Then whole steps are timed, with the queries made in them: each scene is simulated on either broad phase alone, the
+/// two worlds stepped by turns. Their trajectories part after a while, since the solver depends on the order of
+/// events; the scene stays as hard as it was, so the times are comparable in the mean. Each repeat has another seed.
+/// The ratio is the median over repeats, with the lower and the upper quartile.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
@@ -40,21 +45,24 @@ pub(super) struct Options {
     /// How many threads unisize may use, which pays only for very many bodies; Rapier's own uses one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
-    /// The seed of the scenes' randomness
+    /// How many rays are cast after each step, in the tree of the broad phase, beside those of the scene itself
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = between(0, 1_000_000))]
+    pub(super) rays: usize,
+    /// How often whole steps are timed; to tell a few per cent takes nine, and 0 leaves it out
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = between(0, 1_000))]
+    pub(super) repeats: usize,
+    /// The seed of the scenes' randomness; repeats count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,
     /// Write the results to this file as well
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,
-    /// Few bodies and steps, for a check of a few seconds
+    /// Few bodies and steps, for a check of a minute
     #[arg(long)]
     quick: bool,
     /// Check unisize's internal invariants after every step
     #[arg(long)]
     pub(super) validate: bool,
-    /// Leave out the simulations on either broad phase alone
-    #[arg(long)]
-    no_independent: bool,
     /// Compute and compare the contacts only at every N-th step and the last
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_000_000))]
     pub(super) contacts_every: usize,
@@ -92,13 +100,9 @@ impl Options {
             .unwrap_or(if self.quick { QUICK_STEPS } else { STEPS })
     }
 
-    pub(super) fn independent(&self) -> bool {
-        !self.no_independent
-    }
-
     /// All steps of all simulations.
     pub(super) fn total_steps(&self) -> usize {
-        let runs = if self.independent() { 3 } else { 1 };
+        let runs = 1 + 2 * self.repeats;
         self.dims().count() * self.scenes().count() * self.steps() * runs
     }
 }
@@ -139,4 +143,59 @@ fn parse_scene(name: &str) -> Result<SceneKind, String> {
         let names = SceneKind::ALL.map(SceneKind::name).join(", ");
         format!("there is no such scene; there are {names}")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(arguments: &str) -> Result<Options, clap::Error> {
+        Options::try_parse_from(["compare"].into_iter().chain(arguments.split_whitespace()))
+    }
+
+    #[test]
+    fn everything_is_compared_by_default() {
+        let options = parse("").unwrap();
+        assert_eq!(options.scenes().count(), SceneKind::ALL.len());
+        assert_eq!(options.dims().collect::<Vec<_>>(), [2, 3]);
+        assert_eq!(
+            (options.steps(), options.repeats, options.rays),
+            (300, 3, 0)
+        );
+        assert_eq!(options.bodies(SceneKind::TileMap), 500);
+        assert_eq!(options.total_steps(), SceneKind::ALL.len() * 2 * 300 * 7);
+    }
+
+    #[test]
+    fn scenes_are_selected() {
+        let options =
+            parse("--scene ghosts --scene tile-map --dim 2 --rays 8 --repeats 0").unwrap();
+        let scenes = [SceneKind::Ghosts, SceneKind::TileMap];
+        assert_eq!(options.scenes().collect::<Vec<_>>(), scenes);
+        assert_eq!(options.rays, 8);
+        assert_eq!(options.total_steps(), 2 * 300);
+    }
+
+    #[test]
+    fn quick_is_the_default_of_sizes_only() {
+        let options = parse("--quick").unwrap();
+        assert_eq!(options.bodies(SceneKind::Gas), QUICK_BODIES);
+        assert_eq!(options.steps(), QUICK_STEPS);
+        let options = parse("--quick --bodies 7 --steps 9").unwrap();
+        assert_eq!((options.bodies(SceneKind::Gas), options.steps()), (7, 9));
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused() {
+        for arguments in [
+            "--scene nowhere",
+            "--bodies 0",
+            "--repeats -1",
+            "--rays many",
+        ] {
+            assert!(parse(arguments).is_err(), "{arguments}");
+        }
+        let error = parse("--scene nowhere").unwrap_err().to_string();
+        assert!(error.contains("tile-map"), "{error}");
+    }
 }

@@ -1,5 +1,6 @@
 //! The result of one comparison, the same type for both dimensions.
 
+use crate::spread::Spread;
 use serde::Serialize;
 
 /// The result of comparing on one scene in one dimension.
@@ -14,7 +15,7 @@ pub(super) struct Row {
     pub(super) kernel: String,
     pub(super) equal: bool,
     pub(super) first_difference: Option<String>,
-    /// The default's time over ours.
+    /// The default's broad-phase time over ours.
     pub(super) ratio: f64,
     /// Pairs held at the end, without those that the narrow phase drops anyway.
     pub(super) pairs: Sides<usize>,
@@ -24,10 +25,36 @@ pub(super) struct Row {
     pub(super) intersections: Total,
     /// At how many steps the contacts were compared.
     pub(super) contact_checks: usize,
+    pub(super) rays: Rays,
     pub(super) redundant_events: Sides<usize>,
     pub(super) broad_phase: Sides<Times>,
-    /// The ends of the simulations on either broad phase alone.
-    pub(super) independent: Option<Sides<End>>,
+    /// Whole steps, on either broad phase alone.
+    pub(super) whole_steps: Option<WholeSteps>,
+}
+
+/// Whole steps with their queries, on either broad phase alone.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct WholeSteps {
+    /// The median over all repeats of the mean over their steps.
+    pub(super) ms_per_step: Sides<f64>,
+    /// The default's time over ours, one of each repeat.
+    pub(super) ratio: Spread,
+    pub(super) repeats: Vec<Repeat>,
+}
+
+/// Two simulations of one seed.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Repeat {
+    pub(super) seed: u64,
+    pub(super) ratio: f64,
+    pub(super) end: Sides<End>,
+}
+
+/// The rays whose answers were compared.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Rays {
+    pub(super) cast: usize,
+    pub(super) hits: usize,
 }
 
 /// A value for Rapier's broad phase and one for ours.
@@ -66,6 +93,8 @@ pub(super) struct End {
     pub(super) not_finite: usize,
     pub(super) energy: f64,
     pub(super) max_rope_stretch: Option<f64>,
-    /// The whole step, with the script, the solver and everything else.
+    /// The whole step, with the script, the solver, the queries and everything else.
     pub(super) ms_per_step: f64,
+    /// What of it is for rays, with the tree that is built for them, if one is.
+    pub(super) ms_of_rays: f64,
 }

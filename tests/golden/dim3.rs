@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 15] = [
+const SCENES: [u64; 19] = [
     0x84c3c22759bcd322,
     0x9975a8338cbe766d,
     0x38dfb4250ff72231,
@@ -36,6 +36,10 @@ const SCENES: [u64; 15] = [
     0x38c9c8fbea0f52c3,
     0xfb74257d15c56af9,
     0xbc74e5d4e03e2fc0,
+    0,
+    0,
+    0,
+    0,
 ];
 
 #[path = "suite.rs"]

@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 15] = [
+const SCENES: [u64; 19] = [
     0x84c3c22759bcd322,
     0x9975a8338cbe766d,
     0x76161b6c0d3432a9,
@@ -36,6 +36,10 @@ const SCENES: [u64; 15] = [
     0x84a14a3b770fe7db,
     0xfb74257d15c56af9,
     0x0ddbcb59022501b4,
+    0,
+    0,
+    0,
+    0,
 ];
 
 #[path = "suite.rs"]

@@ -43,7 +43,7 @@ pub(super) fn run(page: &Page, quick: bool) -> Result<()> {
         let comparison = Comparison {
             steps,
             contacts_every: 50,
-            independent: false,
+            repeats: 0,
             ..Comparison::new(kind, bodies, 1)
         };
         let candidate = Candidate::new(UnisizeBroadPhase::new)

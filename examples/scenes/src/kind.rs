@@ -33,11 +33,19 @@ pub enum SceneKind {
     Churn,
     /// Every kind of collider, falling onto a height field.
     Shapes,
+    /// A solid map of fixed unit squares or cubes, on which a few balls fall.
+    TileMap,
+    /// Rigid bodies of very many colliders, so that nearly all pairs are of one body.
+    Ships,
+    /// Overlapping balls whose collision groups keep them from touching each other.
+    Ghosts,
+    /// A character and, in space, a vehicle among falling balls, both of which ask the broad phase at every step.
+    Player,
 }
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 19] = [
         Self::FallingBalls,
         Self::Pyramid,
         Self::Gas,
@@ -53,6 +61,10 @@ impl SceneKind {
         Self::Bullets,
         Self::Churn,
         Self::Shapes,
+        Self::TileMap,
+        Self::Ships,
+        Self::Ghosts,
+        Self::Player,
     ];
 
     /// The name used on the command line and in tables.
@@ -73,6 +85,10 @@ impl SceneKind {
             Self::Bullets => "bullets",
             Self::Churn => "churn",
             Self::Shapes => "shapes",
+            Self::TileMap => "tile-map",
+            Self::Ships => "ships",
+            Self::Ghosts => "ghosts",
+            Self::Player => "player",
         }
     }
 
@@ -99,13 +115,22 @@ impl SceneKind {
             Self::Bullets => "fast bullets with CCD and soft CCD at a thin wall and a stack",
             Self::Churn => "falling balls of which 2 % are replaced at every step",
             Self::Shapes => "every kind of collider falling onto a height field",
+            Self::TileMap => "balls falling onto a solid map of sixty fixed tiles to a ball",
+            Self::Ships => "three drifting bodies, each of a third of the colliders",
+            Self::Ghosts => "overlapping balls that pass through each other, slowly",
+            Self::Player => "a character and a vehicle that query the world, among falling balls",
         }
     }
 
     /// A number of bodies with which the default broad phase takes a few seconds for 300 steps.
+    ///
+    /// Of [`Ships`](Self::Ships) it is the number of colliders that move.
     pub const fn default_bodies(self) -> usize {
         match self {
             Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping => 10_000,
+            Self::Ships => 5_184,
+            Self::Ghosts => 3_000,
+            Self::TileMap => 500,
             Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes => 1_000,
             Self::FallingBalls
             | Self::Hopper
@@ -113,13 +138,17 @@ impl SceneKind {
             | Self::MixedFour
             | Self::MixedEight
             | Self::MixedThousand
-            | Self::Churn => 2_000,
+            | Self::Churn
+            | Self::Player => 2_000,
         }
     }
 
     /// Whether every body moves at every step, so that caching the boxes of resting bodies is useless.
     pub const fn all_move(self) -> bool {
-        matches!(self, Self::Gas | Self::Crowd | Self::Swarm)
+        matches!(
+            self,
+            Self::Gas | Self::Crowd | Self::Swarm | Self::Ships | Self::Ghosts
+        )
     }
 }
 

@@ -55,6 +55,7 @@ pub mod dim2 {
     mod gorge;
     #[path = "../show.rs"]
     mod show;
+    mod vehicle;
 
     pub use engine::*;
     pub use gorge::Gorge;
@@ -76,6 +77,7 @@ pub mod dim3 {
     #[path = "../show.rs"]
     mod show;
     mod solids;
+    mod vehicle;
 
     pub use engine::*;
     pub use implosion::Implosion;
@@ -94,6 +96,7 @@ pub mod dim2_f64 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod vehicle;
 
     pub use engine::*;
 }
@@ -108,6 +111,7 @@ pub mod dim3_f64 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod vehicle;
 
     pub use engine::*;
 }

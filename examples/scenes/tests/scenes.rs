@@ -13,7 +13,7 @@ macro_rules! scene_tests {
             use super::{STEPS, SceneKind};
             use std::hash::{DefaultHasher, Hash, Hasher};
             use unisize_scenes::$dim::rapier::prelude::*;
-            use unisize_scenes::$dim::{Observed, Sanity, Scene};
+            use unisize_scenes::$dim::{Observed, QueryAccess, Sanity, Scene};
 
             /// Builds a scene and steps it.
             fn run(kind: SceneKind, bodies: usize, seed: u64, steps: usize) -> (Scene, Sanity) {
@@ -74,8 +74,12 @@ macro_rules! scene_tests {
             fn every_body_arrives() {
                 for kind in SceneKind::ALL {
                     let (scene, _) = run(kind, 80, 1, 2 * STEPS);
-                    let dynamic = scene.world.bodies.iter();
-                    let movable = dynamic.filter(|(_, body)| !body.is_fixed()).count();
+                    let bodies = scene.world.bodies.iter();
+                    let movable = bodies.filter(|(_, body)| !body.is_fixed());
+                    let movable: usize = match kind {
+                        SceneKind::Ships => movable.map(|(_, body)| body.colliders().len()).sum(),
+                        _ => movable.count(),
+                    };
                     assert!((75..=80).contains(&movable), "{}: {movable}", kind.name());
                 }
             }
@@ -98,6 +102,96 @@ macro_rules! scene_tests {
                 let narrow_phase = &scene.world.narrow_phase;
                 let pairs = narrow_phase.intersection_pairs();
                 assert!(pairs.filter(|(_, _, intersecting)| *intersecting).count() > 0);
+            }
+
+            /// The pairs of colliders whose boxes overlap, and how many of them the narrow phase looks at.
+            fn pairs(kind: SceneKind, bodies: usize) -> [usize; 2] {
+                let mut scene = Scene::build(kind, bodies, 1);
+                let mut broad_phase = Observed::new(DefaultBroadPhase::new()).with_held();
+                for _ in 0..STEPS {
+                    scene.step(&mut broad_phase, &(), &());
+                }
+                let colliders = &scene.world.colliders;
+                let may_touch = broad_phase.held().iter().filter(|pair| {
+                    let (a, b) = (&colliders[pair.collider1], &colliders[pair.collider2]);
+                    scene.world.may_touch(a, b)
+                });
+                [broad_phase.held().len(), may_touch.count()]
+            }
+
+            #[test]
+            fn the_narrow_phase_drops_nearly_all_pairs_of_ships_tiles_and_ghosts() {
+                for kind in [SceneKind::Ships, SceneKind::TileMap] {
+                    let [all, relevant] = pairs(kind, 240);
+                    assert!(relevant > 0, "{}", kind.name());
+                    assert!(20 * relevant < all, "{}: {relevant} of {all}", kind.name());
+                }
+                // Of few ghosts, many are at the walls.
+                let [all, relevant] = pairs(SceneKind::Ghosts, 600);
+                assert!(relevant > 0 && 4 * relevant < all, "{relevant} of {all}");
+            }
+
+            #[test]
+            fn ships_are_three_bodies_with_cargo() {
+                let (scene, _) = run(SceneKind::Ships, 3 * 12 * 12 * 12, 1, 1);
+                assert_eq!(scene.body_count(), 6);
+                assert_eq!(scene.world.colliders.len(), 3 * 12 * 12 * 12);
+            }
+
+            #[test]
+            fn tiles_are_sixty_to_a_ball() {
+                let (scene, _) = run(SceneKind::TileMap, 500, 1, 1);
+                assert_eq!(scene.body_count(), 500);
+                assert_eq!(scene.world.colliders.len(), 500 + 30_000);
+            }
+
+            #[test]
+            fn balls_land_on_the_map() {
+                let (scene, _) = run(SceneKind::TileMap, 60, 1, 5 * STEPS);
+                for (_, body) in scene.world.bodies.iter() {
+                    assert!(body.translation().y < 4.0, "{:?}", body.translation());
+                }
+                assert_eq!(scene.sanity().fallen_through, 0);
+            }
+
+            #[test]
+            fn the_player_walks_and_looks_around() {
+                let mut scene = Scene::build(SceneKind::Player, 120, 1);
+                let (player, _) = scene.world.bodies.iter().next().expect("the player");
+                let mut before = *scene.world.bodies[player].translation();
+                let mut way = 0.0;
+                let mut broad_phase = DefaultBroadPhase::new();
+                for _ in 0..3 * STEPS {
+                    scene.step(&mut broad_phase, &(), &());
+                    let place = *scene.world.bodies[player].translation();
+                    assert!(place.y > 0.5, "{place:?}");
+                    way += (place - before).norm();
+                    before = place;
+                }
+                // Three seconds at a speed of 4, less what is lost where it turns.
+                assert!((4.0..14.0).contains(&way), "{way}");
+                assert_eq!(scene.rays().len(), 16);
+            }
+
+            #[test]
+            fn the_broad_phase_answers_as_a_tree_of_its_own() {
+                let access = QueryAccess::new(
+                    DefaultBroadPhase::as_query_pipeline,
+                    DefaultBroadPhase::as_query_pipeline_mut,
+                );
+                let [mut asking, mut own] =
+                    [(); 2].map(|()| Scene::build(SceneKind::Player, 60, 1));
+                let sorted = || Observed::new(DefaultBroadPhase::new()).sorted();
+                let [mut asked, mut other] = [sorted(), sorted()];
+                // The broad phase has no tree before its first update.
+                asking.step(&mut asked, &(), &());
+                own.step(&mut other, &(), &());
+                for _ in 1..STEPS / 2 {
+                    asking.prepare_asking(&access.to(&asked.inner));
+                    asking.world.step(&mut asked, &(), &());
+                    own.step(&mut other, &(), &());
+                }
+                assert_eq!(hash(&asking), hash(&own));
             }
 
             #[test]

@@ -27,6 +27,11 @@ pub(super) fn lying() -> AngVector<Real> {
     core::f64::consts::FRAC_PI_2 as Real
 }
 
+/// An angular velocity of random components.
+pub(super) fn turning(mut component: impl FnMut() -> Real) -> AngVector<Real> {
+    component()
+}
+
 /// A height field around the origin, `cells` wide and of this extent, with the height of each column.
 pub(super) fn terrain(
     cells: usize,

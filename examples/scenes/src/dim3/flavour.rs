@@ -31,6 +31,11 @@ pub(super) fn lying() -> AngVector<Real> {
     Vector::z() * core::f64::consts::FRAC_PI_2 as Real
 }
 
+/// An angular velocity of random components.
+pub(super) fn turning(mut component: impl FnMut() -> Real) -> AngVector<Real> {
+    Vector::from_fn(|_, _| component())
+}
+
 /// A height field around the origin, `cells` wide and of this extent, with the height of each corner.
 pub(super) fn terrain(
     cells: usize,

@@ -6,20 +6,25 @@
 //! - both hold the same pairs, apart from those that the narrow phase drops anyway;
 //! - the candidate's own list of pairs is what its events amount to, and none of them was redundant;
 //! - two [narrow phases](contacts), each fed with the pairs of one, find the same contacts and intersections;
-//! - every contact and intersection of the simulation is among the pairs of the candidate.
+//! - every contact and intersection of the simulation is among the pairs of the candidate;
+//! - [rays], if there are any, hit the same in the trees of both.
 //!
-//! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards the scene
-//! may be simulated once more on each broad phase [alone](independent).
+//! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards whole steps are
+//! timed: the scene is simulated on each broad phase [alone](independent), as often as is asked for.
 
 use super::observed::{Observed, PairEvent, Tee, Timing, Update};
+use super::queries::{Queries, QueryAccess};
 use super::rapier::{self, prelude::*};
 use super::sanity::Sanity;
 use super::scene::Scene;
+use super::space::{along, vector};
 use super::world::World;
 use crate::SceneKind;
+use crate::random::Random;
 use both::Side;
 use contacts::{ContactCheck, Touching};
 use ledger::Ledger;
+use rays::RayCheck;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 mod both;
@@ -30,11 +35,12 @@ mod journal;
 mod ledger;
 mod outcome;
 mod pair;
+mod rays;
 #[cfg(test)]
 mod tests;
 
 pub use both::Both;
-pub use outcome::{Independent, Outcome, Tally};
+pub use outcome::{Independent, Outcome, RayCount, Tally};
 
 /// The broad phase that is compared with the default: how to make one, and what it can be asked.
 ///
@@ -50,6 +56,7 @@ pub struct Candidate<C> {
     create: Box<dyn Fn() -> C>,
     pairs: Option<Ask<C, Vec<ColliderPair>>>,
     validate: Option<Ask<C, ()>>,
+    access: Option<QueryAccess<C>>,
 }
 
 /// What a candidate is asked after each step.
@@ -62,12 +69,20 @@ impl<C: BroadPhase> Candidate<C> {
             create: Box::new(create),
             pairs: None,
             validate: None,
+            access: None,
         }
     }
 
     /// Has the list of the pairs that it holds compared with its events after each step.
     pub fn with_pairs(mut self, pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static) -> Self {
         self.pairs = Some(Box::new(pairs));
+        self
+    }
+
+    /// Lets it be asked by rays and by scenes with controllers. No rays are cast otherwise, and scenes ask a tree of
+    /// their own.
+    pub fn with_queries(mut self, access: QueryAccess<C>) -> Self {
+        self.access = Some(access);
         self
     }
 
@@ -109,8 +124,11 @@ pub struct Comparison {
     /// 0 counts as 1. The comparison copies the world and computes every contact twice, which takes longer
     /// than the simulation itself.
     pub contacts_every: usize,
-    /// Whether to simulate the scene on each broad phase alone as well. Default: yes.
-    pub independent: bool,
+    /// How many rays are cast after each step, beside those of the scene. Default: 0.
+    pub rays: usize,
+    /// How often the scene is simulated on each broad phase alone as well, with seeds that count up from `seed`.
+    /// Default: 1.
+    pub repeats: usize,
 }
 
 impl Comparison {
@@ -122,30 +140,32 @@ impl Comparison {
             seed,
             steps: 300,
             contacts_every: 1,
-            independent: true,
+            rays: 0,
+            repeats: 1,
         }
     }
 
     /// Compares, and calls `on_step` after each simulated step with the number of steps done: `steps` of
-    /// them, or three times as many with the independent runs.
+    /// them, and twice as many again for each repeat of the independent runs.
     pub fn run<C: BroadPhase>(
         &self,
         candidate: &Candidate<C>,
         mut on_step: impl FnMut(usize),
     ) -> Outcome {
         let mut outcome = self.run_together(candidate, &mut on_step);
-        if self.independent {
-            let runs = self.run_alone(candidate, |step| on_step(self.steps + step));
+        for repeat in 0..self.repeats {
+            let done = self.steps * (1 + 2 * repeat);
+            let runs = self.run_alone(candidate, repeat, |step| on_step(done + step));
             if outcome.first_difference.is_none() {
                 outcome.first_difference = independent::difference(&runs);
             }
-            outcome.independent = Some(runs);
+            outcome.independent.push(runs);
         }
         outcome
     }
 
-    fn build(&self) -> Scene {
-        Scene::build(self.kind, self.bodies, self.seed)
+    fn build(&self, seed: u64) -> Scene {
+        Scene::build(self.kind, self.bodies, seed)
     }
 
     fn run_together<C: BroadPhase>(
@@ -153,7 +173,8 @@ impl Comparison {
         candidate: &Candidate<C>,
         on_step: &mut impl FnMut(usize),
     ) -> Outcome {
-        let mut scene = self.build();
+        let mut scene = self.build(self.seed);
+        let mut ray_check = RayCheck::new(candidate.access, &scene, self);
         let mut ledger = Ledger::new((candidate.create)());
         let mut contact_check = ContactCheck::default();
         let mut outcome = Outcome {
@@ -161,7 +182,8 @@ impl Comparison {
             ..Outcome::default()
         };
         for step in 1..=self.steps {
-            scene.step(&mut ledger.tee, &(), &());
+            scene.prepare_asking(&rays::of_default().to(&ledger.tee.heard.inner));
+            scene.world.step(&mut ledger.tee, &(), &());
             ledger.enter_step();
             let touching = Touching::of(&scene.world.narrow_phase);
             outcome.contacts.record(touching.contacts.len());
@@ -175,6 +197,7 @@ impl Comparison {
                         check_contacts
                             .then(|| contact_check.check(&scene.world, &mut ledger.journals, &()))?
                     })
+                    .or_else(|| ray_check.as_mut()?.check(&scene, &ledger))
                     .map(|difference| format!("step {step}: {difference}"));
             }
             on_step(step);
@@ -184,6 +207,7 @@ impl Comparison {
         outcome.pairs = Both::of(|side| ledger.held.count_relevant(side, &scene.world));
         outcome.pairs_with_dropped = Both::of(|side| ledger.held.count(side));
         outcome.redundant_events = ledger.redundant;
+        outcome.rays = ray_check.map(|check| check.count).unwrap_or_default();
         outcome.timing = Both {
             default: ledger.tee.heard.timing(),
             candidate: ledger.tee.unheard.timing(),

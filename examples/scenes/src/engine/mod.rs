@@ -1,11 +1,12 @@
 //! The part of the scenes that touches Rapier: one source for every flavour.
 
-use super::{flavour, rapier};
+use super::{flavour, rapier, vehicle};
 
 mod comparison;
 mod container;
 mod lattice;
 mod observed;
+mod queries;
 mod sanity;
 mod scene;
 mod scenes;
@@ -14,8 +15,9 @@ mod space;
 mod stage;
 mod world;
 
-pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, Tally};
+pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, RayCount, Tally};
 pub use observed::{Observed, PairEvent, Tee, Timing, Update};
+pub use queries::{Queries, QueryAccess};
 pub use sanity::Sanity;
 pub use scene::Scene;
 pub use world::World;

@@ -1,6 +1,7 @@
 //! A world with the script that drives it.
 
 use super::container::Container;
+use super::queries::{OwnTree, Queries};
 use super::rapier::prelude::*;
 use super::scenes;
 use super::script::{Cue, Script};
@@ -68,9 +69,27 @@ impl Scene {
     }
 
     /// Runs the script for one step. [`World::step`] has to follow.
+    ///
+    /// A script with questions gets a tree of its own, so that its answers do not depend on the broad phase.
     pub fn prepare(&mut self) {
         self.script.prepare(&mut self.world, &mut self.cue);
+        if self.script.asks() {
+            let tree = OwnTree::of(&self.world.colliders);
+            self.script.ask(&mut self.world, &mut self.cue, &tree);
+        }
         self.cue.step += 1;
+    }
+
+    /// The same with a broad phase that answers the script's questions.
+    pub fn prepare_asking(&mut self, queries: &dyn Queries) {
+        self.script.prepare(&mut self.world, &mut self.cue);
+        self.script.ask(&mut self.world, &mut self.cue, queries);
+        self.cue.step += 1;
+    }
+
+    /// The rays that the scene wants cast after each step, whose answers change nothing.
+    pub fn rays(&self) -> Vec<Ray> {
+        self.script.rays(&self.world)
     }
 
     /// Runs the script, then advances the world by one time step.

@@ -1,5 +1,6 @@
 //! What happens in a scene besides physics: a script inserts, removes and steers bodies before each step.
 
+use super::queries::Queries;
 use super::rapier::prelude::*;
 use super::space::{GRAVITY, UP};
 use super::world::World;
@@ -9,6 +10,19 @@ use crate::random::Random;
 pub(super) trait Script: Send {
     /// Prepares the world for the step of this cue.
     fn prepare(&mut self, world: &mut World, cue: &mut Cue);
+
+    /// Whether it [asks](Self::ask): a tree has to be built for it where the broad phase cannot be asked.
+    fn asks(&self) -> bool {
+        false
+    }
+
+    /// Asks about the world as the last step left it, and acts on the answers. Follows `prepare`.
+    fn ask(&mut self, _world: &mut World, _cue: &mut Cue, _queries: &dyn Queries) {}
+
+    /// The rays to cast after a step. Nothing in the world depends on the answers.
+    fn rays(&self, _world: &World) -> Vec<Ray> {
+        Vec::new()
+    }
 }
 
 /// The script of a scene that is left to itself.

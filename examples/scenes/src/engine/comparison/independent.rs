@@ -1,49 +1,119 @@
-//! The scene simulated on each broad phase alone.
+//! The scene simulated on each broad phase alone: what a whole step takes.
 //!
-//! The two runs drift apart, since the order of events decides the order in which the solver works, and with it the
+//! The two worlds are stepped by turns, and the turn changes at each step, so that whatever else the machine does
+//! slows both down. The queries of a step are part of it: the default keeps its tree up to date in every update,
+//! while others may build one when they are asked.
+//!
+//! The worlds drift apart, since the order of events decides the order in which the solver works, and with it the
 //! last bits of its result. So their end states are not compared with each other, but each with what physics
 //! demands; see [`Sanity::verdict`](super::Sanity::verdict).
 
 use super::outcome::Independent;
 use super::rapier::prelude::*;
-use super::{Both, Candidate, Comparison};
+use super::rays::{self, Answer, Rays};
+use super::{Both, Candidate, Comparison, QueryAccess, Sanity, Scene};
 use std::time::{Duration, Instant};
 
 impl Comparison {
-    /// Simulates the scene on the default alone, then on the candidate alone.
+    /// Simulates the scene on both, each alone.
     pub(super) fn run_alone<C: BroadPhase>(
         &self,
         candidate: &Candidate<C>,
+        repeat: usize,
         mut on_step: impl FnMut(usize),
     ) -> Both<Independent> {
+        let seed = self.seed.wrapping_add(repeat as u64);
+        // Where one cannot be asked, neither is.
+        let access = candidate.access.map(|_| rays::of_default());
+        let mut default = Run::new(self, seed, DefaultBroadPhase::new(), access);
+        let mut other = Run::new(self, seed, (candidate.create)(), candidate.access);
+        for step in 0..self.steps {
+            if step % 2 == 0 {
+                default.step();
+                on_step(2 * step + 1);
+                other.step();
+            } else {
+                other.step();
+                on_step(2 * step + 1);
+                default.step();
+            }
+            on_step(2 * step + 2);
+        }
         Both {
-            default: self.run_one(&mut DefaultBroadPhase::new(), &mut on_step),
-            candidate: self.run_one(&mut (candidate.create)(), |step| {
-                on_step(self.steps + step);
-            }),
+            default: default.end(),
+            candidate: other.end(),
+        }
+    }
+}
+
+/// A scene on one broad phase.
+struct Run<B> {
+    scene: Scene,
+    initial: Sanity,
+    broad_phase: B,
+    access: Option<QueryAccess<B>>,
+    rays: Rays,
+    answers: Vec<Answer>,
+    elapsed: Duration,
+    casting: Duration,
+    seed: u64,
+}
+
+impl<B: BroadPhase> Run<B> {
+    fn new(
+        comparison: &Comparison,
+        seed: u64,
+        broad_phase: B,
+        access: Option<QueryAccess<B>>,
+    ) -> Self {
+        let scene = comparison.build(seed);
+        Self {
+            initial: scene.sanity(),
+            rays: Rays::new(&scene, comparison.rays, seed),
+            scene,
+            broad_phase,
+            access,
+            answers: Vec::new(),
+            elapsed: Duration::ZERO,
+            casting: Duration::ZERO,
+            seed,
         }
     }
 
-    fn run_one(
-        &self,
-        broad_phase: &mut dyn BroadPhase,
-        mut on_step: impl FnMut(usize),
-    ) -> Independent {
-        let mut scene = self.build();
-        let initial = scene.sanity();
-        let mut elapsed = Duration::ZERO;
-        for step in 1..=self.steps {
-            let start = Instant::now();
-            scene.step(broad_phase, &(), &());
-            elapsed += start.elapsed();
-            on_step(step);
+    fn step(&mut self) {
+        let start = Instant::now();
+        match &self.access {
+            Some(access) => self.scene.prepare_asking(&access.to(&self.broad_phase)),
+            None => self.scene.prepare(),
         }
-        let sanity = scene.sanity();
-        let verdict = sanity.verdict(&initial);
+        self.scene.world.step(&mut self.broad_phase, &(), &());
+        self.elapsed += start.elapsed();
+        let Some(access) = &self.access else { return };
+        let rays = self.rays.draw(&self.scene);
+        if rays.is_empty() {
+            return;
+        }
+        let start = Instant::now();
+        rays::cast(
+            &access.to(&self.broad_phase),
+            &self.scene.world,
+            rays,
+            &mut self.answers,
+        );
+        let casting = start.elapsed();
+        self.elapsed += casting;
+        self.casting += casting;
+    }
+
+    fn end(self) -> Independent {
+        let sanity = self.scene.sanity();
+        let verdict = sanity.verdict(&self.initial);
         Independent {
             sanity,
             verdict,
-            elapsed,
+            elapsed: self.elapsed,
+            casting: self.casting,
+            seed: self.seed,
         }
     }
 }
@@ -52,7 +122,8 @@ impl Comparison {
 pub(super) fn difference(runs: &Both<Independent>) -> Option<String> {
     match (&runs.default.verdict, &runs.candidate.verdict) {
         (Ok(()), Err(verdict)) => Some(format!(
-            "simulated on the candidate alone: {verdict}, which does not happen on the default"
+            "simulated on the candidate alone, with the seed {}: {verdict}, which does not happen on the default",
+            runs.candidate.seed
         )),
         _ => None,
     }

@@ -23,14 +23,16 @@ pub struct Outcome {
     pub intersections: Tally,
     /// At how many steps the contacts of both were computed and compared.
     pub contact_checks: usize,
+    /// The rays that were cast in the trees of both, and compared.
+    pub rays: RayCount,
     /// How many events changed nothing: a pair that was held already, or the end of one that was not.
     pub redundant_events: Both<usize>,
     /// The first difference, with its step; nothing is checked after it.
     pub first_difference: Option<String>,
     /// How long the updates took.
     pub timing: Both<Timing>,
-    /// The scene simulated on each broad phase alone, if this was asked for.
-    pub independent: Option<Both<Independent>>,
+    /// The scene simulated on each broad phase alone, as often as was asked for.
+    pub independent: Vec<Both<Independent>>,
 }
 
 impl Outcome {
@@ -61,6 +63,15 @@ impl Tally {
     }
 }
 
+/// How many rays were cast.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCount {
+    /// All of them.
+    pub cast: usize,
+    /// Those that hit a collider.
+    pub hits: usize,
+}
+
 /// The end of a scene that was simulated on one broad phase alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Independent {
@@ -68,6 +79,17 @@ pub struct Independent {
     pub sanity: Sanity,
     /// Whether it is still physics, or else the first bound that it breaks.
     pub verdict: Result<(), String>,
-    /// How long the steps took, the solver and everything else included.
+    /// How long the steps took, with the script, the solver, the queries and everything else.
     pub elapsed: Duration,
+    /// How much of that was for rays.
+    pub casting: Duration,
+    /// The seed of the scene.
+    pub seed: u64,
+}
+
+impl Both<Independent> {
+    /// How many times as fast the whole steps were with the candidate.
+    pub fn ratio(&self) -> f64 {
+        self.default.elapsed.as_secs_f64() / self.candidate.elapsed.as_secs_f64()
+    }
 }

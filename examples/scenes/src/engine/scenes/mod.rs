@@ -2,11 +2,12 @@
 
 use super::container::Container;
 use super::lattice::Lattice;
+use super::queries::Queries;
 use super::script::{Cue, Script};
 use super::space::*;
 use super::stage::{Link, Stage};
 use super::world::World;
-use super::{flavour, rapier};
+use super::{flavour, rapier, vehicle};
 use crate::SceneKind;
 use crate::random::Random;
 
@@ -15,13 +16,17 @@ mod churn;
 mod crowd;
 mod falling_balls;
 mod gas;
+mod ghosts;
 mod hopper;
 mod mixed;
+mod player;
 mod pyramid;
 mod ropes;
 mod shapes;
+mod ships;
 mod sleeping;
 mod swarm;
+mod tile_map;
 
 /// Builds the stage of a scene.
 pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stage {
@@ -41,6 +46,10 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Bullets => bullets::build(bodies, random),
         SceneKind::Churn => churn::build(bodies, random),
         SceneKind::Shapes => shapes::build(bodies, random),
+        SceneKind::TileMap => tile_map::build(bodies, random),
+        SceneKind::Ships => ships::build(bodies, random),
+        SceneKind::Ghosts => ghosts::build(bodies, random),
+        SceneKind::Player => player::build(bodies, random),
     }
 }
 

@@ -1,0 +1,24 @@
+//! The vehicle of the plane: there is none, for Rapier's controller of vehicles needs a third dimension.
+
+use super::rapier::prelude::*;
+use super::{Queries, World};
+
+/// A vehicle, of which there is none.
+pub(super) enum Vehicle {}
+
+impl Vehicle {
+    /// Inserts no vehicle.
+    pub(super) fn insert(_world: &mut World, _place: Vector<Real>) -> Option<Self> {
+        None
+    }
+
+    /// Drives the vehicle.
+    pub(super) fn drive(
+        &mut self,
+        _step: usize,
+        _world: &mut World,
+        _queries: &dyn Queries,
+    ) -> Real {
+        match *self {}
+    }
+}

@@ -1,0 +1,73 @@
+//! A vehicle of Rapier's own: a chassis on four wheels, each of which is a ray.
+
+use super::rapier::control::{DynamicRayCastVehicleController, WheelTuning};
+use super::rapier::prelude::*;
+use super::{Queries, World};
+
+/// Half the length, height and width of the chassis.
+const HALF: [Real; 3] = [0.8, 0.2, 0.4];
+
+/// The density of the chassis, enough to push balls aside.
+const DENSITY: Real = 5.0;
+
+/// The force of each of the two driven wheels.
+const FORCE: Real = 6.0;
+
+/// The angle at which the front wheels stand.
+const STEERING: Real = 0.1;
+
+/// The number of steps after which the vehicle changes its direction.
+const LEG: usize = 100;
+
+/// A vehicle that drives to and fro on a curve.
+pub(super) struct Vehicle {
+    controller: DynamicRayCastVehicleController,
+}
+
+impl Vehicle {
+    /// Inserts a vehicle here.
+    pub(super) fn insert(world: &mut World, place: Vector<Real>) -> Option<Self> {
+        let [length, height, width] = HALF;
+        let chassis = world.insert(
+            RigidBodyBuilder::dynamic()
+                .translation(place)
+                .can_sleep(false),
+            ColliderBuilder::cuboid(length, height, width).density(DENSITY),
+        );
+        let mut controller = DynamicRayCastVehicleController::new(chassis);
+        let tuning = WheelTuning {
+            suspension_stiffness: 100.0,
+            suspension_damping: 10.0,
+            ..WheelTuning::default()
+        };
+        for (forward, aside) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let connection = point![forward * 0.8 * length, -height, aside * width];
+            controller.add_wheel(
+                connection,
+                -Vector::y(),
+                Vector::z(),
+                height,
+                0.5 * height,
+                &tuning,
+            );
+        }
+        Some(Self { controller })
+    }
+
+    /// Drives on, and returns the work of the engine.
+    pub(super) fn drive(&mut self, step: usize, world: &mut World, queries: &dyn Queries) -> Real {
+        let force = if (step / LEG) % 2 == 0 { -FORCE } else { FORCE };
+        for wheel in &mut self.controller.wheels_mut()[..2] {
+            wheel.engine_force = force;
+            wheel.steering = STEERING;
+        }
+        let dt = world.params.dt;
+        let chassis = self.controller.chassis;
+        let filter = QueryFilter::default().exclude_rigid_body(chassis);
+        self.controller.update_vehicle(
+            dt,
+            queries.pipeline_mut(&mut world.bodies, &mut world.colliders, filter),
+        );
+        2.0 * FORCE * dt * world.bodies[chassis].linvel().norm()
+    }
+}

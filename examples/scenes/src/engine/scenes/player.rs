@@ -1,0 +1,173 @@
+//! A player: falling balls, among which a character walks that looks around, and in space a vehicle drives.
+//!
+//! Both are controllers of Rapier, which ask the broad phase's tree at every step: the character where it can go and
+//! whom it pushes, the vehicle what is under its wheels. Sixteen rays a step are what the character sees.
+
+use super::rapier::control::KinematicCharacterController;
+use super::rapier::prelude::*;
+use super::vehicle::Vehicle;
+use super::{
+    Container, Cue, GRAVITY, Lattice, Queries, Random, Script, Stage, UP, World, along, cosine,
+    falling, flavour, jitter, sine, vector,
+};
+
+/// Radii of balls differ by a tenth either way.
+const RADIUS: [Real; 2] = [0.45, 0.55];
+
+/// The distance between two balls at the start.
+const SPACING: Real = 1.25;
+
+/// Half the height of the character, without its round ends.
+const HALF: Real = 0.5;
+
+/// The radius of the character.
+const GIRTH: Real = 0.3;
+
+/// The mass with which the character pushes.
+const MASS: Real = 1.0;
+
+/// The speed of the character.
+const SPEED: Real = 4.0;
+
+/// The share of its speed below which the character takes itself to be stuck, and turns.
+const STUCK: Real = 0.1;
+
+/// How many rays the character casts in a step.
+const RAYS: usize = 16;
+
+/// The character, and what else is driven.
+struct Play {
+    body: RigidBodyHandle,
+    shape: SharedShape,
+    controller: KinematicCharacterController,
+    heading: Vector<Real>,
+    /// How fast the character falls, downward.
+    fall: Real,
+    vehicle: Option<Vehicle>,
+}
+
+impl Script for Play {
+    fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
+
+    fn asks(&self) -> bool {
+        true
+    }
+
+    fn ask(&mut self, world: &mut World, cue: &mut Cue, queries: &dyn Queries) {
+        self.walk(world, cue, queries);
+        if let Some(vehicle) = &mut self.vehicle {
+            let work = vehicle.drive(cue.step, world, queries);
+            cue.supply(1.0, work);
+        }
+    }
+
+    fn rays(&self, world: &World) -> Vec<Ray> {
+        let eye = *world.bodies[self.body].translation();
+        let directions = (0..RAYS).map(|index| {
+            let angle = core::f64::consts::TAU as Real * index as Real / RAYS as Real;
+            let mut direction = vector(|_| 0.0);
+            direction[flavour::PLANE[0]] = cosine(angle);
+            direction[flavour::PLANE[1]] = sine(angle);
+            direction
+        });
+        // From just outside of the character, whom it would see otherwise.
+        let outside = |direction| (HALF + 2.0 * GIRTH) * direction;
+        directions
+            .map(|direction| Ray::new(Point::from(eye + outside(direction)), direction))
+            .collect()
+    }
+}
+
+impl Play {
+    /// Walks on, falls and pushes balls, and turns where it cannot go on.
+    fn walk(&mut self, world: &mut World, cue: &mut Cue, queries: &dyn Queries) {
+        let dt = world.params.dt;
+        let place = *world.bodies[self.body].position();
+        self.fall += GRAVITY * dt;
+        let wanted = (self.heading * SPEED - along(UP, self.fall)) * dt;
+
+        let filter = QueryFilter::default().exclude_rigid_body(self.body);
+        let mut hits = Vec::new();
+        let movement = self.controller.move_shape(
+            dt,
+            &queries.pipeline(&world.bodies, &world.colliders, filter),
+            &*self.shape,
+            &place,
+            wanted,
+            |hit| hits.push(hit),
+        );
+        self.controller.solve_character_collision_impulses(
+            dt,
+            &mut queries.pipeline_mut(&mut world.bodies, &mut world.colliders, filter),
+            &*self.shape,
+            MASS,
+            &hits,
+        );
+        // What is hit gets no more than the character's speed.
+        let pushed = hits.len() as Real * MASS;
+        cue.supply(pushed, (wanted / dt).norm_squared());
+
+        let next = place.translation.vector + movement.translation;
+        world.bodies[self.body].set_next_kinematic_translation(next);
+        if movement.grounded {
+            self.fall = 0.0;
+        }
+        if movement.translation.dot(&self.heading) < STUCK * SPEED * dt {
+            self.heading = any_heading(&mut cue.random);
+        }
+    }
+}
+
+/// A horizontal direction.
+fn any_heading(random: &mut Random) -> Vector<Real> {
+    let angle = random.range(0.0, core::f64::consts::TAU as Real);
+    let heading = vector(|axis| match axis {
+        0 => cosine(angle),
+        UP => 0.0,
+        _ => sine(angle),
+    });
+    heading.try_normalize(0.0).unwrap_or_else(|| along(0, 1.0))
+}
+
+pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+    let lattice = Lattice::heap(bodies, SPACING, 1.0);
+    // Wide enough that the balls do not bury the floor deeply.
+    let half_width = 2.0 * lattice.half_width() + 4.0;
+    let walls = Container::standing(half_width, lattice.height() + 1.0);
+    let mut world = falling();
+    walls.wall_in(&mut world, |side| side.build());
+    if bodies == 0 {
+        return Stage::new(world, walls.open());
+    }
+
+    let mut place = along(0, 1.5 - half_width);
+    place[UP] = HALF + GIRTH + 0.1;
+    let shape = SharedShape::capsule_y(HALF, GIRTH);
+    let body = world.insert(
+        RigidBodyBuilder::kinematic_position_based().translation(place),
+        ColliderBuilder::new(shape.clone()),
+    );
+    place[0] = half_width - 2.5;
+    let vehicle = if bodies > 1 {
+        Vehicle::insert(&mut world, place)
+    } else {
+        None
+    };
+    let driven = world.bodies.len();
+    for index in 0..bodies - driven {
+        let center = lattice.center(index) + jitter(random, 0.07);
+        let radius = random.range(RADIUS[0], RADIUS[1]);
+        world.insert(
+            RigidBodyBuilder::dynamic().translation(center),
+            ColliderBuilder::ball(radius),
+        );
+    }
+    Stage::new(world, walls.open()).with_script(Play {
+        body,
+        shape,
+        controller: KinematicCharacterController::default(),
+        heading: any_heading(random),
+        fall: 0.0,
+        vehicle,
+    })
+}
