@@ -1,8 +1,8 @@
 //! A film of the world, as a GIF or as numbered PNG files.
 
 use super::options::Options;
-use super::scenes::Show;
-use super::watched::Watched;
+use super::rivals::Rivals;
+use super::scenes::{HeldPairs, Show};
 use std::error::Error;
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -68,16 +68,16 @@ impl Film {
     pub(super) fn add(
         &mut self,
         show: &impl Show,
-        broad_phase: &Watched,
+        broad_phase: &Rivals,
         milliseconds: f64,
     ) -> Result<(), PictureError> {
         let mut drawing = Drawing::new();
         show.draw(&mut drawing, broad_phase);
         let mut picture = drawing.picture(&show.camera(), self.size)?;
         picture.legend(
-            &Legend::new(broad_phase.name())
+            &Legend::new(broad_phase.choice.name())
                 .fact("bodies", thousands(show.bodies()))
-                .fact("pairs", thousands(broad_phase.pair_count()))
+                .fact("pairs", thousands(broad_phase.pairs().len()))
                 .fact("broad phase", format!("{milliseconds:.2} ms")),
         );
         match &mut self.format {

@@ -5,13 +5,13 @@
 //! `scenes`. Bodies, pairs and pictures are the same in each run; times are not.
 
 mod choice;
+mod difference;
 mod film;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
+mod rivals;
 mod run;
-mod side;
-mod watched;
 
 pub(crate) use run::run;
 

@@ -1,10 +1,12 @@
 //! The main loop of an example.
 
+use super::difference::difference;
 use super::film::Film;
 use super::options::Options;
+use super::ours::UnisizeBroadPhase;
 use super::progress::progress_bar;
-use super::scenes::Show;
-use super::watched::Watched;
+use super::rivals::Rivals;
+use super::scenes::{HeldPairs, Observed, Show};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -33,22 +35,28 @@ fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>
     let mut film = Film::new::<S>(options)?;
     let steps = options.steps::<S>();
     let mut show = S::build(options.bodies::<S>());
-    let mut broad_phase = Watched::new::<S>(options);
+    let unisize = Observed::new(UnisizeBroadPhase::new());
+    let mut broad_phase = if options.verify_pairs {
+        Rivals::new(unisize.with_held(), options.broad_phase, true, S::CONTACTS)
+    } else {
+        Rivals::new(unisize, options.broad_phase, false, S::CONTACTS)
+    };
+    let elapsed = |rivals: &Rivals| rivals.elapsed(rivals.choice).unwrap_or_default();
     let bar = progress_bar(steps as u64);
     bar.set_message(S::NAME);
     // The time in the broad phase up to each step.
-    let mut clock = vec![broad_phase.elapsed()];
+    let mut clock = vec![elapsed(&broad_phase)];
     for step in 1..=steps {
         show.prepare(step, &broad_phase);
         show.world().step(&mut broad_phase, &(), &());
-        clock.push(broad_phase.elapsed());
-        if let Some(difference) = broad_phase.difference() {
+        clock.push(elapsed(&broad_phase));
+        if let Some(difference) = difference(&broad_phase) {
             return Ok(Some(format!("{}, step {step}: {difference}", S::NAME)));
         }
         if film.wants(step) {
             let since = step.saturating_sub(MEAN_OF);
-            let elapsed = clock[step] - clock[since];
-            let milliseconds = elapsed.as_secs_f64() * 1e3 / (step - since) as f64;
+            let recent = clock[step] - clock[since];
+            let milliseconds = recent.as_secs_f64() * 1e3 / (step - since) as f64;
             film.add(&show, &broad_phase, milliseconds)?;
         }
         bar.inc(1);
@@ -60,8 +68,8 @@ fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>
          the line that chooses it: {}",
         S::NAME,
         show.bodies(),
-        broad_phase.elapsed().as_secs_f64() * 1e3 / steps as f64,
-        broad_phase.pair_count(),
+        elapsed(&broad_phase).as_secs_f64() * 1e3 / steps as f64,
+        broad_phase.pairs().len(),
         if options.verify_pairs {
             ", the same as Rapier's at every step"
         } else {

@@ -1,15 +1,14 @@
 //! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
 
-use super::broad_phases;
-use super::clocked::Clocked;
-use super::scenes::World;
+use super::broad_phases::{self, AnyBroadPhase};
 use super::scenes::rapier::prelude::*;
+use super::scenes::{Observed, World};
 use crate::method::Method;
 use std::time::Duration;
 
 /// A broad phase and a narrow phase of its own.
 pub(super) struct Contestant {
-    pub(super) broad_phase: Clocked,
+    pub(super) broad_phase: Observed<AnyBroadPhase>,
     narrow_phase: NarrowPhase,
     pipeline: CollisionPipeline,
 }
@@ -23,9 +22,13 @@ pub(super) struct Lap {
 
 impl Contestant {
     pub(super) fn new(method: Method, typical_size: Real, records_pairs: bool) -> Self {
-        let broad_phase = broad_phases::create(method, typical_size);
+        let clocked = broad_phases::create(method, typical_size).clocked();
         Self {
-            broad_phase: Clocked::new(broad_phase, records_pairs),
+            broad_phase: if records_pairs {
+                clocked.with_held()
+            } else {
+                clocked
+            },
             narrow_phase: NarrowPhase::new(),
             pipeline: CollisionPipeline::new(),
         }
@@ -45,10 +48,11 @@ impl Contestant {
             &JointFilter(&stage.joints),
             &(),
         );
-        let broad = self.broad_phase.elapsed;
+        let timing = self.broad_phase.timing();
+        let narrow = timing.end.map_or(Duration::ZERO, |end| end.elapsed());
         Lap {
-            broad,
-            both: broad + self.broad_phase.done.elapsed(),
+            broad: timing.last,
+            both: timing.last + narrow,
         }
     }
 }

@@ -3,11 +3,9 @@
 use super::{ours, scenes};
 
 mod broad_phases;
-mod clocked;
 mod common_box;
 mod contestant;
 mod film;
-mod listed;
 mod replay;
 mod truth;
 

@@ -6,7 +6,6 @@
 
 use super::broad_phases;
 use super::contestant::{Contestant, Lap, Stage};
-use super::listed::Listed;
 use super::scenes::Scene;
 use super::scenes::rapier::prelude::*;
 use super::truth::Truth;
@@ -34,7 +33,9 @@ pub(super) fn run(
     on_step: &mut impl FnMut(),
 ) -> Vec<Figures> {
     let mut scene = Scene::build(kind, options.bodies(kind), options.seed);
-    let mut driver = Listed::new(broad_phases::create(DRIVER, typical_size));
+    let mut driver = broad_phases::create(DRIVER, typical_size)
+        .with_lists()
+        .sorted();
     let mut teams: Vec<_> = methods
         .iter()
         .map(|&method| Team::new(method, options.repeats(), typical_size))
@@ -44,13 +45,15 @@ pub(super) fn run(
         .collect();
     let mut random = oorandom::Rand32::new(options.seed);
     for step in 1..=options.steps() {
-        driver.modified.clear();
         scene.step(&mut driver, &(), &());
+        let moved: Vec<_> = (driver.take_updates().into_iter())
+            .flat_map(|update| update.modified)
+            .collect();
         let mut stage = Stage::of(&scene.world);
         shuffle(&mut turns, &mut random);
         for &(team, member) in &turns {
             let team = &mut teams[team];
-            team.laps[member] = team.members[member].step(&mut stage, &driver.modified);
+            team.laps[member] = team.members[member].step(&mut stage, &moved);
         }
         if step > options.steps() / WARM_UP {
             teams.iter_mut().for_each(Team::take_time);
@@ -111,14 +114,13 @@ impl Team {
     }
 
     fn compare(&mut self, truth: &Truth) {
-        let held = self.members[0].broad_phase.held.as_ref();
-        let held = held.expect("the first member records its pairs");
-        let [touching, near] = truth.recall(held);
+        let broad_phase = &self.members[0].broad_phase;
+        let [touching, near] = truth.recall(broad_phase);
         for (sum, recall) in [(&mut self.touching, touching), (&mut self.near, near)] {
             sum.found += recall.found;
             sum.all += recall.all;
         }
-        self.held += held.len();
+        self.held += broad_phase.held().len();
     }
 
     fn figures(&self) -> Figures {

@@ -1,14 +1,13 @@
 //! The ground truth: which shapes touch, by exact queries of every pair with boxes near each other.
 
-use super::clocked::key;
-use super::scenes::World;
+use super::broad_phases::AnyBroadPhase;
 use super::scenes::rapier::{
     math::DIM,
     parry::{bounding_volume::BoundingVolume, query},
     prelude::*,
 };
+use super::scenes::{Observed, World};
 use crate::study::Recall;
-use std::collections::HashSet;
 use unisize::{Aabb, BruteForce, PairFinder};
 
 /// The slack of boxes in typical sizes: much more than touching pairs need.
@@ -19,9 +18,9 @@ const ROUNDING: Real = 8.0;
 
 /// The pairs of shapes that touch at one moment, without those that the narrow phase would drop.
 pub(super) struct Truth {
-    touching: Vec<[ColliderHandle; 2]>,
+    touching: Vec<ColliderPair>,
     /// The pairs nearer than the prediction distance, up to rounding; touching ones included.
-    near: Vec<[ColliderHandle; 2]>,
+    near: Vec<ColliderPair>,
 }
 
 impl Truth {
@@ -51,24 +50,28 @@ impl Truth {
             if !world.may_touch(a, b) {
                 continue;
             }
+            let pair = ColliderPair::new(handles[i], handles[j]);
             let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
             let distance = distance.expect("the shapes of the scenes are supported");
             let farthest = a.translation().amax().max(b.translation().amax());
             let rounding = ROUNDING * Real::EPSILON * farthest;
             if distance <= 0.0 {
-                truth.touching.push(key(handles[i], handles[j]));
+                truth.touching.push(pair);
             }
             if distance <= (prediction - rounding).max(0.0) {
-                truth.near.push(key(handles[i], handles[j]));
+                truth.near.push(pair);
             }
         }
         truth
     }
 
     /// The recall of the touching pairs, and of all.
-    pub(super) fn recall(&self, held: &HashSet<[ColliderHandle; 2]>) -> [Recall; 2] {
+    pub(super) fn recall(&self, broad_phase: &Observed<AnyBroadPhase>) -> [Recall; 2] {
         [&self.touching, &self.near].map(|pairs| Recall {
-            found: pairs.iter().filter(|pair| held.contains(*pair)).count(),
+            found: pairs
+                .iter()
+                .filter(|&&pair| broad_phase.holds(pair))
+                .count(),
             all: pairs.len(),
         })
     }

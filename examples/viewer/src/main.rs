@@ -24,13 +24,14 @@ mod window;
 #[path = "dimension"]
 mod dim2 {
     //! Scenes in two dimensions.
+    use crate::choice;
     use scenes::rapier;
     use unisize::rapier2d as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod live;
-    #[path = "../../../show/side.rs"]
-    mod side;
+    #[path = "../../../show/rivals.rs"]
+    mod rivals;
     mod watched;
     pub(crate) use live::Live;
 }
@@ -38,13 +39,14 @@ mod dim2 {
 #[path = "dimension"]
 mod dim3 {
     //! Scenes in three dimensions.
+    use crate::choice;
     use scenes::rapier;
     use unisize::rapier3d as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod live;
-    #[path = "../../../show/side.rs"]
-    mod side;
+    #[path = "../../../show/rivals.rs"]
+    mod rivals;
     #[cfg(test)]
     mod tests;
     mod watched;

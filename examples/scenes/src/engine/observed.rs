@@ -141,6 +141,15 @@ impl<B> Observed<B> {
         &self.book().pairs
     }
 
+    /// Whether it holds this pair, whichever of the two comes first.
+    ///
+    /// # Panics
+    ///
+    /// Unless the pairs were [asked for](Self::with_held).
+    pub fn holds(&self, pair: ColliderPair) -> bool {
+        self.held().contains(&pair) || self.held().contains(&pair.swap())
+    }
+
     /// The first event that contradicts those before it: a pair that is added though it is held, or deleted though
     /// it is not.
     ///
@@ -196,6 +205,9 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
         }
         if self.is_silent {
             events.truncate(first);
+        }
+        if let Some(timing) = &mut self.timing {
+            timing.end = Some(Instant::now());
         }
     }
 }

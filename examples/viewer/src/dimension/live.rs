@@ -128,9 +128,9 @@ impl<S: Show> Stage for Live<S> {
                     "by the last update",
                 ),
                 Fact::new(
-                    "moving layer",
+                    "delta layer",
                     thousands(stats.delta),
-                    "boxes that are new, gone, or outside their reach since the last search for all pairs",
+                    "boxes that are new, gone, or outside their fat box since the last search for all pairs",
                 ),
                 Fact::new(
                     "foresight",

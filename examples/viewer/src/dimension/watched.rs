@@ -1,9 +1,9 @@
-//! The broad phase of a stage: one of the two, or both on the same colliders, timed.
+//! The broad phase of a stage, which may replace another in the midst of a simulation.
 
 use super::ours::{Kernel, Settings, Stats, UnisizeBroadPhase};
 use super::rapier::prelude::*;
-use super::scenes::HeldPairs;
-use super::side::{Side, pair};
+use super::rivals::{Rivals, key};
+use super::scenes::{HeldPairs, Observed};
 use crate::choice::Choice;
 use crate::setup::{KernelName, Setup};
 use std::collections::BTreeSet;
@@ -11,9 +11,7 @@ use std::time::{Duration, Instant};
 
 /// The broad phase that drives a simulation, and the other one if both are timed.
 pub(crate) struct Watched {
-    unisize: Option<Side<UnisizeBroadPhase>>,
-    default: Option<Side<DefaultBroadPhase>>,
-    choice: Choice,
+    rivals: Rivals,
     /// Whether pairs are reported to Rapier.
     has_contacts: bool,
     /// The pairs that an earlier broad phase reported to Rapier and this one has not yet confirmed or ended.
@@ -32,7 +30,6 @@ pub(crate) struct Clock {
 
 impl Watched {
     pub(crate) fn new(setup: &Setup, has_contacts: bool) -> Self {
-        let takes_part = |side| setup.times_both || side == setup.choice;
         let kernel = match setup.kernel {
             KernelName::GridSweep => Kernel::GridSweep,
             KernelName::RankSweep => Kernel::RankSweep,
@@ -42,11 +39,12 @@ impl Watched {
             .with_kernel(kernel)
             .with_margin(setup.margin as Real);
         Self {
-            unisize: takes_part(Choice::Unisize)
-                .then(|| Side::new(UnisizeBroadPhase::with_settings(settings), false)),
-            // It has no list of its pairs.
-            default: takes_part(Choice::Default).then(|| Side::new(DefaultBroadPhase::new(), true)),
-            choice: setup.choice,
+            rivals: Rivals::new(
+                Observed::new(UnisizeBroadPhase::with_settings(settings)),
+                setup.choice,
+                setup.times_both,
+                has_contacts,
+            ),
             has_contacts,
             inherited: Vec::new(),
             elapsed: Duration::ZERO,
@@ -67,38 +65,38 @@ impl Watched {
 
     /// The statistics of unisize, if it takes part.
     pub(crate) fn stats(&self) -> Option<Stats> {
-        Some(self.unisize.as_ref()?.broad_phase.stats())
+        Some(self.rivals.unisize.as_ref()?.inner.stats())
     }
 
     /// How many pairs Rapier's own broad phase holds, if it takes part.
     pub(crate) fn default_pair_count(&self) -> Option<usize> {
-        self.default.as_ref()?.held.as_ref().map(BTreeSet::len)
+        Some(self.rivals.default.as_ref()?.held().len())
     }
 
     /// Whether both hold the same pairs, if both take part.
     pub(crate) fn agree(&self) -> Option<bool> {
-        let ours = &self.unisize.as_ref()?.broad_phase;
-        let held = self.default.as_ref()?.held.as_ref()?;
-        let are_as_many = ours.stats().pairs == held.len();
-        Some(are_as_many && ours.pairs().all(|ours| held.contains(&pair(ours))))
+        let ours = &self.rivals.unisize.as_ref()?.inner;
+        let default = self.rivals.default.as_ref()?;
+        let are_as_many = ours.stats().pairs == default.held().len();
+        Some(are_as_many && ours.pairs().all(|pair| default.holds(pair)))
     }
 
     pub(crate) fn clock(&self) -> Clock {
         Clock {
-            unisize: self.unisize.as_ref().map(|side| side.elapsed),
-            default: self.default.as_ref().map(|side| side.elapsed),
+            unisize: self.rivals.elapsed(Choice::Unisize),
+            default: self.rivals.elapsed(Choice::Default),
             all: self.elapsed,
         }
     }
 
     /// Ends the inherited pairs that this broad phase does not hold. It reports the others as new, which Rapier ignores.
     fn settle(&mut self, colliders: &ColliderSet, events: &mut Vec<BroadPhasePairEvent>) {
-        let held: BTreeSet<_> = self.pairs().into_iter().map(pair).collect();
+        let held: BTreeSet<_> = self.pairs().into_iter().map(key).collect();
         let ended = self.inherited.drain(..).filter(|inherited| {
             let exists = |handle| colliders.get(handle).is_some();
             exists(inherited.collider1)
                 && exists(inherited.collider2)
-                && !held.contains(&pair(*inherited))
+                && !held.contains(&key(*inherited))
         });
         events.extend(ended.map(BroadPhasePairEvent::DeletePair));
     }
@@ -106,12 +104,7 @@ impl Watched {
 
 impl HeldPairs for Watched {
     fn pairs(&self) -> Vec<ColliderPair> {
-        let ours = self.unisize.as_ref().map(|side| &side.broad_phase);
-        match (self.choice, ours, &self.default) {
-            (Choice::Unisize, Some(unisize), _) => unisize.pairs().collect(),
-            (_, _, Some(default)) => default.pairs(),
-            _ => Vec::new(),
-        }
+        self.rivals.pairs()
     }
 }
 
@@ -126,21 +119,10 @@ impl BroadPhase for Watched {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let start = Instant::now();
-        if let Some(side) = &mut self.unisize {
-            side.update(params, colliders, bodies, modified, removed);
-        }
-        if let Some(side) = &mut self.default {
-            side.update(params, colliders, bodies, modified, removed);
-        }
-        let reported = match self.choice {
-            Choice::Unisize => self.unisize.as_mut().map(|side| &mut side.events),
-            Choice::Default => self.default.as_mut().map(|side| &mut side.events),
-        };
-        if let Some(reported) = reported.filter(|_| self.has_contacts) {
-            events.append(reported);
-            if !self.inherited.is_empty() {
-                self.settle(colliders, events);
-            }
+        let rivals = &mut self.rivals;
+        rivals.update(params, colliders, bodies, modified, removed, events);
+        if !self.inherited.is_empty() {
+            self.settle(colliders, events);
         }
         self.elapsed += start.elapsed();
     }

@@ -39,6 +39,10 @@ fn what_was_asked_for_is_kept() {
         .with_held();
     assert_eq!(update(&mut all, &world, &handles, &[]), 2);
     assert_eq!(all.held().len(), 2);
+    let pair = ColliderPair::new(handles[0], handles[1]);
+    assert!(all.holds(pair) && all.holds(pair.swap()));
+    let first = all.timing();
+    assert_eq!((first.last, first.worst), (first.total, first.total));
 
     let World {
         colliders,
@@ -51,7 +55,11 @@ fn what_was_asked_for_is_kept() {
     assert_eq!(all.held().len(), 1);
 
     assert_eq!(all.held_fault(), None);
-    assert_eq!(all.timing().busy_updates, 2);
+    assert!(!all.holds(pair));
+    let both = all.timing();
+    assert_eq!(both.busy_updates, 2);
+    assert_eq!(both.last, both.total - first.total);
+    assert!(first.end.is_some() && first.end < both.end);
     let updates = all.take_updates();
     assert_eq!(updates.len(), 2);
     assert_eq!(updates[0].modified, handles);

@@ -1,6 +1,6 @@
 //! How long the updates of one broad phase took.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long the updates of one broad phase took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -9,6 +9,10 @@ pub struct Timing {
     pub total: Duration,
     /// The longest update. It is often the first, which meets every collider for the first time.
     pub worst: Duration,
+    /// The last update.
+    pub last: Duration,
+    /// When the last update was over and what was asked for had been taken down; none before the first one.
+    pub end: Option<Instant>,
     /// How many updates there were.
     pub updates: usize,
     /// How many of them had a collider to look at, modified or removed.
@@ -20,6 +24,7 @@ impl Timing {
     pub(super) fn record(&mut self, elapsed: Duration, is_busy: bool) {
         self.total += elapsed;
         self.worst = self.worst.max(elapsed);
+        self.last = elapsed;
         self.updates += 1;
         if is_busy {
             self.busy_total += elapsed;
