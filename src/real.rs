@@ -9,7 +9,7 @@ mod sealed {
     use crate::lanes::Lanes;
 
     /// Keeps [`Real`](super::Real) to the two scalars, and holds what only kernels need.
-    pub trait Sealed: Sized {
+    pub trait Sealed: Copy {
         /// Eight of them at once.
         type Lanes: Lanes<Self>;
 

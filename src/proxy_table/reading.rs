@@ -267,17 +267,29 @@ impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
         let first_slot = self.first_slot;
         let count = slots.min(self.generations.len());
         self.first_slot += count;
-        let off = "there are as many slots left";
+        let memos = std::mem::take(&mut self.memos);
+        let boxes = std::mem::take(&mut self.boxes);
+        let (memos, rest) = memos.split_at_mut(count);
+        self.memos = rest;
+        let (boxes, rest) = boxes.split_at_mut(count);
+        self.boxes = rest;
         Part {
             first_slot,
-            generations: self.generations.split_off(..count).expect(off),
-            memos: self.memos.split_off_mut(..count).expect(off),
-            boxes: self.boxes.split_off_mut(..count).expect(off),
-            fat_boxes: self.fat_boxes.split_off(..count).expect(off),
-            keys: self.keys.split_off(..count).expect(off),
+            generations: take_front(&mut self.generations, count),
+            memos,
+            boxes,
+            fat_boxes: take_front(&mut self.fat_boxes, count),
+            keys: take_front(&mut self.keys, count),
             findings,
         }
     }
+}
+
+/// Splits the first items off a slice.
+fn take_front<'a, T>(items: &mut &'a [T], count: usize) -> &'a [T] {
+    let (front, rest) = items.split_at(count);
+    *items = rest;
+    front
 }
 
 /// Adds the slots of those handles whose collider is known, and returns the others, in their order.
