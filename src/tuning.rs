@@ -143,6 +143,13 @@ pub(crate) mod queries {
     /// what has changed. Below: a program that asks now and then builds a tree each time.
     pub(crate) const KEEP_UNASKED: u32 = 64;
 
+    /// One leaf in this many. Up to that, each redrawn leaf enlarges its ancestors by itself; with more, all nodes are
+    /// computed anew. Above: a pass over the whole tree for a few leaves. Below: ancestors are written many times.
+    pub(crate) const PROPAGATE_UP_TO_ONE_IN: usize = 16;
+
+    /// One leaf in this many. Once ancestors of more have been enlarged, all nodes are computed anew.
+    pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 4;
+
     /// One leaf in this many. Once more have been written, one step of incremental optimization is made, on a twentieth of
     /// the tree. Above: time. Below: the tree ages, and rays visit more of it.
     pub(crate) const OPTIMIZE_FROM_ONE_IN: usize = 2;

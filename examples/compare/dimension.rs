@@ -6,6 +6,7 @@ use crate::row::{End, Rays, Repeat, Row, Sides, Times, Total, WholeSteps};
 use crate::spread::Spread;
 use ours::{Settings, UnisizeBroadPhase};
 use scenes::{Both, Candidate, Comparison, Independent, QueryAccess, Tally, Timing};
+use unisize::PairFilter;
 use unisize_scenes::SceneKind;
 
 /// Compares on one scene; `on_step` is called after each simulated step.
@@ -45,11 +46,14 @@ pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(us
 }
 
 fn candidate(options: &Options) -> Candidate<UnisizeBroadPhase> {
-    let settings = Settings::default().with_kernel(match options.kernel {
+    let kernel = match options.kernel {
         Kernel::GridSweep => ours::Kernel::GridSweep,
         Kernel::RankSweep => ours::Kernel::RankSweep,
         Kernel::BruteForce => ours::Kernel::BruteForce,
-    });
+    };
+    let settings = Settings::default()
+        .with_kernel(kernel)
+        .with_filter(PairFilter::from(options.filter));
     let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
         .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
         .with_queries(QueryAccess::new(

@@ -3,6 +3,7 @@
 use clap::builder::RangedU64ValueParser;
 use clap::{Parser, ValueEnum};
 use std::path::PathBuf;
+use unisize::PairFilter;
 use unisize_scenes::SceneKind;
 
 /// How many bodies `--quick` gives a scene.
@@ -42,6 +43,9 @@ pub(super) struct Options {
     /// What finds the pairs in unisize
     #[arg(long, value_enum, default_value = "grid-sweep")]
     pub(super) kernel: Kernel,
+    /// Which pairs unisize leaves out because they can have no effect
+    #[arg(long, value_enum, default_value = "off")]
+    pub(super) filter: Filter,
     /// How many threads unisize may use, which pays only for very many bodies; Rapier's own uses one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
@@ -125,6 +129,27 @@ pub(super) enum Kernel {
     RankSweep,
     /// Every box against every other
     BruteForce,
+}
+
+/// Which pairs unisize leaves out.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Filter {
+    /// None
+    Off,
+    /// Those of one body, and of types of bodies that cannot meet
+    Bodies,
+    /// Also those whose groups forbid it
+    Groups,
+}
+
+impl From<Filter> for PairFilter {
+    fn from(filter: Filter) -> Self {
+        match filter {
+            Filter::Off => Self::Off,
+            Filter::Bodies => Self::Bodies,
+            Filter::Groups => Self::Groups,
+        }
+    }
 }
 
 impl Kernel {

@@ -11,7 +11,8 @@ use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use crate::pair_tracker::Redrawn;
 use crate::tuning::queries::{
-    BUILD_UP_TO, KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, REORDER_FROM_ONE_IN,
+    BUILD_UP_TO, KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, PROPAGATE_UP_TO_ONE_IN, REORDER_FROM_ONE_IN,
+    TIGHTEN_FROM_ONE_IN,
 };
 
 /// The boxes by slot; invalid where there is none.
@@ -36,6 +37,8 @@ struct Tree {
     /// Leaves written since the tree was last optimized, and removed since its nodes were last put in order.
     written: usize,
     removed: usize,
+    /// Leaves written whose ancestors may be larger than they need be.
+    loose: usize,
 }
 
 /// Scratch memory of Parry's, which cannot be cloned.
@@ -129,36 +132,54 @@ impl Tree {
             leaves: count,
             written: 0,
             removed: 0,
+            loose: 0,
         }
     }
 
     /// The tree with the leaves of redrawn boxes brought up to date.
     fn refreshed(mut self, boxes: Boxes, redrawn: &Redrawn) -> Self {
         match redrawn {
-            Redrawn::All => (0..boxes.len()).for_each(|slot| self.write(slot, boxes)),
-            Redrawn::Slots(slots) => slots
-                .iter()
-                .for_each(|&slot| self.write(slot as usize, boxes)),
+            Redrawn::Slots(slots) if slots.len() * PROPAGATE_UP_TO_ONE_IN < self.leaves => {
+                for &slot in slots {
+                    self.write(slot as usize, boxes, Bvh::insert);
+                }
+                self.loose += slots.len();
+            }
+            Redrawn::Slots(slots) => {
+                for &slot in slots {
+                    self.write(slot as usize, boxes, write_leaf);
+                }
+                self.loose = self.leaves;
+            }
+            Redrawn::All => {
+                for slot in 0..boxes.len() {
+                    self.write(slot, boxes, write_leaf);
+                }
+                self.loose = self.leaves;
+            }
         }
         if self.leaves <= BUILD_UP_TO {
             // Parry's trees that lose nearly all leaves are not sound.
             return Self::new(boxes);
         }
-        if self.removed * REORDER_FROM_ONE_IN > self.leaves {
-            self.removed = 0;
-            self.bvh.refit(&mut self.workspace.0);
-        } else {
-            self.bvh.refit_without_opt();
-        }
-        if self.written * OPTIMIZE_FROM_ONE_IN > self.leaves {
+        let is_due = self.written * OPTIMIZE_FROM_ONE_IN > self.leaves;
+        if is_due {
             self.written = 0;
             self.bvh.optimize_incremental(&mut self.workspace.0);
+        }
+        if self.removed * REORDER_FROM_ONE_IN > self.leaves {
+            self.removed = 0;
+            self.loose = 0;
+            self.bvh.refit(&mut self.workspace.0);
+        } else if is_due || self.loose * TIGHTEN_FROM_ONE_IN > self.leaves {
+            self.loose = 0;
             self.bvh.refit_without_opt();
         }
         self
     }
 
-    fn write(&mut self, slot: usize, boxes: Boxes) {
+    /// Brings the leaf of a slot up to date; `insert` writes one whose box is another.
+    fn write(&mut self, slot: usize, boxes: Boxes, insert: impl Fn(&mut Bvh, Aabb, u32)) {
         let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
         let aabb = &boxes[slot];
         if !aabb.is_valid() {
@@ -173,7 +194,12 @@ impl Tree {
         if leaf != Some(aabb) {
             self.leaves += usize::from(leaf.is_none());
             self.written += 1;
-            self.bvh.insert_or_update_partially(aabb, slot as u32, 0.0);
+            insert(&mut self.bvh, aabb, slot as u32);
         }
     }
+}
+
+/// Writes a leaf whose ancestors are seen to afterwards.
+fn write_leaf(bvh: &mut Bvh, aabb: Aabb, slot: u32) {
+    bvh.insert_or_update_partially(aabb, slot, 0.0);
 }
