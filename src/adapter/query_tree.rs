@@ -37,6 +37,8 @@ struct Tree {
     /// Leaves written since the tree was last optimized, and removed since its nodes were last put in order.
     written: usize,
     removed: usize,
+    /// Whether a leaf that is gone could not be removed.
+    is_unsound: bool,
     /// Leaves written whose ancestors may be larger than they need be.
     loose: usize,
 }
@@ -132,6 +134,7 @@ impl Tree {
             leaves: count,
             written: 0,
             removed: 0,
+            is_unsound: false,
             loose: 0,
         }
     }
@@ -158,8 +161,7 @@ impl Tree {
                 self.loose = self.leaves;
             }
         }
-        if self.leaves <= BUILD_UP_TO {
-            // Parry's trees that lose nearly all leaves are not sound.
+        if self.is_unsound || self.leaves <= BUILD_UP_TO {
             return Self::new(boxes);
         }
         let is_due = self.written * OPTIMIZE_FROM_ONE_IN > self.leaves;
@@ -183,11 +185,17 @@ impl Tree {
         let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
         let aabb = &boxes[slot];
         if !aabb.is_valid() {
-            if leaf.is_some() && self.leaves > BUILD_UP_TO {
+            if leaf.is_none() {
+                return;
+            }
+            if self.leaves > BUILD_UP_TO {
                 self.bvh.remove(slot as u32);
                 self.removed += 1;
+            } else {
+                // Parry's trees that lose nearly all leaves are not sound.
+                self.is_unsound = true;
             }
-            self.leaves -= usize::from(leaf.is_some());
+            self.leaves -= 1;
             return;
         }
         let aabb = Aabb::from(*aabb);

@@ -36,8 +36,8 @@ const SCENES: [u64; 19] = [
     0x0dcee881880f0316,
     0x31e9dad2c7d18b06,
     0xb154d9a6bff99d0c,
-    0x2f2fb0f3ea9ad032,
-    0xe33da02b415a5ee9,
+    0xde89350bfac0fcd5,
+    0xcd369aac949195e9,
     0xed986870577021a7,
     0x82fc26294c8e1b95,
 ];

@@ -36,8 +36,8 @@ const SCENES: [u64; 19] = [
     0x1c1ca308a61f3752,
     0x895327dace4cfe60,
     0x94c443793465a576,
-    0xfa1bd0be427ed98a,
-    0xe33da02b415a5ee9,
+    0xbf9380aee2bfd177,
+    0xcd369aac949195e9,
     0x996275e2873f862f,
     0xafe1de8d1dbfed3e,
 ];

@@ -36,7 +36,7 @@ const SCENES: [u64; 19] = [
     0x38c9c8fbea0f52c3,
     0xfb74257d15c56af9,
     0xbc74e5d4e03e2fc0,
-    0x2e7307f2a9028bf5,
+    0x0a5466930ed18468,
     0xc86502f53146d093,
     0xeb38cb79d735018f,
     0x8341df0ff1a5c4a7,

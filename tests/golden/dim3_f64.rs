@@ -36,7 +36,7 @@ const SCENES: [u64; 19] = [
     0x84a14a3b770fe7db,
     0xfb74257d15c56af9,
     0x0ddbcb59022501b4,
-    0x881cd2d9304d7bad,
+    0x186bf03e97be65ea,
     0xc86502f53146d093,
     0x2490aacec0507346,
     0x7d2e0046fbf8544c,

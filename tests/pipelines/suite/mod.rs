@@ -1,7 +1,9 @@
 //! The tests: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{Settings, Tee, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin};
+use super::{
+    PairFilter, Settings, Tee, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin,
+};
 
 mod answers;
 mod bullets;
@@ -10,6 +12,7 @@ mod characters;
 mod choices;
 mod collisions;
 mod debug_render;
+mod filter_levels;
 mod filters;
 mod floors;
 mod hostile;

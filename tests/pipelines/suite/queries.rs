@@ -243,3 +243,45 @@ fn an_empty_world() {
     let ray = Ray::new(Point::origin(), at(1.0, 0.0));
     assert!(same(&twins, |scene| scene.cast_ray(&ray, 100.0, true)).is_none());
 }
+
+/// The tree that is kept has then been brought up to date thousands of times, and given new leaves, and lost some.
+#[test]
+fn for_thousands_of_steps() {
+    let mut twins = Twins::weightless();
+    let body = |i: usize| {
+        let turn = 0.7 * i as Real;
+        let place = at((i % 12) as Real * 2.5 - 15.0, (i / 12) as Real * 2.5 - 12.0);
+        RigidBodyBuilder::kinematic_velocity_based()
+            .translation(place)
+            .linvel(at(turn.cos(), turn.sin()))
+    };
+    let mut bodies: Vec<_> = (0..120).map(|i| twins.insert(body(i), cube()).0).collect();
+    let mut hits = 0;
+    for step in 0..3000_usize {
+        // They fly to and fro, and some are replaced.
+        if step % 97 == 0 {
+            for &body in &bodies {
+                twins.change_body(body, |body| body.set_linvel(-body.linvel(), true));
+            }
+        }
+        if step % 11 == 0 {
+            let i = step * 7 % bodies.len();
+            twins.both(|world| world.remove(bodies[i]));
+            bodies[i] = twins.insert(body(step % 120), cube()).0;
+        }
+        twins.step();
+        // At times nobody asks, for long enough for the tree to be given up.
+        if step % 500 > 400 {
+            continue;
+        }
+        let (x, y) = ((step % 37) as Real - 18.0, (step % 23) as Real - 11.0);
+        let ray = Ray::new(at(x, -30.0).into(), at(0.1, 1.0));
+        hits += same(&twins, |scene| scene.cast_ray(&ray, 100.0, true)).map_or(0, |_| 1);
+        let pose = at(y, x).into();
+        let found = same(&twins, |scene| {
+            indices(scene.intersect_shape(pose, &Ball::new(2.0)))
+        });
+        hits += found.len();
+    }
+    assert!(hits > 3000, "only {hits} hits");
+}

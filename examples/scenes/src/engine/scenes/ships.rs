@@ -73,12 +73,15 @@ pub(super) fn build(colliders: usize, random: &mut Random) -> Stage {
 
 /// The cell of the cargo, in the middle; none of a ship that is too small to keep it in.
 fn hold(hull: &Lattice, cells: usize) -> usize {
-    let half = (hull.columns - 1) / 2;
-    let index = (0..DIM as u32)
-        .map(|axis| half * hull.columns.pow(axis))
+    let full_layers = cells / hull.per_layer();
+    if hull.columns < 3 || full_layers < 3 {
+        return cells;
+    }
+    let column = (hull.columns - 1) / 2;
+    let in_layer: usize = (0..DIM as u32 - 1)
+        .map(|axis| column * hull.columns.pow(axis))
         .sum();
-    let is_covered = hull.columns > 2 && index + hull.per_layer() < cells;
-    if is_covered { index } else { cells }
+    in_layer + (full_layers - 1) / 2 * hull.per_layer()
 }
 
 /// The middle of a hull, around which it turns.

@@ -15,11 +15,14 @@ const TILES_PER_BALL: usize = 60;
 /// The radius of a ball.
 const RADIUS: Real = 0.45;
 
-/// The largest speed of a ball along each axis, slow enough that none rolls off the map.
+/// The largest speed of a ball along each axis.
 const SPEED: Real = 0.4;
 
+/// The angular damping of a ball, so that none rolls off the map.
+const DAMPING: Real = 5.0;
+
 /// The share of the map's width above which balls fall.
-const SHARE: Real = 0.8;
+const SHARE: Real = 0.7;
 
 /// How many layers of balls there are, so that they land at different times.
 const LAYERS: usize = 4;
@@ -53,7 +56,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         world.insert(
             RigidBodyBuilder::dynamic()
                 .translation(center + jitter(random, 0.05))
-                .linvel(velocity),
+                .linvel(velocity)
+                .angular_damping(DAMPING),
             ColliderBuilder::ball(RADIUS),
         );
     }
