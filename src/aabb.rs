@@ -36,9 +36,9 @@ impl<R: Real, const D: usize> Aabb<R, D> {
 
     /// Whether the two closed boxes share a point: they do when they merely touch.
     ///
-    /// The comparison is made on the given numbers, without any arithmetic, so it is exact. It is the
-    /// definition that every [`PairFinder`](crate::PairFinder) answers to. An invalid box (see
-    /// [`Aabb::is_valid`]) whose sides are NaN on some axis overlaps nothing.
+    /// The comparison is made on the given numbers, without any arithmetic, so it is exact. It defines overlap for every
+    /// [`PairFinder`](crate::PairFinder). An invalid box (see [`Aabb::is_valid`]) whose sides are NaN on some axis
+    /// overlaps nothing.
     ///
     /// ```
     /// use unisize::Aabb;
@@ -68,8 +68,8 @@ impl<R: Real, const D: usize> Aabb<R, D> {
 
     /// The box with every side moved outward by `margin` (a length, at least 0).
     ///
-    /// In floating point the margin rounds away where coordinates are large. A box with such a margin holds the box that it
-    /// was made of for as long as that moves by less, so that its pairs need not be found anew:
+    /// In floating point the margin rounds away where coordinates are large. A box with such a margin contains the box
+    /// that it was made from for as long as that moves by less, so its pairs need not be searched for again:
     ///
     /// ```
     /// use unisize::Aabb;
@@ -87,8 +87,8 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
     }
 
-    /// Whether no coordinate is NaN and `mins <= maxs` on every axis. All others are an
-    /// [`InvalidBox`](crate::InvalidBox) to a kernel.
+    /// Whether no coordinate is NaN and `mins <= maxs` on every axis. To a kernel, every other box is an
+    /// [`InvalidBox`](crate::InvalidBox).
     ///
     /// ```
     /// use unisize::Aabb;

@@ -1,6 +1,6 @@
 //! The reference algorithms that the paper compares itself with or builds on.
 //!
-//! They are exact, and tested like every kernel, but nobody should need them except to compare.
+//! They are exact and tested like every kernel, but are here only to be compared with.
 
 mod active_list;
 mod axis_sort;

@@ -15,7 +15,7 @@ impl BitSet {
         self.words.resize(capacity.div_ceil(64), 0);
     }
 
-    /// Adds a number, which must be below the capacity. Whether it is new.
+    /// Adds a number, which must be below the capacity. Returns whether it is new.
     #[inline(always)]
     pub(crate) fn insert(&mut self, i: usize) -> bool {
         let (word, bit) = (&mut self.words[i / 64], 1 << (i % 64));
@@ -24,8 +24,8 @@ impl BitSet {
         is_new
     }
 
-    /// Tells whether a number is in the set, without a branch; of one beyond the capacity, which must not be 0, it may tell
-    /// anything.
+    /// Tells whether a number is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is
+    /// unspecified.
     pub(crate) fn lookup(&self) -> impl Fn(usize) -> bool + Send + Sync + '_ {
         let words = &self.words[..];
         let last = words.len() - 1;
@@ -45,13 +45,13 @@ impl BitSet {
         }
     }
 
-    /// Takes all numbers out.
+    /// Removes all numbers.
     pub(crate) fn clear(&mut self) {
         self.words.fill(0);
     }
 
-    /// Takes these numbers out, and possibly others that lie near them: less work than [`clear`](Self::clear) if they are
-    /// all that there are and few.
+    /// Removes these numbers, and possibly others near them: less work than [`clear`](Self::clear) if there are no
+    /// others in the set and these are few.
     pub(crate) fn clear_around(&mut self, numbers: &[u32]) {
         if numbers.len() > self.words.len() {
             return self.clear();
@@ -66,7 +66,7 @@ impl BitSet {
         &self.words
     }
 
-    /// Makes it the set of those of the numbers below `count` for which the answer is yes.
+    /// Makes it the set of the numbers below `count` for which the answer is yes.
     ///
     /// `ask` answers for up to 64 numbers, from the first of its range on, in the lowest bits. With the feature `parallel`
     /// it is called by several threads if the numbers are many.

@@ -1,9 +1,10 @@
-//! A set of small integers, of one bit each, that finds the neighbour of a value.
+//! A set of small integers, one bit each, that finds the neighbour of a value.
 //!
-//! A perfect 64-ary tree of one bit per node: a bit of the lowest level says that a value is stored, a bit of a higher one
-//! that any is stored among the 64 nodes below it. The 64 are one machine word, so the neighbour of a value is found with
-//! a few shifts and bit scans per level, and levels are few: four for two million values. This is the tree of Capannini
-//! and Larsson, *Efficient collision culling by a succinct bi-dimensional sweep and prune algorithm* (2016).
+//! A perfect 64-ary tree with one bit per node: a bit of the lowest level says that a value is stored, a bit of a higher
+//! one that at least one value is stored below it. The 64 children of a node are one machine word, so the neighbour of a
+//! value is found with a few shifts and bit scans per level, and there are few levels: four for two million values. This
+//! is the tree of Capannini and Larsson, *Efficient collision culling by a succinct bi-dimensional sweep and prune
+//! algorithm* (2016).
 
 /// Bits of a value that one level decides.
 const LEVEL_BITS: u32 = 6;
@@ -64,7 +65,7 @@ impl BitTree {
         }
     }
 
-    /// Takes out a stored value.
+    /// Removes a stored value.
     ///
     /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
     #[inline]
@@ -80,7 +81,7 @@ impl BitTree {
         }
     }
 
-    /// The least stored value greater than `value`, which need not be stored; or the universe's size.
+    /// The least stored value greater than `value`, or the universe's size if there is none; `value` need not be stored.
     ///
     /// Computes in **O(log₆₄ universe)** time.
     #[inline]
@@ -104,7 +105,7 @@ impl BitTree {
     }
 }
 
-/// Looks for errors in a tree, for the tests of those who use it as well.
+/// Checks of a tree, also for the tests of those who use it.
 #[cfg(test)]
 mod checks {
     use super::*;
@@ -129,7 +130,7 @@ mod checks {
             assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
         }
 
-        /// Compares what is said of one value with a set of the standard library.
+        /// Compares the answers about one value with a set of the standard library.
         pub(crate) fn check_neighbour(&self, expected: &BTreeSet<u32>, value: u32) {
             let successor = expected.range(value + 1..).next();
             assert_eq!(self.contains(value), expected.contains(&value));

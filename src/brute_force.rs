@@ -5,7 +5,7 @@ use crate::{Aabb, InvalidBox, PairFinder, Real};
 
 /// Tests every box against every other, in **O(n²)** time and no memory.
 ///
-/// Short enough to be seen correct, it is what every other kernel is compared with.
+/// Short enough to be seen to be correct, it is what every other kernel is compared with.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BruteForce;
 

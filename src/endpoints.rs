@@ -1,18 +1,18 @@
 //! The endpoints of boxes on one axis, in order.
 //!
-//! An axis has `2n` endpoints, the low one of object `i` at `i`, the high one at `i + n`; sorting them is one stable radix
-//! sort of integers (`radix_sort`), which lets low endpoints come before equal high ones, as closed boxes want it, and both
-//! kinds in the order of object ids.
+//! An axis has `2n` endpoints: the low one of object `i` at `i`, the high one at `i + n`. They are sorted by one stable
+//! radix sort of integers (`radix_sort`). It puts low endpoints before equal high ones, as closed boxes require, and
+//! each kind in the order of object ids.
 
 mod radix_sort;
 
 use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 pub(crate) use radix_sort::{RadixSort, SortKey};
 
-/// Two endpoints a box, numbered by `u32`, with one number to spare.
+/// Two endpoints per box, numbered by `u32`, with one number to spare.
 pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
-/// Refuses more boxes than have numbers for their endpoints.
+/// Refuses more boxes than there are numbers for their endpoints.
 pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
     if count > MAX_BOXES {
         return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
@@ -20,10 +20,10 @@ pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
     Ok(())
 }
 
-/// The endpoints of one axis. All of it scratch memory.
+/// The endpoints of one axis. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Endpoints<K> {
-    /// Integers that are ordered as the endpoints are: lows at `i`, highs at `i + n`.
+    /// Integers that compare as the coordinates do: lows at `i`, highs at `i + n`.
     pub(crate) keys: Vec<K>,
     sorter: RadixSort<K>,
 }

@@ -23,21 +23,21 @@ const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
-/// Every axis but the first is cut into strips a few boxes wide. A box is entered in each tube that it
-/// reaches, in most cases one, and the pairs of each tube are found by one forward window a box, eight
-/// candidates in one step. Boxes much larger than most are a class of their own, found by the same method on
-/// a coarser grid and looked up in the finer one.
+/// Every axis but the first is cut into strips a few boxes wide. A box is entered in each tube that it spans,
+/// usually one, and the pairs of each tube are found by one forward window per box, eight candidates in one step.
+/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid and looked up in
+/// the finer one.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O(n + pairs)** time for
-/// boxes of about one size, in two and in three dimensions, but for the logarithm of sorting where boxes are very
-/// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for
-/// larger ones, where many large boxes reach many tubes without touching anything there, or where boxes lie
-/// 10⁸ times their size apart. **O(n + pairs)** memory always, of which some 16 bytes a box for each thread.
+/// boxes of about one size, in two and in three dimensions, times the logarithm of sorting where boxes are very
+/// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for larger
+/// ones, where many large boxes span many tubes without touching anything there, or where boxes lie 10⁸ times their
+/// size apart. **O(n + pairs)** memory always, including some 16 bytes per box for each thread.
 ///
-/// At most 2²⁹ boxes; more are [`InvalidBoxReason::TooMany`].
+/// At most 2²⁹ boxes; more are refused as [`TooMany`](InvalidBoxReason::TooMany).
 ///
-/// With the feature `parallel`, many boxes are shared out among the threads of the current Rayon pool. The pairs are
-/// the same, in the same order.
+/// With the feature `parallel`, the work on many boxes is shared among the threads of the current Rayon pool. The
+/// pairs are the same, in the same order.
 ///
 /// ```
 /// use unisize::{Aabb, GridSweep, PairFinder};
@@ -54,24 +54,24 @@ const MAX_BOXES: usize = 1 << 29;
 /// ```
 #[derive(Clone, Debug)]
 pub struct GridSweep<R, const D: usize> {
-    /// The classes of sizes of the last run, smallest first; the rest is memory kept for further ones.
+    /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
     class_count: usize,
     /// The indices of all boxes.
     everyone: Vec<u32>,
-    /// Into how many slabs many boxes are cut, if not into as many as there are threads.
+    /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
     slab_count: Option<usize>,
     stopwatch: Stopwatch,
 }
 
-/// The boxes of one class of sizes, sorted into tubes.
+/// The boxes of one size class, sorted into tubes.
 #[derive(Clone, Debug)]
 struct Class<R, const D: usize> {
     grid: Grid<R>,
-    /// The first ones cover the grid; the rest is memory kept for further ones.
+    /// The first `slab_count` cover the grid. The others are kept for their memory.
     slabs: Vec<Slab<R, D>>,
     slab_count: usize,
-    /// The boxes too large for this class: the members of all following ones.
+    /// The boxes too large for this class: the members of all following classes.
     outsize: Vec<u32>,
 }
 
@@ -124,9 +124,9 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> GridSweep<R, D> {
-    /// A kernel that cuts its work into so many slabs of tubes, whatever the number of boxes and of threads: one for
-    /// no threads at all, or more to share a small number of boxes out as well. The pairs are the same, in the same
-    /// order.
+    /// A kernel that cuts its work into this many slabs of tubes, whatever the number of boxes and of threads: one
+    /// to use no threads at all, or more to share a small number of boxes as well. The pairs are the same, in the
+    /// same order.
     pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {
         Self {
             slab_count: Some(count.get()),
@@ -198,7 +198,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         slabs.flat_map(|slab| slab.tubes.homes())
     }
 
-    /// How many classes of sizes there were in the last run.
+    /// The number of size classes in the last run.
     #[cfg(feature = "_adapter")]
     pub(crate) fn class_count(&self) -> usize {
         self.class_count
@@ -213,7 +213,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         })
     }
 
-    /// Lets [`look_up`](Self::look_up) be called, until the next run.
+    /// Prepares for [`look_up`](Self::look_up), until the next run.
     #[cfg(feature = "_adapter")]
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
@@ -232,11 +232,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
-    /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its
-    /// box overlaps. Members are taken as they were then; a member's pair with itself is left in.
+    /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
+    /// overlaps. Members have the boxes that they had then; the pair of a member with itself is not left out.
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
-    /// each tube that it reaches.
+    /// each tube that it spans.
     #[cfg(feature = "_adapter")]
     pub(crate) fn look_up(
         &self,
@@ -255,10 +255,10 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Chooses a grid and sorts the members into its tubes, all but the outsize ones.
+    /// Chooses a grid and sorts the members into its tubes, except the outsize ones.
     ///
-    /// Each class must take in a fair share of the boxes, so that there are few classes: if a grid turns out
-    /// too fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
+    /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
+    /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
     fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32], slab_count: usize) {
         if members.len() > ONE_TUBE_UP_TO {
             for widening in STRIP_WIDENINGS {
@@ -300,7 +300,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.tubes
                 .build_by_sorting(boxes, members, &mut self.grid, &mut slab.outsize);
         }
-        // Every slab has come across all of them.
+        // Every slab has seen all of them.
         std::mem::swap(&mut self.outsize, &mut slabs[0].outsize);
     }
 

@@ -1,19 +1,19 @@
 //! Eight numbers compared at once.
 //!
-//! A thin layer over the processor's vectors, so that the sweep is written once for `f32` and `f64` and every
+//! A thin layer over the processor's vectors, so that the sweep is written once for `f32`, `f64` and every
 //! processor. Comparisons are those of single numbers: false when either side is NaN. Where there is no
-//! vector type for a processor here, [`Portable`] leaves it to the compiler.
+//! vector type for a processor here, [`Portable`] leaves vectorization to the compiler.
 
 use core::ops::BitAnd;
 
 /// How many numbers are compared at once.
 pub(crate) const LANES: usize = 8;
 
-/// Eight numbers of one scalar, or the outcome of comparing them.
+/// Eight numbers of one scalar type, or the result of comparing them.
 pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     /// Eight numbers.
     fn load(numbers: &[R; LANES]) -> Self;
-    /// Eight times the same.
+    /// The same number in all lanes.
     fn splat(number: R) -> Self;
     /// Where `self <= other`.
     fn le(self, other: Self) -> Self;
@@ -22,7 +22,7 @@ pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     fn ge(self, other: Self) -> Self {
         other.le(self)
     }
-    /// The outcome of a comparison: bit `l` for lane `l`.
+    /// The result of a comparison: bit `l` for lane `l`.
     fn bits(self) -> u32;
 }
 
@@ -33,7 +33,7 @@ pub(crate) type F32x8 = Portable<f32>;
 #[cfg(not(target_feature = "sse2"))]
 pub(crate) type F64x8 = Portable<f64>;
 
-/// Eight numbers without a vector type; an outcome is one or zero in each lane.
+/// Eight numbers without a vector type; the result of a comparison is a flag in each lane.
 #[cfg(any(test, not(target_feature = "sse2")))]
 #[cfg_attr(
     target_feature = "sse2",

@@ -1,11 +1,11 @@
 //! An exact and fast broad phase for boxes of about the same size, as a drop-in replacement for
 //! [Rapier](https://rapier.rs)'s.
 //!
-//! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size,
-//! and a broad phase that knows so need not maintain a tree. `unisize` sorts the boxes and sweeps over them,
-//! after Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes past them:
-//! the boxes may have any sizes, and the guarantee that time grows only with boxes and pairs, which the paper
-//! has for two dimensions, holds in three as well.
+//! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size, and a broad
+//! phase that knows this need not maintain a tree. `unisize` sorts the boxes and sweeps over them, after Capannini and
+//! Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes beyond them: the boxes may have any
+//! sizes, and the guarantee that time grows only with boxes and pairs, which the paper gives for two dimensions, holds
+//! in three as well.
 //!
 //! # In Rapier
 //!
@@ -23,8 +23,7 @@
 //!
 //! # Without an engine
 //!
-//! The core has no features and knows no engine. A [`PairFinder`] takes boxes and returns the pairs that
-//! overlap:
+//! The core needs no feature and no engine. A [`PairFinder`] takes boxes and returns the pairs that overlap:
 //!
 //! ```
 //! use unisize::{Aabb, GridSweep, PairFinder};
@@ -52,9 +51,10 @@
 //! | `DualAxisSweep` | O((n log n + pairs) log n) for boxes of any sizes in 2D | to compare: the paper's forerunner |
 //! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare: the algorithm of CGAL |
 //!
-//! The last four, the paper's reference algorithms, take the feature `baselines`. All kernels return the same set of pairs,
-//! on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are generic over `f32`
-//! and `f64` and over two and three dimensions. None panics, whatever the boxes are: NaN and inverted boxes are an [`InvalidBox`] error.
+//! The last four, the paper's reference algorithms, take the feature `baselines`. All kernels return the same set of
+//! pairs, on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are
+//! generic over `f32` and `f64` and over two and three dimensions. None panics, for any boxes: NaN and inverted boxes
+//! are an [`InvalidBox`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -2,8 +2,8 @@
 
 /// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
 ///
-/// A pair that is left out takes neither time nor memory, here and in the narrow phase. It is reported as soon as one of
-/// its colliders is listed as modified and it may have an effect, and ends as soon as it may not any more. Rapier's
+/// A pair that is left out takes neither time nor memory, here and in the narrow phase. It is reported as soon as it may
+/// have an effect and one of its colliders is listed as modified, and ends as soon as it no longer may. Rapier's
 /// `PhysicsPipeline` lists a collider whenever what the filter looks at has changed.
 ///
 /// | world | leaves out |
@@ -18,14 +18,14 @@
 )]
 #[non_exhaustive]
 pub enum PairFilter {
-    /// None is left out: every pair whose boxes overlap is reported, as by Rapier 0.27's own broad phase. Default for
+    /// No pair is left out: every pair whose boxes overlap is reported, as by Rapier 0.27's own broad phase. Default for
     /// Rapier 0.27.
     Off,
-    /// Pairs of colliders of one body, and pairs of two bodies of types of which neither collider has the two among its
-    /// active collision types: two fixed ones above all, where a collider without a body counts as fixed.
+    /// Pairs of colliders of one body, and pairs of colliders whose types of bodies are among the active collision types
+    /// of neither: above all two fixed ones, where a collider without a body counts as fixed.
     ///
-    /// Contacts and intersections are the same. What can be told apart in Rapier 0.27, whose narrow phase finds through the
-    /// pairs that it knows which sleeping bodies to wake:
+    /// Contacts and intersections are the same. There are two differences in Rapier 0.27, whose narrow phase finds the
+    /// sleeping bodies to wake through the pairs that it knows:
     ///
     /// - A collider that is changed, given to another body, or removed without waking its body, does not wake the body
     ///   whose colliders it overlaps if all pairs of the two are left out.
@@ -34,6 +34,6 @@ pub enum PairFilter {
     Bodies,
     /// Also pairs whose collision groups forbid it. Default for Rapier 0.36, whose own broad phase leaves out the same.
     ///
-    /// In Rapier 0.27, changing a collider wakes no sleeping neighbours that its groups forbid.
+    /// In Rapier 0.27, changing a collider does not wake sleeping neighbours that its groups forbid.
     Groups,
 }

@@ -4,14 +4,14 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 
 /// A kernel: something that finds all overlapping pairs among boxes.
 ///
-/// A finder owns nothing but scratch memory, kept between calls to spare allocations; the answer depends
-/// on the arguments alone. It may be implemented for others, say to compare them; should it ever get another method, that
-/// will have a default.
+/// A finder owns only scratch memory, which it keeps between calls to save allocations; the answer depends on the
+/// arguments alone. You may implement the trait for other kernels, say to compare them. Should it ever gain another
+/// method, that method will have a default.
 ///
 /// ```
 /// use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder, RankSweep, Real};
 ///
-/// /// The pairs by any kernel, of any scalar, in any dimension, in an order of their own.
+/// The pairs by any kernel, of any scalar, in any dimension, sorted.
 /// fn sorted_pairs<R: Real, const D: usize>(
 ///     mut finder: impl PairFinder<R, D>,
 ///     boxes: &[Aabb<R, D>],
@@ -36,8 +36,8 @@ pub trait PairFinder<R, const D: usize> {
     /// it is the same in every run.
     ///
     /// # Errors
-    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first of more boxes than the kernel can
-    /// number; `pairs` is then empty.
+    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first box past the number that the
+    /// kernel can take; `pairs` is then empty.
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -45,7 +45,7 @@ pub trait PairFinder<R, const D: usize> {
     ) -> Result<(), InvalidBox>;
 }
 
-/// Checks what [`PairFinder::find_pairs`] asks of its input, in **O(n)**.
+/// Checks what [`PairFinder::find_pairs`] requires of its input, in **O(n)**.
 pub(crate) fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), InvalidBox> {
     let invalid = |index, reason| Err(InvalidBox::new(index, reason));
     if boxes.len() > u32::MAX as usize {

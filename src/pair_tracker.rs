@@ -83,7 +83,7 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     fat_boxes: Vec<Aabb<R, D>>,
     /// The filter key of each slot.
     keys: Vec<K>,
-    /// The keys that slots had at the end of the last `finish`, if they have others now and had a box then.
+    /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then.
     former_keys: Vec<(u32, K)>,
     /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
@@ -96,7 +96,7 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
-    /// What the last update has drawn anew, if anybody follows it.
+    /// What the last update has drawn anew, if that is followed.
     redrawn: Redrawn,
     pub(crate) is_followed: bool,
     pub(crate) stopwatch: Stopwatch,
@@ -137,7 +137,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         aabb.unwrap_or(absent())
     }
 
-    /// Places or moves the proxy of a slot that there is room for. `aabb` must be valid.
+    /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
     #[inline(always)]
     pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
         debug_assert!(aabb.is_valid());
@@ -149,7 +149,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Gives a slot that there is room for a filter key. If it is another one, the proxy is searched for anew.
+    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew.
     pub(crate) fn set_key(&mut self, slot: u32, key: K) {
         let index = slot as usize;
         let former = std::mem::replace(&mut self.keys[index], key);
@@ -171,7 +171,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.keys.get(slot as usize).copied().unwrap_or_default()
     }
 
-    /// The boxes, the fat boxes and the filter keys of all slots, to move proxies where they are. Each move is to be
+    /// The boxes, the fat boxes and the filter keys of all slots, to move proxies in place. Each move is to be
     /// [noted](Self::note).
     pub(crate) fn parts(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>], &[K]) {
         (&mut self.boxes, &self.fat_boxes, &self.keys)
@@ -231,7 +231,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         &self.fat_boxes
     }
 
-    /// The fat boxes that the last call of [`finish`](Self::finish) has drawn anew, if they are followed.
+    /// The fat boxes that the last call of [`finish`](Self::finish) has drawn anew, if that is followed.
     pub(crate) fn redrawn(&self) -> &Redrawn {
         &self.redrawn
     }
@@ -397,7 +397,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.keep_those_that_may_meet()
     }
 
-    /// Drops what was found of pairs that may not meet.
+    /// Drops the pairs found that may not meet.
     fn keep_those_that_may_meet(&mut self) -> Lap {
         let lap = self.stopwatch.start();
         let keys = &self.keys;
@@ -467,8 +467,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.former_keys.clear();
     }
 
-    /// Panics unless the held pairs are exactly those that overlap, by a full run of a kernel, and all that is kept besides
-    /// is in order.
+    /// Panics unless the held pairs are exactly those that overlap, by a full run of a kernel, and everything else that
+    /// is kept is consistent.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert!(!self.is_touched(), "an update was not finished");
         assert_eq!(self.boxes.len(), self.previous.len());

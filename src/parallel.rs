@@ -1,9 +1,9 @@
-//! Work on several threads, if the feature `parallel` is on, and in a row otherwise.
+//! Work on several threads if the feature `parallel` is on, and on one otherwise.
 //!
-//! Nothing here changes an outcome: work is cut into parts that do not depend on each other, and what they
-//! yield is put together in the order of the parts.
+//! Nothing here changes a result: work is cut into parts that do not depend on each other, and their
+//! results are put together in the order of the parts.
 
-/// Into how many parts work is best cut.
+/// The number of parts into which work is best cut.
 pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();

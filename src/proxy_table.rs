@@ -1,8 +1,9 @@
-//! The proxies of an engine's colliders: whose they are, and what has become of their boxes.
+//! The proxies of an engine's colliders: which collider each one stands for, and how its box has changed.
 //!
-//! The engine knows a collider by a *handle*: the number of its slot, and a generation that tells it from those which had
-//! the slot before. The table keeps, by slot, the generation, the box and what the engine wants to be remembered of the
-//! collider; it brings the boxes of listed colliders up to date, and reports how the set of overlapping pairs has changed.
+//! The engine knows a collider by a *handle*: the number of its slot, and a generation that tells it from those which
+//! had the slot before. The table keeps, by slot, the generation, the box and what the engine wants remembered of the
+//! collider. It brings the boxes of listed colliders up to date, and reports how the set of overlapping pairs has
+//! changed.
 //!
 //! Boxes come from one of two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that
 //! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles. Either way each box gets one
@@ -58,7 +59,7 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     generations: Vec<Option<u32>>,
     /// What is remembered of the collider in each slot, as many as generations.
     memos: Vec<M>,
-    /// The colliders of a slot that is taken and has no box are refused.
+    /// A collider whose slot has no box is refused.
     stats: Stats,
     has_warned: bool,
     /// Whether an update has begun that is not finished.
@@ -101,12 +102,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.fat_boxes()
     }
 
-    /// From now on, tells which fat boxes each update has [drawn anew](Self::redrawn), or no longer.
+    /// From now on, records which fat boxes each update has [drawn anew](Self::redrawn), or no longer does.
     pub(crate) fn follow_redrawn(&mut self, is_followed: bool) {
         self.tracker.is_followed = is_followed;
     }
 
-    /// The fat boxes that the last update has drawn anew, if they are followed.
+    /// The fat boxes that the last update has drawn anew, if that is recorded.
     pub(crate) fn redrawn(&self) -> &Redrawn {
         self.tracker.redrawn()
     }
@@ -128,7 +129,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         (*known == Some(generation)).then_some(slot)
     }
 
-    /// Removes a collider, if it is the one that is known in its slot; its pairs end without an event.
+    /// Removes a collider, if it is the one that is known in its slot. Its pairs end without an event.
     fn remove(&mut self, handle: impl Handle) {
         let Some(slot) = self.slot_of(handle) else {
             return;
@@ -164,7 +165,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Brings the box of a collider up to date with one that is handed over, without the margin, as a part of the next
-    /// [update](Self::update). The collider must exist: memory follows the highest slot. It keeps its filter key.
+    /// [update](Self::update). The collider must exist, because memory grows with the highest slot. It keeps its filter
+    /// key.
     #[cfg_attr(
         not(test),
         expect(
@@ -195,7 +197,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Brings one collider up to date that may be anything: new, moved, gone, or in a slot that another one had.
+    /// Brings one collider up to date in the general case: it may be new, moved, gone, or in a slot that another one
+    /// had.
     fn admit<H: Handle>(
         &mut self,
         handle: H,
@@ -209,13 +212,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             None => M::default(),
         };
         let Some((aabb, key)) = read(&mut memo) else {
-            // Listed as removed as well, as a rule; and if not, it is out of the game all the same.
+            // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
         if index >= self.generations.len() {
             self.generations.resize(index + 1, None);
             self.memos.resize(index + 1, M::default());
-            // Also if its box is not sound: how much work an update is goes by the number of slots.
+            // Also if its box is not sound, because the work of an update is planned by the number of slots.
             self.tracker.make_room(index + 1);
         }
         match self.generations[index] {
@@ -226,7 +229,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                     self.remove(H::from_raw_parts(slot, outdated));
                 }
                 self.generations[index] = Some(generation);
-                // Until its box is seen to be sound.
+                // Until its box turns out to be sound.
                 self.stats.refused += 1;
             }
         }
@@ -249,7 +252,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Leaves a collider out because its box is not sound.
+    /// Leaves a collider out, because its box is not sound.
     #[cold]
     fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;

@@ -1,8 +1,8 @@
 //! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! The endpoints of both axes are sorted (`crate::endpoints`). The first axis is used for the places that its endpoints get
-//! (`ranks`). The second is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every
-//! rank that lies between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
+//! The endpoints of both axes are sorted (`crate::endpoints`). On the first axis only their ranks matter (`ranks`). The
+//! second axis is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank
+//! between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
 
 mod ranks;
 mod succ_tree;
@@ -19,35 +19,35 @@ use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
 use crate::{Aabb, InvalidBox, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
 
-/// The ranks of so many endpoints are fetched before these are swept. They lie all over the place, and fetching them at
-/// once takes little longer than fetching one; taken one by one, the sweep takes a tenth more time in all.
+/// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and
+/// fetching a batch takes little longer than fetching one. Fetched one by one, they make the whole sweep a tenth slower.
 const BATCH: usize = 32;
 
 /// Sweep and prune by ranks: Algorithm 1 of Capannini and Larsson, *Output sensitive collision detection for unisize
 /// boxes* (2016).
 ///
-/// Computes in **O(n log₆₄ n + c)** time and **O(n)** memory beside the pairs, where c is the number of *candidates*: pairs
-/// that overlap on the second axis as they are, and on the first once each box has been widened to reach as far as any that
-/// begins before it.
+/// Computes in **O(n log₆₄ n + c)** time and **O(n)** memory beside the pairs, where c is the number of *candidates*:
+/// pairs that overlap on the second axis, and on the first axis once each box has been widened to end no earlier than
+/// any that begins before it.
 ///
-/// - For boxes of one size, nothing is widened: in 2D, candidates are the answer itself and are not even tested, so the
-///   time is worst-case optimal in the size of the output, wherever the boxes are. Boxes count as of one size as long as
-///   they end, on the first axis, in the order in which they begin, which they do when `maxs` is `mins` plus one size,
-///   however that was rounded.
-/// - For boxes of about one size, as many candidates fail as sizes differ.
-/// - **One huge box makes every box after it on the first axis reach as far**, and every pair of boxes that overlap on the
-///   second axis a candidate. Nothing is wrong then but the time.
-/// - In 3D and beyond, the further axes only test the candidates, as section 7 of the paper has it. Where boxes are many
-///   across all axes, most candidates fail.
+/// - For boxes of one size, nothing is widened: in 2D, the candidates are the answer and are not even tested, so the
+///   time is worst-case optimal in the size of the output, wherever the boxes are. Boxes count as being of one size as
+///   long as they end, on the first axis, in the order in which they begin. They do when `maxs` is `mins` plus one size,
+///   however the sum is rounded.
+/// - For boxes of about one size, the more the sizes differ, the more candidates fail.
+/// - **One huge box widens every box that begins after it on the first axis**, and makes every pair of boxes that
+///   overlap on the second axis a candidate. The pairs are still right; only the time suffers.
+/// - In 3D and beyond, the further axes only test the candidates, as section 7 of the paper has it. Where there are many
+///   boxes across all axes, most candidates fail.
 ///
-/// The axes are taken as they come: let the first two be those along which boxes are spread out.
-/// `D` must not be 0.
+/// The axes are taken in the given order: let the first two be those along which boxes are spread out. `D` must not be
+/// 0.
 ///
-/// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
+/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
 /// [`TooMany`](crate::InvalidBoxReason::TooMany).
 ///
-/// With the feature `parallel`, the endpoints of the two axes are sorted at once, as section 7 of the paper has it; the
-/// sweep goes on alone. The pairs are the same, in the same order.
+/// With the feature `parallel`, the endpoints of the two axes are sorted at the same time, as section 7 of the paper has
+/// it; the sweep takes one thread. The pairs are the same, in the same order.
 ///
 /// ```
 /// use unisize::{Aabb, PairFinder, RankSweep};
@@ -64,25 +64,25 @@ const BATCH: usize = 32;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R, const D: usize> {
-    /// Scratch memory for keys of 32 bits, empty unless `R` is `f32`.
+    /// Scratch memory for 32-bit keys; empty unless `R` is `f32`.
     narrow: [Endpoints<u32>; 2],
-    /// Scratch memory for keys of 64 bits, empty unless `R` is `f64`.
+    /// Scratch memory for 64-bit keys; empty unless `R` is `f64`.
     wide: [Endpoints<u64>; 2],
     sweep: Sweep,
     stopwatch: Stopwatch,
     real: PhantomData<R>,
 }
 
-/// What the sweep works on. All of it scratch memory.
+/// What the sweep works on. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
 struct Sweep {
-    /// The endpoints of each axis in order; or of both, one after the other, in the first.
+    /// The endpoints of each axis in order. If the axes are sorted one after the other, both use the first list.
     orders: [Vec<u32>; 2],
     /// The objects in the order of their low endpoints on the first axis.
     lows: Vec<u32>,
     /// By object, the ranks of its low and of its high endpoint on the first axis.
     ranks: Vec<[u32; 2]>,
-    /// The ranks of the objects that the sweep is in the midst of, labelled with the objects.
+    /// The ranks of the active objects, labelled with the objects.
     active: SuccTree,
 }
 
@@ -156,7 +156,7 @@ impl Sweep {
             exact
         } else {
             let exact = rank_first();
-            // In the memory of the first axis. With one axis only, that is swept as well.
+            // Reuses the memory of the first axis. If there is only one axis, it is swept as well.
             if D > 1 {
                 first.sort(boxes, 1, order);
             }
@@ -173,8 +173,8 @@ impl Sweep {
         stopwatch.lap(lap, |times| &mut times.sweep);
     }
 
-    /// Sweeps the endpoints of the second axis, whose order is the first or the second one, and appends the pairs of objects
-    /// that overlap on both axes and pass the test.
+    /// Sweeps the endpoints of the second axis, in the order `orders[swept]`, and appends the pairs of objects that
+    /// overlap on both axes and pass the test.
     // Not inlined, so that a profiler can tell it from the sorting.
     #[inline(never)]
     fn sweep(

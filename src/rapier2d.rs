@@ -1,7 +1,7 @@
 //! The broad phase for rapier2d 0.27.
 //!
-//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it. It answers queries
-//! about the scene as of the last update, with the words of Rapier's:
+//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it. It answers
+//! queries about the scene as of the last update, by the same methods as Rapier's own:
 //!
 //! ```
 //! use rapier2d::parry::query::DefaultQueryDispatcher;

@@ -1,9 +1,9 @@
 //! The broad phase for rapier2d 0.36, for programs that drive collision detection by themselves.
 //!
-//! Rapier 0.36 has no trait for broad phases: its pipelines take its own, and none can take its place in them. Sensors,
-//! crowds, and particles with dynamics of their own do not need the pipelines, though. [`UnisizeBroadPhase::update`] has
-//! the arguments of `BroadPhaseBvh::update`, gives the same events, and filters pairs in the same way;
-//! `docs/newest-rapier.md` says what is possible and what is not.
+//! Rapier 0.36 has no trait for broad phases: its pipelines take only their own. But sensors, crowds, and particles with
+//! dynamics of their own do not need the pipelines. [`UnisizeBroadPhase::update`] has the arguments of
+//! `BroadPhaseBvh::update`, gives the same events, and filters pairs in the same way; `docs/newest-rapier.md` says what
+//! is possible and what is not.
 
 use ::rapier2d_0_36 as rapier;
 

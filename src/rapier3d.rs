@@ -1,7 +1,7 @@
 //! The broad phase for rapier3d 0.27.
 //!
-//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it. A pipeline of
-//! Rapier makes the updates; without one, lists of colliders can be given to it by hand:
+//! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it. Rapier's
+//! pipelines update it; without a pipeline, lists of colliders can be given to it by hand:
 //!
 //! ```
 //! use rapier3d::prelude::*;
@@ -29,7 +29,7 @@
 //! assert_eq!((events.len(), broad_phase.stats().pairs), (1, 0));
 //! ```
 //!
-//! How long each phase of an update takes, with the algorithm of the paper in the place of the fast one:
+//! How long each phase of an update takes, with the algorithm of the paper in place of the fast one:
 //!
 //! ```
 //! # use rapier3d::prelude::*;

@@ -1,4 +1,4 @@
-//! The two scalars that coordinates come in.
+//! The two scalar types of coordinates.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
@@ -8,7 +8,7 @@ use crate::lanes::{F32x8, F64x8};
 mod sealed {
     use crate::lanes::Lanes;
 
-    /// Keeps [`Real`](super::Real) to the two scalars, and holds what only kernels need.
+    /// Seals [`Real`](super::Real), and holds what only kernels need.
     pub trait Sealed: Copy {
         /// Eight of them at once.
         type Lanes: Lanes<Self>;
@@ -23,11 +23,11 @@ mod sealed {
 
         fn is_nan(self) -> bool;
         fn is_finite(self) -> bool;
-        /// The least number greater than this one; infinity and NaN are kept.
+        /// The least number greater than this one; infinity and NaN stay as they are.
         fn next_up(self) -> Self;
-        /// An integer that is ordered as the numbers are, with both zeros alike. Of NaN nothing is promised.
+        /// An integer that compares as the number does; both zeros have the same one. Unspecified for NaN.
         ///
-        /// Only as many of the low bits are used as the scalar has.
+        /// Only the low bits are used, as many as the scalar has.
         fn order_key(self) -> u64;
         /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
         fn to_u32_saturating(self) -> u32;
@@ -52,7 +52,7 @@ pub trait Real:
 {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
-    /// The nearest of this type to an `f64`.
+    /// The number of this type that is nearest to an `f64`.
     fn from_f64(x: f64) -> Self;
 }
 

@@ -4,8 +4,9 @@ use crate::{Kernel, PairFilter, Real};
 
 /// How a broad phase works. The default suits every scene.
 ///
-/// `R` is the scalar of the engine; each adapter's `Settings` is this type with its own. What is left out where settings
-/// are read by serde is as by default. Settings may be added in later versions, so they are made from the default:
+/// `R` is the scalar of the engine; each adapter's `Settings` is this type with its own. Fields that are missing where
+/// settings are read by serde have their defaults. Settings may be added in later versions, so they are made from the
+/// default:
 ///
 /// ```
 /// use unisize::{Kernel, Settings};
@@ -29,27 +30,27 @@ use crate::{Kernel, PairFilter, Real};
 pub struct Settings<R> {
     /// What finds the pairs. It decides the speed, never the answer. Default: [`Kernel::GridSweep`].
     pub kernel: Kernel,
-    /// How far a collider may move before its box is renewed once more, on every side, in multiples of Rapier's
+    /// How far a collider may move before its box is renewed: the margin on every side, in multiples of Rapier's
     /// `IntegrationParameters::length_unit`.
     ///
-    /// A new box has no margin, until its collider first moves. The larger, the less often boxes change and the more pairs
-    /// are reported that do not touch. Usual values are between 0 and a tenth of a collider's size; negative and NaN ones
-    /// count as 0. Default: `None`, the margin of Rapier's own broad phase, 0.01 in version 0.27 and 0.04 in 0.36, which
-    /// makes the boxes the same as there.
+    /// A new box has no margin until its collider first moves. The larger the margin, the less often boxes change, and
+    /// the more pairs are reported that do not touch. Usual values are between 0 and a tenth of a collider's size;
+    /// negative and NaN ones count as 0. Default: `None`, the margin of Rapier's own broad phase, 0.01 in version 0.27
+    /// and 0.04 in 0.36, which makes the boxes the same as there.
     pub margin: Option<R>,
     /// Which pairs are left out because they can have no effect. Default: `None`, [`PairFilter::Off`] for Rapier 0.27
     /// and [`PairFilter::Groups`] for 0.36.
     pub filter: Option<PairFilter>,
-    /// For how many of their last moves ahead colliders are searched for. It decides the speed, never the answer. Default:
-    /// `None`, as far as the pairs that it finds too early are worth it, which depends on how fast things move, how
-    /// densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than 64
-    /// count as 64. A number that is too large for the scene costs time and memory.
+    /// How far ahead colliders are searched for, in multiples of their last move. It decides the speed, never the
+    /// answer. Default: `None`, as far as the pairs that it finds too early are worth it, which depends on how fast
+    /// things move, how densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than
+    /// 64 count as 64. A number that is too large for the scene costs time and memory.
     pub foresight: Option<u16>,
-    /// Whether the few colliders that have moved otherwise than was foreseen are looked up among the others. If not,
-    /// every search is for all. It decides the speed, never the answer. Default: `true`.
+    /// Whether the few colliders that have moved otherwise than foreseen are looked up among the others. If not, every
+    /// search is for all pairs. It decides the speed, never the answer. Default: `true`.
     pub layers: bool,
-    /// Whether each update takes the time of its phases, for [`Stats::times`](crate::Stats::times). Default: no, so that
-    /// no update looks at the clock.
+    /// Whether each update takes the time of its phases, for [`Stats::times`](crate::Stats::times). Default: `false`, so
+    /// that no update reads the clock.
     pub timed: bool,
 }
 

@@ -1,9 +1,9 @@
-//! A set of slots that remembers the order in which they came.
+//! A set of slots that remembers the order in which they were inserted.
 
-/// A set of slots, as a list and as flags: each operation takes constant time, and going through it or clearing it no more
-/// than it has members.
+/// A set of slots, as a list and as flags: each operation takes constant time, except that iterating and clearing take
+/// time in proportion to its members.
 ///
-/// Flags take eight times the room of a [`BitSet`](crate::bit_set::BitSet), and a tenth less time to ask for all
+/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but a tenth less time to ask for all
 /// candidates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
@@ -30,7 +30,7 @@ impl SlotSet {
         self.is_member.get(slot as usize) == Some(&true)
     }
 
-    /// The slots, in the order in which they came.
+    /// The slots, in the order in which they were inserted.
     pub(crate) fn slots(&self) -> &[u32] {
         &self.slots
     }

@@ -6,7 +6,8 @@ use serde::ser::{Serialize, Serializer};
 /// The number of the format. It changes with every change of a field, or of what a field decides.
 const NUMBER: u32 = 2;
 
-/// The mark at the beginning of a snapshot: it is written as the number of the format, and read if the number is the same.
+/// The mark at the beginning of a snapshot: written as the number of the format, and read only if the number is the
+/// same.
 pub(crate) struct SnapshotFormat;
 
 impl Serialize for SnapshotFormat {

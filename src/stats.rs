@@ -14,31 +14,32 @@ use crate::PhaseTimes;
 pub struct Stats {
     /// Colliders that have a proxy.
     pub proxies: usize,
-    /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves
-    /// once it is sound.
+    /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves once it is
+    /// sound again.
     pub refused: usize,
-    /// Slots above the base layer: those whose proxy is new, gone, or elsewhere than was foreseen, since the last full
-    /// run of the kernel.
+    /// Slots above the base layer: those whose proxy is new, gone, or has moved otherwise than foreseen since the last
+    /// full run of the kernel.
     pub delta: usize,
     /// Pairs held.
     pub pairs: usize,
-    /// Pairs that are watched because they may soon be held, or are.
+    /// Pairs that are watched: those held, and those that may soon be held.
     pub candidates: usize,
-    /// For how many of their last moves ahead colliders are searched for; 0 where looking ahead does not pay.
+    /// How far ahead colliders are searched for, in multiples of their last move; 0 where looking ahead does not pay.
     pub foresight: u32,
-    /// Searches for all pairs so far; the other updates did without.
+    /// Searches for all pairs so far; the other updates did without one.
     pub full_runs: u64,
-    /// Classes of sizes in the last of them: 1 where sizes agree; 0 before the first one, and with a kernel that has none.
+    /// Size classes in the last of these searches: 1 where sizes agree; 0 before the first one, and with a kernel that
+    /// has none.
     pub classes: usize,
-    /// Into how many strips the first of the classes is cut, along the second and the third axis: a planar scene is
-    /// not cut across its plane.
+    /// The number of strips into which the first size class is cut, along the second and the third axis. A planar scene
+    /// is not cut across its plane.
     pub strips: [u32; 2],
     /// Updates so far that had colliders to look at.
     pub updates: u64,
     /// Colliders that the last such update was given, modified and removed.
     pub listed: usize,
-    /// Colliders of which that update changed the box: new ones, those that had left their margin, and those
-    /// that it had to refuse.
+    /// Colliders whose box that update changed: new ones, those that had left their margin, and those that it had to
+    /// refuse.
     pub moved: usize,
     /// Pairs that it reported as new.
     pub added: usize,

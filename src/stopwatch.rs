@@ -3,7 +3,7 @@
 use core::ops::AddAssign;
 use std::time::{Duration, Instant};
 
-/// How long each phase of finding pairs has taken, by the clock on the wall. Zero unless it was asked for.
+/// How long each phase of finding pairs has taken, in wall-clock time. Zero unless it was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -58,14 +58,14 @@ impl AddAssign for PhaseTimes {
     }
 }
 
-/// Adds up the time that phases take. It does not look at the clock unless it is switched on.
+/// Adds up the time that phases take. It does not read the clock unless it is switched on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stopwatch {
     is_on: bool,
     pub(crate) times: PhaseTimes,
 }
 
-/// When a phase began, if that is known.
+/// When a phase began, if the stopwatch is on.
 #[derive(Clone, Copy)]
 pub(crate) struct Lap(Option<Instant>);
 

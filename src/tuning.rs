@@ -1,13 +1,13 @@
 //! Every number that decides speed and nothing else.
 //!
 //! No answer depends on them: the tests hold with any value. Each has its unit, what goes wrong above and below, and the
-//! command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache a core; a factor of two to either side costs a
-//! few per cent, which is why none is a setting.
+//! command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a factor of two to either side
+//! costs a few per cent, which is why none is a setting.
 
 /// Sorting and sweeping: `GridSweep`. Shown by `cargo bench --bench kernels` and `--bench phases`.
 pub(crate) mod kernel {
-    /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below: choosing
-    /// a grid takes longer than the sweep.
+    /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
+    /// choosing a grid takes longer than the sweep.
     pub(crate) const ONE_TUBE_UP_TO: usize = 24;
 
     /// Boxes, a range. One box in eight is looked at to choose the grid, within this range. Above: tens of microseconds a
@@ -53,13 +53,13 @@ pub(crate) mod kernel {
 /// examples `compare` and `tradeoff`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod update {
-    /// Listed colliders. Up to this many are read in the order in which they are listed, for they fit the caches in any order;
-    /// more are read by index. Above: islands make the reads hop about in memory, at twice the time. Below: a pass over the
-    /// bits of all slots for a handful.
+    /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches
+    /// in any order; more are read by index. Above: islands make the reads jump around in memory, at twice the time.
+    /// Below: a pass over the bits of all slots for a handful.
     pub(crate) const READ_AS_LISTED_UP_TO: usize = 256;
 
-    /// Items: listed colliders, candidates. Fewer are not worth a second thread. Below: slower, for the work moves to a core
-    /// whose caches are cold.
+    /// Items: listed colliders, candidates. Fewer are not worth a second thread. Below: slower, because the work moves
+    /// to a core whose caches are cold.
     pub(crate) const THREADS_FROM: usize = 1 << 14;
 
     /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
@@ -85,12 +85,12 @@ pub(crate) mod update {
     /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer.
     pub(crate) const DELTA_LOOKUP_COST: usize = 2;
 
-    /// A factor, and one proxy in this many. If so many times as many leave their fat boxes in one update as usual, and more
-    /// than that part of all, there is a full run: fat boxes made at one time are left at one time. Above: the wave is looked
-    /// up box by box. Below: full runs for what was chance.
+    /// A factor, and one proxy in this many. If this many times as many proxies leave their fat boxes in one update as
+    /// usual, and they are more than that part of all, there is a full run: fat boxes made at one time are left at one
+    /// time. Above: the wave is looked up box by box. Below: full runs for what was chance.
     pub(crate) const WAVE: [u64; 2] = [8, 24];
 
-    /// Boxes or pairs. With more, what only a full run needs is given back after it. Above: half of all memory lies unused in
+    /// Boxes or pairs. With more, what only a full run needs is freed after it. Above: half of all memory lies unused in
     /// nine updates of ten. Below: small worlds allocate in every full run.
     pub(crate) const KEEP_SCRATCH_UP_TO: usize = 1 << 12;
 
@@ -114,11 +114,13 @@ pub(crate) mod update {
     /// Box sizes a move, on average. Where things are faster there is no foresight: a fat box would be left at once.
     pub(crate) const TOO_FAST: f64 = 0.5;
 
-    /// Full runs an update. Where searching costs more in spite of foresight, there is none for a while: things collide all
-    /// the time, say. Above: fat boxes that nobody stays in. Below: foresight is given up where it pays.
+    /// Full runs per update. Where searching costs more in spite of foresight, there is none for a while: for example,
+    /// where things collide all the time. Above: fat boxes that nothing stays in. Below: foresight is given up where it
+    /// pays.
     pub(crate) const TOO_DEAR: f64 = 0.5;
 
-    /// Full runs without foresight before it is tried again: the first time, and at most, for each failure doubles it.
+    /// Full runs without foresight before it is tried again: the first time, and at most. Each failure doubles the
+    /// number.
     pub(crate) const PAUSES: [u32; 2] = [8, 128];
 
     /// Candidates for each proxy and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
@@ -139,8 +141,8 @@ pub(crate) mod queries {
     /// all leaves are not sound.
     pub(crate) const BUILD_UP_TO: usize = 16;
 
-    /// Updates. A tree that nobody has asked for in as many is given up. Above: scenes that have stopped asking go on noting
-    /// what has changed. Below: a program that asks now and then builds a tree each time.
+    /// Updates. A tree that has not been asked for in this many is given up. Above: scenes that have stopped asking go
+    /// on noting what has changed. Below: a program that asks now and then builds a tree each time.
     pub(crate) const KEEP_UNASKED: u32 = 64;
 
     /// One leaf in this many. Up to that, each redrawn leaf enlarges its ancestors by itself; with more, all nodes are

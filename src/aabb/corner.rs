@@ -1,4 +1,5 @@
-//! A corner of a box as serde reads and writes it, for serde itself knows arrays of certain lengths only.
+//! A corner of a box as serde reads and writes it, because serde itself supports only arrays of certain
+//! lengths.
 
 use core::fmt;
 use core::marker::PhantomData;

@@ -13,18 +13,17 @@ use crate::pair_tracker::PairChange;
 use crate::proxy_table::{PairEvent, ProxyTable};
 use crate::{Kernel, PairFilter, Stats};
 
-/// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step` or
-/// `CollisionPipeline::step` in the place of `DefaultBroadPhase`; in 0.36, whose pipelines take none but their own, call its
+/// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
+/// or `CollisionPipeline::step` in place of `DefaultBroadPhase`; in 0.36, whose pipelines take only their own, call its
 /// `update`.
 ///
-/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports
-/// every pair whose boxes overlap, as that one does. Contacts, intersections and the bodies that are woken are
-/// therefore the same.
+/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and like that one it reports
+/// every pair whose boxes overlap. Contacts, intersections and the bodies that are woken are therefore the same.
 ///
-/// An update in which no collider has left its margin costs one box comparison for each listed collider. The pairs
-/// to come are searched for some updates ahead, so most updates only compare boxes that are known to be near each other.
-/// What moves otherwise than was foreseen is looked up among the others in about **O(log n)** each; where that is much,
-/// there is one run of the [kernel](Kernel) over all boxes.
+/// An update in which no collider has left its margin costs one box comparison for each listed collider. Pairs are
+/// searched for some updates ahead, so most updates only compare boxes that are known to be near each other. What moves
+/// otherwise than foreseen is looked up among the others in about **O(log n)** each; where that is much, there is one
+/// run of the [kernel](Kernel) over all boxes.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, Key>,
@@ -103,7 +102,7 @@ impl UnisizeBroadPhase {
         self.settings.filter.unwrap_or(version::PAIR_FILTER)
     }
 
-    /// How far a box that is renewed reaches beyond its collider, in length units of the scene.
+    /// How far a renewed box extends beyond its collider, in length units of the scene.
     pub(crate) fn margin(&self, params: &IntegrationParameters) -> Real {
         let margin = self.settings.margin.unwrap_or(Self::DEFAULT_MARGIN);
         // NaN counts as 0 too.

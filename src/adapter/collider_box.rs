@@ -43,8 +43,8 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
     /// where soft CCD expects the body at the end of the step.
     ///
-    /// See `BroadPhaseBvh::update` in Rapier 0.27 and `Collider::compute_broad_phase_aabb` in 0.36: nearer than the
-    /// prediction distance, two such boxes touch.
+    /// See `BroadPhaseBvh::update` in Rapier 0.27 and `Collider::compute_broad_phase_aabb` in 0.36: the boxes of
+    /// two colliders that are nearer than the prediction distance touch.
     #[inline(always)]
     fn read(
         &self,
@@ -60,7 +60,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         let outlined = outline.aabb(collider);
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
-        // Both ways meet again, or the compiler does without vectors in the usual one.
+        // Both branches meet again; otherwise the compiler does not use vectors in the usual one.
         let aabb = match outlined {
             Some(aabb) if !is_swept => aabb,
             _ => {

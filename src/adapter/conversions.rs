@@ -1,4 +1,4 @@
-//! Boxes and handles in the engine's words and in ours.
+//! Conversions of boxes and handles between the engine's types and ours.
 
 use super::rapier::geometry::{Aabb as RapierAabb, ColliderHandle};
 use super::rapier::math::{DIM, Real};

@@ -5,8 +5,8 @@ use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups}
 use crate::PairFilter;
 use crate::pair_tracker::FilterKey;
 
-/// What of a collider and its body decides whether it may meet another one. What the filter does not ask for is the same
-/// for all.
+/// The properties of a collider and its body that decide whether it may meet another one. Those that the filter does not
+/// look at are the same for all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -20,11 +20,11 @@ pub(super) struct Key {
     groups: InteractionGroups,
 }
 
-/// In the place of a body.
+/// Stands for no body.
 const NOBODY: u32 = u32::MAX;
 
 impl Default for Key {
-    /// The key of one that may meet all of its kind.
+    /// The key of a collider that may meet all others with this key.
     fn default() -> Self {
         Self {
             body: NOBODY,

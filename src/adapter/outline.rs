@@ -1,10 +1,10 @@
-//! What is remembered of a collider's shape, so that its box can be had without going there.
+//! What is remembered of a collider's shape, so that its box can be computed without visiting the shape.
 //!
-//! A collider only points to its shape. Following that pointer, somewhere in memory, and finding out what is
-//! there costs more than all the rest of reading the collider. So the few numbers that the box of a simple shape
-//! depends on are kept beside the proxy, and a share in the ownership of the shape with them: a shape that is
-//! shared cannot be changed in place ([`SharedShape::make_mut`] copies it first), so as long as the collider
-//! still points to the same one, the numbers hold.
+//! A collider only points to its shape. Following that pointer, and finding out what kind of shape is there, costs more
+//! than all the rest of reading the collider. So the few numbers that determine the box of a simple shape are kept
+//! beside the proxy, together with shared ownership of the shape. A shared shape cannot be changed in place
+//! ([`SharedShape::make_mut`] copies it first), so the numbers hold as long as the collider still points to the same
+//! one.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
 }
 
-/// The shapes that are simple.
+/// The simple shapes.
 #[derive(Clone, Copy)]
 enum Profile {
     Ball {
@@ -28,7 +28,7 @@ enum Profile {
     Cuboid {
         half_extents: Vector,
     },
-    /// A capsule around its own origin, with the end of its axis.
+    /// A capsule centred at its own origin; `end` is one end of its axis.
     Capsule {
         end: Vector,
         radius: Real,
@@ -57,8 +57,8 @@ impl Profile {
 }
 
 impl Outline {
-    /// The box of the collider whose outline this is, if its shape is simple: that of [`Collider::compute_aabb`], bit for
-    /// bit.
+    /// The box of a collider whose outline this is, if its shape is simple: bit for bit that of
+    /// [`Collider::compute_aabb`].
     #[inline(always)]
     pub(super) fn aabb(&mut self, collider: &Collider) -> Option<Aabb<Real, DIM>> {
         let shape = collider.shared_shape();
@@ -80,7 +80,7 @@ impl Outline {
         })
     }
 
-    /// Takes note of a shape, if it is a simple one.
+    /// Remembers a shape, if it is simple.
     #[cold]
     fn learn(&mut self, shape: &SharedShape) -> Option<Profile> {
         let profile = Profile::of(shape);
@@ -89,7 +89,7 @@ impl Outline {
     }
 }
 
-/// The box of these half extents around a centre.
+/// The box with these half extents around a centre.
 #[inline(always)]
 fn around(center: Vector, half_extents: Vector) -> Aabb<Real, DIM> {
     Aabb::new(
@@ -116,7 +116,7 @@ mod tests {
         }
     }
 
-    /// The same collider here and there.
+    /// A collider of this shape in many poses.
     fn placed(shape: &SharedShape) -> impl Iterator<Item = Collider> {
         (0..50).map(|i| {
             let i = i as Real;

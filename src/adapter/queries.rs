@@ -1,6 +1,6 @@
 //! Scene queries: rays, points and shapes against the colliders.
 //!
-//! Rapier asks its questions to the tree of its own broad phase. Here there is no tree until somebody asks, and then one
+//! Rapier's queries go to the tree of its own broad phase. Here there is no tree until the first query, and then one
 //! that is kept (`query_tree.rs`).
 
 use super::UnisizeBroadPhase;
@@ -13,11 +13,11 @@ use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 impl UnisizeBroadPhase {
     /// The scene as of the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
     ///
-    /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first one after an update
-    /// brings it up to date, in well under a tenth of that time; further ones are free.
+    /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first call after an
+    /// update brings it up to date, in well under a tenth of that time; further calls are free.
     ///
-    /// Answers are those of Rapier's own broad phase, with one exception: `intersect_aabb_conservative` may tell of more
-    /// colliders, for it goes by boxes that are drawn out ahead of the colliders' motion.
+    /// Answers are those of Rapier's own broad phase, with one exception: `intersect_aabb_conservative` may return more
+    /// colliders, because it uses boxes that are drawn out ahead of the colliders' motion.
     pub fn as_query_pipeline<'a>(
         &'a self,
         dispatcher: &'a dyn QueryDispatcher,

@@ -1,8 +1,8 @@
 //! The tree that answers queries, kept between updates.
 //!
-//! Nobody pays for it who does not ask: it is built at the first query, and brought up to date when the next one comes.
-//! Its leaves are the fat boxes, so only those that were drawn anew have to be written, which in most updates are few.
-//! A fat box contains its collider's box: a query meets a few leaves more, and decides on the shapes all the same.
+//! It costs nothing until it is asked for: it is built at the first query, and brought up to date when the next one
+//! comes. Its leaves are the fat boxes, so only those that were drawn anew have to be written, which in most updates are
+//! few. A fat box contains its collider's box, so a query visits a few more leaves, but still decides by the shapes.
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -18,14 +18,14 @@ use crate::tuning::queries::{
 /// The boxes by slot; invalid where there is none.
 type Boxes<'a> = &'a [crate::Aabb<Real, DIM>];
 
-/// The tree, if anybody has asked for it of late.
+/// The tree, if it was asked for recently.
 #[derive(Default)]
 pub(super) struct QueryTree {
     /// As of the last update.
     current: OnceLock<Tree>,
-    /// As of an earlier one, and what has changed since.
+    /// As of an earlier update, and what has changed since.
     outdated: Mutex<Option<(Tree, Redrawn)>>,
-    /// Updates since it was asked for.
+    /// Updates since it was last asked for.
     unasked: u32,
 }
 
@@ -39,7 +39,7 @@ struct Tree {
     removed: usize,
     /// Whether a leaf that is gone could not be removed.
     is_unsound: bool,
-    /// Leaves written whose ancestors may be larger than they need be.
+    /// Leaves written whose ancestors may be larger than necessary.
     loose: usize,
 }
 
@@ -69,12 +69,13 @@ impl QueryTree {
         self.current.get().is_some() || self.outdated_mut().is_some()
     }
 
-    /// Takes note of the fat boxes that an update has drawn anew. A tree that nobody asks for is given up in the end.
+    /// Takes note of the fat boxes that an update has drawn anew. A tree that is no longer asked for is given up in the
+    /// end.
     pub(super) fn note(&mut self, redrawn: &Redrawn) {
         if let Some(tree) = self.current.take() {
             self.unasked = 0;
             if redrawn.is_empty() {
-                // It is still right.
+                // It is still up to date.
                 self.current = OnceLock::from(tree);
                 return;
             }
@@ -180,7 +181,7 @@ impl Tree {
         self
     }
 
-    /// Brings the leaf of a slot up to date; `insert` writes one whose box is another.
+    /// Brings the leaf of a slot up to date; `insert` writes it if its box has changed.
     fn write(&mut self, slot: usize, boxes: Boxes, insert: impl Fn(&mut Bvh, Aabb, u32)) {
         let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
         let aabb = &boxes[slot];
@@ -207,7 +208,7 @@ impl Tree {
     }
 }
 
-/// Writes a leaf whose ancestors are seen to afterwards.
+/// Writes a leaf; its ancestors are updated afterwards.
 fn write_leaf(bvh: &mut Bvh, aabb: Aabb, slot: u32) {
     bvh.insert_or_update_partially(aabb, slot, 0.0);
 }

@@ -1,7 +1,7 @@
-//! The broad phase as it is written and read by serde, in the midst of a simulation.
+//! The broad phase as it is written and read by serde, in the middle of a simulation.
 //!
-//! What is written decides all events to come, in their order. Scratch memory, outlines of shapes and the tree for
-//! queries are not: they are made anew when they are needed.
+//! What is written decides all events to come, and their order. Scratch memory, outlines of shapes and the tree for
+//! queries are not written: they are made anew when they are needed.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
@@ -12,18 +12,18 @@ use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 use crate::snapshot_format::SnapshotFormat;
 
-/// The fields of a [`UnisizeBroadPhase`] that cannot be told from others.
+/// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Snapshot {
-    /// First, so that it is read before anything that another version may have otherwise.
+    /// First, so that it is read before anything that another version may write differently.
     format: SnapshotFormat,
     settings: Settings,
     table: TableSnapshot<Real, DIM, Key>,
 }
 
-/// What is written decides all events to come, and their order: a simulation that is restored, with all of
-/// Rapier's sets, goes on as the one that was saved. For that the format must keep numbers bit for bit, as binary
-/// formats do. What another version of the library has written is an error that says so, if its snapshots are different.
+/// What is written decides all events to come, and their order: a simulation that is restored, with all of Rapier's
+/// sets, goes on as the one that was saved. For that the format must keep numbers bit for bit, as binary formats do. If
+/// another version of the library wrote the snapshot in another format, reading it is an error that says so.
 impl Serialize for UnisizeBroadPhase {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let snapshot = Snapshot {
@@ -35,7 +35,7 @@ impl Serialize for UnisizeBroadPhase {
     }
 }
 
-/// Data of which no broad phase can have come is an error, and whatever is read without one is safe to use. To check it
+/// Data that no broad phase can have written is an error, and whatever is read without one is safe to use. The check
 /// takes about as long as a full search for pairs.
 impl<'de> Deserialize<'de> for UnisizeBroadPhase {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

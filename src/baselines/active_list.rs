@@ -1,25 +1,25 @@
-//! The active list: the boxes that the sweep is in the midst of.
+//! The active list: the boxes that the sweep line crosses.
 //!
-//! A box enters at its low endpoint and leaves at its high one, and then is tested against all that remain. The list is
-//! dense, in blocks of eight boxes with the eight numbers of each side next to each other, so that a test is of eight boxes
-//! at once; and it knows where each box stands, so that one leaves by the last being moved to its place.
+//! A box enters at its low endpoint. At its high endpoint it leaves, and is then tested against all that remain. The
+//! list is dense, in blocks of eight boxes that hold each side of the eight contiguously, so one test covers eight
+//! boxes. It knows the place of each box, so a box is removed by moving the last one into its place.
 
 use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
-/// The boxes of so many endpoints are fetched before these are swept. They lie all over the place, and fetching them at
-/// once takes little longer than fetching one.
+/// The boxes of this many endpoints are fetched before these endpoints are swept. The boxes are scattered in memory, and
+/// fetching a batch takes little longer than fetching one.
 const BATCH: usize = 32;
 
-/// The boxes that the sweep is in the midst of. All of it scratch memory.
+/// The boxes that the sweep line crosses. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ActiveList<R, const D: usize> {
-    /// As many as there were ever needed. Lanes behind the last box hold NaN, which overlaps nothing.
+    /// As many as were ever needed. Lanes past the last box hold NaN, which overlaps nothing.
     blocks: Vec<Block<R, D>>,
     /// How many boxes are in the list.
     len: usize,
-    /// By object, where in the list it is, if it is.
+    /// By object: its place in the list, if it is there.
     places: Vec<u32>,
 }
 
@@ -56,10 +56,10 @@ impl<R: Real, const D: usize> Block<R, D> {
 }
 
 impl<R: Real, const D: usize> ActiveList<R, D> {
-    /// The axes that are tested begin here: all but the first, which is swept, unless there is no other.
+    /// The first axis that is tested. Axis 0 is swept, so it is tested only if there is no other.
     const FIRST_TESTED: usize = if D > 1 { 1 } else { 0 };
 
-    /// Sweeps the endpoints of the first axis, lows called `i` and highs `i + n`, and appends every overlapping pair.
+    /// Sweeps the endpoints of the first axis, `i` for lows and `i + n` for highs, and appends every overlapping pair.
     ///
     /// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis.
     pub(super) fn sweep(
@@ -121,7 +121,7 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
         }
     }
 
-    /// Appends the pairs of a box with those in the list that overlap it.
+    /// Appends the pairs of a box with those in the list that it overlaps.
     #[inline]
     fn test(&self, owner: u32, aabb: &Aabb<R, D>, pairs: &mut Vec<[u32; 2]>) {
         let mins = aabb.mins.map(R::Lanes::splat);

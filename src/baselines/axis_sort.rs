@@ -3,18 +3,18 @@
 use crate::endpoints::Endpoints;
 use crate::{Aabb, Real};
 
-/// Sorts endpoints. All of it scratch memory.
+/// Sorts endpoints. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct AxisSort {
-    /// For keys of 32 bits, empty unless boxes are of `f32`.
+    /// For 32-bit keys; empty unless boxes are of `f32`.
     narrow: Endpoints<u32>,
-    /// For keys of 64 bits, empty unless boxes are of `f64`.
+    /// For 64-bit keys; empty unless boxes are of `f64`.
     wide: Endpoints<u64>,
 }
 
 impl AxisSort {
-    /// Replaces `order` by the endpoints of an axis, lows called `i` and highs `i + n`: in the order of their coordinates,
-    /// lows before equal highs, and equal ones of a kind in the order of object ids.
+    /// Replaces `order` by the endpoints of an axis, `i` for lows and `i + n` for highs. They are sorted by coordinate;
+    /// at equal coordinates lows come before highs, and each kind is in the order of object ids.
     ///
     /// Computes in **O(n)** time.
     pub(super) fn sort<R: Real, const D: usize>(

@@ -1,19 +1,20 @@
-//! An order of endpoints that is kept from call to call, and put right by insertion sort.
+//! An order of endpoints that is kept from call to call and repaired by insertion sort.
 
 use core::fmt::Debug;
 
 use crate::endpoints::{Endpoints, SortKey};
 use crate::{Aabb, Real};
 
-/// With more moves an endpoint the insertion sort is given up. Measured: sorting afresh takes as long.
+/// Moves per endpoint. With more, the insertion sort is given up: measured, sorting afresh takes as long.
 const MOST_MOVES: usize = 8;
 
-/// So many moves more are made in any case. Where everything jumps, no more than these are in vain.
+/// This many more moves are always allowed. Where everything jumps, no more than these are wasted.
 const FREE_MOVES: usize = 1 << 14;
 
-/// A key that endpoints are sorted by, and an integer that holds both: comparing one number takes less than two.
+/// A key that endpoints are sorted by, and an integer that holds key and endpoint: comparing one number is faster than
+/// comparing two.
 pub(super) trait EntryKey: SortKey {
-    /// An endpoint behind its key.
+    /// A key in the high bits, its endpoint in the low bits.
     type Entry: Copy + Debug + Default + Ord;
     fn entry(self, endpoint: u32) -> Self::Entry;
     fn endpoint(entry: Self::Entry) -> u32;
@@ -45,7 +46,7 @@ pub(super) struct CoherentOrder<K: EntryKey> {
     endpoints: Endpoints<K>,
     /// In ascending order. Lows are `i`, highs `i + n`, so lows come before equal highs.
     entries: Vec<K::Entry>,
-    /// Scratch memory: the endpoints as a sort afresh gives them.
+    /// Scratch memory: the endpoints in the order of a fresh sort.
     order: Vec<u32>,
 }
 
@@ -53,8 +54,8 @@ impl<K: EntryKey> CoherentOrder<K> {
     /// The endpoints of the first axis of `boxes`, in order.
     ///
     /// Computes in **O(n + inversions)** time, where the inversions are the pairs of endpoints that have changed places
-    /// since the last call, and at most **O(n)**: if these are many, or there were more or fewer boxes, all is sorted
-    /// afresh.
+    /// since the last call, and at most in **O(n)**: if there are many inversions, or the number of boxes has changed,
+    /// everything is sorted afresh.
     pub(super) fn update<R: Real, const D: usize>(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -70,8 +71,8 @@ impl<K: EntryKey> CoherentOrder<K> {
         self.entries.iter().map(|&entry| K::endpoint(entry))
     }
 
-    /// Gives the entries their new keys and puts them right by insertion sort, or returns false: there are other endpoints
-    /// than there were, or it takes too many moves.
+    /// Gives the entries their new keys and repairs their order by insertion sort. Returns false if the number of
+    /// endpoints has changed, or if it takes too many moves.
     fn repair(&mut self) -> bool {
         let keys = &self.endpoints.keys;
         if self.entries.len() != keys.len() {
@@ -131,7 +132,7 @@ mod tests {
         check(&mut order, &boxes);
         for _ in 0..50 {
             for b in &mut boxes {
-                // Half a unit, on which begin two boxes and end two.
+                // Half a unit: at each such coordinate about two boxes begin and two end.
                 let step = (random.rand_range(0..3) as f32 - 1.0) * 0.5;
                 *b = Aabb::new([b.mins[0] + step], [b.maxs[0] + step]);
             }
@@ -154,7 +155,7 @@ mod tests {
 
     #[test]
     fn the_insertion_sort_is_given_up_at_its_bound() {
-        // Points that are far apart, but for the last: that is moved before `passed` others, and so are its two endpoints.
+        // Points far apart, except the last: it is moved before `passed` others, with both of its endpoints.
         let points = |n: usize, passed: usize| {
             let low = (1..n).map(|i| i as f32).chain([(n - passed) as f32 - 0.5]);
             low.map(|x| Aabb::new([x], [x])).collect::<Vec<_>>()
@@ -166,7 +167,7 @@ mod tests {
             assert!(is_repaired(&order, &points(n, n - 1)));
             check(&mut order, &points(n, n - 1));
         }
-        // Each two of n points pass each other, with two endpoints each.
+        // Every two of the n points pass each other, each with two endpoints.
         for n in (1..200).step_by(3) {
             let ascending: Vec<_> = (0..n).map(|i| Aabb::new([i as f32], [i as f32])).collect();
             let descending: Vec<_> = ascending.iter().rev().copied().collect();

@@ -1,4 +1,4 @@
-//! Sweep and prune that makes use of what hardly changes from call to call.
+//! Sweep and prune for coherent motion: what hardly changes from call to call is kept.
 
 use super::active_list::ActiveList;
 use super::coherent_order::CoherentOrder;
@@ -6,22 +6,22 @@ use crate::endpoints::check_count;
 use crate::pair_finder::check_boxes;
 use crate::{Aabb, InvalidBox, PairFinder, Real};
 
-/// Sweep and prune on one axis, of which the order is kept from call to call and put right by insertion sort: Baraff,
-/// *Dynamic simulation of non-penetrating rigid bodies* (1992), and Cohen and others, *I-COLLIDE* (1995).
+/// Sweep and prune on one axis whose order is kept from call to call and repaired by insertion sort: Baraff, *Dynamic
+/// simulation of non-penetrating rigid bodies* (1992), and Cohen and others, *I-COLLIDE* (1995).
 ///
-/// It is [`SweepAndPrune`](crate::SweepAndPrune) but for the sort, and returns the same pairs in the same order: what it
-/// keeps decides the time alone. Those papers keep the overlaps of all axes as well and change them with each two
-/// endpoints that change places; a [`PairFinder`] returns all pairs, so here they are swept for.
+/// It differs from [`SweepAndPrune`](crate::SweepAndPrune) only in the sort, and returns the same pairs in the same
+/// order: what it keeps affects only the time. Those papers also keep the overlaps on all axes, and update them whenever
+/// two endpoints change places. A [`PairFinder`] returns all pairs, so here they are found by a sweep.
 ///
 /// Computes in **O(n k + m)** time, where k is how many boxes overlap at once on the first axis and m how many pairs of
-/// endpoints have changed places on it since the last call, and **O(n)** memory beside the pairs. Insertion sort is given
-/// up, and all is sorted afresh in **O(n)**, as soon as it has taken more than 16384 moves and eight for each endpoint that
-/// it has passed; and so it is if the number of boxes is another than in the last call. So m counts for no more than n,
-/// wherever boxes jump.
+/// endpoints have changed places on it since the last call, and **O(n)** memory beside the pairs. The insertion sort is
+/// given up, and everything is sorted afresh in **O(n)**, as soon as it has taken more than 16384 moves plus eight for
+/// each endpoint that it has passed, or if the number of boxes has changed since the last call. So where boxes jump, m
+/// counts for no more than n.
 ///
-/// The axes are taken as they come: let the first be one along which boxes are spread out. `D` must not be 0.
+/// The axes are taken in the given order: let the first be one along which boxes are spread out. `D` must not be 0.
 ///
-/// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
+/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
 /// [`TooMany`](crate::InvalidBoxReason::TooMany).
 #[derive(Clone, Debug, Default)]
 pub struct CoherentSweepAndPrune<R, const D: usize> {

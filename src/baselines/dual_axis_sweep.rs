@@ -1,8 +1,9 @@
 //! A sweep over the second axis that asks for ranges of the first, for boxes of any sizes.
 //!
-//! What overlaps an interval either begins inside it or contains its beginning. Ranks of low endpoints in order give the
-//! former by one range query, and the latter only as far as one knows how long intervals are. So they are sorted into
-//! classes of length (`length_class`), in each of which both are found without a failure.
+//! An interval that overlaps another one either begins inside it or contains its beginning. With the ranks of low
+//! endpoints in order, one range query gives the former. The latter can only be found if the lengths of intervals are
+//! known. So intervals are divided into classes by length (`length_class`); in each class only intervals that overlap
+//! are looked at.
 
 mod length_class;
 #[cfg(test)]
@@ -14,30 +15,31 @@ use crate::pair_finder::{check_boxes, ordered};
 use crate::{Aabb, InvalidBox, PairFinder, Real};
 use length_class::{CLASSES, LengthClass, class_of};
 
-/// The ranks of so many endpoints are fetched before these are swept, for they lie all over the place.
+/// The ranks of this many endpoints are fetched before these endpoints are swept, because they are scattered in memory.
 const BATCH: usize = 32;
 
 /// A sweep on two axes for boxes of any sizes, after Capannini and Larsson, *Efficient collision culling by a succinct
 /// bi-dimensional sweep and prune algorithm* (2016).
 ///
-/// Theirs, as far as the later paper tells: the endpoints of the first axis are replaced by their ranks; the second axis is
-/// swept; the ranks of the active boxes are kept in a SuccTree, a tree of one bit a node and 64 children each; and range
-/// queries there take the place of testing all that is active. How they find an interval that contains another
-/// completely, which no query for endpoints inside the latter sees, is not told there.
+/// Theirs, as far as the later paper describes it: the endpoints of the first axis are replaced by their ranks; the
+/// second axis is swept; the ranks of the active boxes are kept in a SuccTree, a tree with one bit per node and 64
+/// children each; and range queries on it replace testing all active boxes. An interval that contains another one
+/// completely is not seen by a query for endpoints inside the latter; the later paper does not tell how it is found.
 ///
-/// Ours: intervals are put into classes by their lengths in ranks, so that in none the longest is twice as long as the
-/// shortest, and each class has two trees, of low and of high endpoints. In a class with lengths from `s` to `l`, those that
-/// reach a rank `x` begin less than `s` before it, or end within the next `l - s`: so two range queries give all that
-/// overlap on the first axis, and nothing else.
+/// Ours: intervals are divided into classes by their length in ranks, so that in no class the longest is twice as long
+/// as the shortest. Each class has two trees, one of low and one of high endpoints. In a class with lengths from `s` to
+/// `l`, the intervals that reach a rank `x` begin less than `s` before it, or end within the next `l - s`. So two range
+/// queries give all that overlap on the first axis, and nothing else.
 ///
 /// Computes in **O((n log n + c) log₆₄ n)** time, where c is the number of pairs that overlap on the first two axes, and
-/// **O(n)** memory beside the pairs: the trees of all classes have 4 n log₂ n bits and a little. In 2D, c is the answer, so
-/// there are no boxes, of whatever sizes, for which the time is quadratic without so many pairs; and boxes of one size are
-/// of one or a few classes. In 3D and beyond, the further axes only test the candidates.
+/// **O(n)** memory beside the pairs: the trees of all classes together have a little more than 4 n log₂ n bits. In 2D, c
+/// is the size of the answer, so the time is quadratic only if the number of pairs is, for boxes of any sizes; and boxes
+/// of one size fall into one or a few classes. In 3D and beyond, the further axes only test the candidates.
 ///
-/// The axes are taken as they come: let the first two be those along which boxes are spread out. `D` must not be 0.
+/// The axes are taken in the given order: let the first two be those along which boxes are spread out. `D` must not be
+/// 0.
 ///
-/// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
+/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
 /// [`TooMany`](crate::InvalidBoxReason::TooMany).
 #[derive(Clone, Debug)]
 pub struct DualAxisSweep<R, const D: usize> {
@@ -46,7 +48,7 @@ pub struct DualAxisSweep<R, const D: usize> {
     real: core::marker::PhantomData<R>,
 }
 
-/// What the sweep works on. All of it scratch memory.
+/// What the sweep works on. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
 struct Sweep {
     /// The endpoints in the order of the first axis.
@@ -94,7 +96,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for DualAxisSweep<R, D> {
 }
 
 impl Sweep {
-    /// Ranks the endpoints of the first axis, and makes classes of the lengths between them.
+    /// Ranks the endpoints of the first axis, and sets up the classes for the lengths between them.
     fn rank(&mut self, n: usize) {
         self.ranks.resize(n, [0; 2]);
         for (rank, &endpoint) in (1..).zip(&self.first) {
@@ -124,7 +126,7 @@ impl Sweep {
             classes,
         } = self;
         let n = ranks.len() as u32;
-        // One bit a class: whether it has any active interval.
+        // One bit per class: whether it has any active interval.
         let mut active = 0_u32;
         let mut batch = [[0; 2]; BATCH];
         for endpoints in swept.chunks(BATCH) {

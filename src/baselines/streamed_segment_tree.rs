@@ -1,12 +1,12 @@
-//! Streamed segment trees: trees of segments that are walked while they are made, and never stored.
+//! Streamed segment trees: segment trees that are walked while they are built, and never stored.
 //!
-//! Two boxes overlap on an axis exactly if one of them, taken as an interval, holds the low side of the other one,
-//! taken as a point. Which points lie in which intervals is what a segment tree tells. The points of a node are halved at
-//! an approximate median (`median`); an interval goes to both halves if it reaches both. One that spans the whole segment
-//! of a node holds all of its points: these two sets go on to the next axis together, with the roles both ways. On
-//! the last axis, and where few are left, both sets are sorted and scanned (`scan`).
+//! Two boxes overlap on an axis exactly if one of them, taken as an interval, holds the low side of the other one, taken
+//! as a point. A segment tree tells which points lie in which intervals. The points of a node are halved at an
+//! approximate median (`median`); an interval goes to each half that it reaches. An interval that spans the whole
+//! segment of a node holds all of its points: these two sets go on to the next axis together, in both roles. On the last
+//! axis, and where few are left, both sets are sorted and scanned (`scan`).
 //!
-//! All sets are parts of two lists of boxes (`entry`), put in order where they are (`partition`).
+//! All sets are parts of two lists of boxes (`entry`), partitioned in place (`partition`).
 
 mod entry;
 mod median;
@@ -24,7 +24,7 @@ use partition::partition;
 /// CGAL's default.
 const DEFAULT_CUTOFF: usize = 10;
 
-/// After so many splits along one axis the rest is scanned, so that no input exhausts the stack. Exact halves would be
+/// After this many splits along one axis the rest is scanned, so that no input exhausts the stack. Exact halves would be
 /// down to one box after 32.
 const MAX_SPLITS: u32 = 96;
 
@@ -35,15 +35,15 @@ const MAX_SPLITS: u32 = 96;
 /// are estimated from random samples, are bad again and again: then O(n²). **O(n)** memory beside the pairs: the boxes,
 /// twice.
 ///
-/// Where there are fewer points or fewer intervals than the *cutoff*, they are scanned instead of being split further. The
-/// default is 10, as in CGAL. For boxes of one size another one is better: about 100 for 1,000 of them, 500 for 10,000, and
-/// 2000 from 100,000 on, where it makes this two to three times as fast in 2D and four times in 3D. The pairs are the same
-/// with any cutoff, in another order.
+/// Where there are fewer points or fewer intervals than the *cutoff*, they are scanned instead of being split further.
+/// The default is 10, as in CGAL. Boxes of one size favour larger cutoffs: about 100 for 1,000 boxes, 500 for 10,000,
+/// and 2000 from 100,000 on, which makes it two to three times as fast in 2D and four times in 3D. The cutoff changes
+/// the order of the pairs, not their set.
 ///
-/// One thing is not as in CGAL: what is split is the order of the low sides by coordinate *and index*. So equal coordinates
-/// are split like any others, while CGAL scans what its median does not part.
+/// One thing differs from CGAL: the low sides are ordered, and split, by coordinate *and index*. So equal coordinates
+/// are split like any others, whereas CGAL scans what its median does not separate.
 ///
-/// At most `u32::MAX` boxes; `D` must not be 0. Random numbers begin alike in each run.
+/// At most `u32::MAX` boxes; `D` must not be 0. The random numbers are the same in each run.
 ///
 /// ```
 /// use unisize::{Aabb, PairFinder, StreamedSegmentTree};
@@ -74,8 +74,8 @@ impl<R, const D: usize> Default for StreamedSegmentTree<R, D> {
 }
 
 impl<R, const D: usize> StreamedSegmentTree<R, D> {
-    /// A kernel that scans where there are fewer points or fewer intervals than `cutoff`; with 0 it splits as far as it
-    /// goes.
+    /// A kernel that scans where there are fewer points or fewer intervals than `cutoff`; with 0 it splits as far as
+    /// possible.
     pub const fn with_cutoff(cutoff: usize) -> Self {
         Self {
             cutoff,
@@ -103,7 +103,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for StreamedSegmentTree<R, D> {
             median: Median::new(),
             pairs,
         };
-        // One way is enough here: of each pair, one box begins first, and is an interval too.
+        // One role is enough here: of each pair, the box that begins first is among the intervals too.
         walk.root(&mut self.points, &mut self.intervals, D - 1);
         Ok(())
     }
@@ -129,7 +129,7 @@ impl Walk<'_> {
         self.node(points, intervals, everything, axis, MAX_SPLITS);
     }
 
-    /// The same where all points begin in `from..to`, with so many splits left.
+    /// The same where all points begin in `from..to`, with this many splits left.
     fn node<R: Real, const D: usize>(
         &mut self,
         points: &mut [Entry<R, D>],

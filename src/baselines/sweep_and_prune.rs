@@ -9,17 +9,17 @@ use crate::{Aabb, InvalidBox, PairFinder, Real};
 /// Sweep and prune on one axis: Baraff, *Dynamic simulation of non-penetrating rigid bodies* (1992), as section 3 of
 /// Capannini and Larsson's paper has it.
 ///
-/// The endpoints of the first axis are sorted and swept. At its low endpoint a box enters the active list, at its high one
-/// it leaves it and is tested against all that remain. On the first axis these overlap anyway, so only the further ones
-/// are compared, eight boxes at once.
+/// The endpoints of the first axis are sorted and swept. At its low endpoint a box enters the active list; at its high
+/// endpoint it leaves the list and is tested against all that remain. These overlap on the first axis anyway, so only
+/// the further axes are compared, eight boxes at once.
 ///
-/// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis, and **O(n)** memory beside the
-/// pairs: the sort, of integers, is **O(n)**. With n boxes evenly spread in a square, k grows as √n, in a cube as n to the
-/// power of ⅔; one long box makes k no larger by more than one, whatever it is.
+/// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis, and **O(n)** memory beside
+/// the pairs. The sort is of integers and takes **O(n)**. With n boxes evenly spread in a square, k grows as √n, in a
+/// cube as n to the power of ⅔. One long box adds at most one to k, however long it is.
 ///
-/// The axes are taken as they come: let the first be one along which boxes are spread out. `D` must not be 0.
+/// The axes are taken in the given order: let the first be one along which boxes are spread out. `D` must not be 0.
 ///
-/// Boxes are limited to 2³¹ - 1, for each has two endpoints; one more is refused as
+/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
 /// [`TooMany`](crate::InvalidBoxReason::TooMany).
 #[derive(Clone, Debug, Default)]
 pub struct SweepAndPrune<R, const D: usize> {

@@ -1,19 +1,19 @@
-//! A stable radix sort that returns where the keys are, in order, and leaves them where they are.
+//! A stable radix sort that returns the indexes of the keys in order, and leaves the keys in place.
 //!
-//! Least significant digit first, as in section 3 of the paper: each pass deals the entries out by one digit, and since
-//! a pass keeps the order of equal digits, entries of equal keys come out in the order of their indexes. One look over
-//! the keys counts all digits beforehand; a digit that all keys share needs no pass. The first pass reads the bare
-//! keys and the last writes bare indexes, so that only the passes between move both.
+//! Least significant digit first, as in section 3 of the paper: each pass deals the entries out by one digit. A pass
+//! keeps the order of equal digits, so entries of equal keys come out in the order of their indexes. All digits are
+//! counted beforehand, in one pass over the keys; a digit that all keys share needs no pass of its own. The first pass
+//! reads the bare keys and the last writes bare indexes, so only the passes between move both.
 
 use core::fmt::Debug;
 
-/// The digits of many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in the
-/// first-level cache; a whole frame takes a tenth less than with digits of 8 bits.
+/// Bits of a digit of many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in
+/// the first-level cache; a whole frame takes a tenth less time than with digits of 8 bits.
 const LARGE_DIGIT: u32 = 11;
-/// The digits of few keys, where clearing and adding up the counts would outweigh the passes saved.
+/// Bits of a digit of few keys, where clearing and adding up the counts would outweigh the passes saved.
 const SMALL_DIGIT: u32 = 8;
-/// From so many keys on digits are large. Measured: half as many favour small digits, twice as many large ones, in both
-/// widths of key.
+/// From this many keys on, digits are large. Measured: half as many favour small digits, twice as many large ones, in
+/// both widths of key.
 const FEW: usize = 1 << 10;
 
 /// An unsigned integer that is sorted by.
@@ -22,7 +22,7 @@ pub(crate) trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
     const BITS: u32;
     /// The low bits of an [`order_key`](crate::Real::order_key).
     fn from_order_key(key: u64) -> Self;
-    /// The number that the `BITS` bits from bit `shift` on make.
+    /// The value of the `BITS` bits from bit `shift` on.
     fn digit<const BITS: u32>(self, shift: u32) -> usize;
 }
 
@@ -58,8 +58,8 @@ pub(crate) struct RadixSort<K> {
 }
 
 impl<K: SortKey> RadixSort<K> {
-    /// Replaces `order` by the indexes of `keys`, of which there are at most `u32::MAX`, in the order of the keys, and of
-    /// equal keys in the order of the indexes.
+    /// Replaces `order` by the indexes of `keys`, in the order of the keys; the indexes of equal keys ascend. There are
+    /// at most `u32::MAX` keys.
     ///
     /// Computes in **O(n)** time.
     pub(crate) fn sort(&mut self, keys: &[K], order: &mut Vec<u32>) {
@@ -157,7 +157,7 @@ mod tests {
         assert_eq!(order, expected, "{keys:?}");
     }
 
-    /// Keys that differ in `bits` only, so that every choice of constant digits comes up.
+    /// Keys that differ only in `bits`, so that every choice of constant digits comes up.
     fn check_bits(random: &mut oorandom::Rand64, len: usize, bits: u64) {
         let keys: Vec<u64> = (0..len)
             .map(|_| random.rand_u64() & bits | 0xA5A5_A5A5_A5A5_A5A5 & !bits)

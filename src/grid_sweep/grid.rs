@@ -1,10 +1,9 @@
 //! Which tube a coordinate belongs to.
 //!
-//! The axes after the first are cut into strips of equal width; a *tube* is a strip in two dimensions, and
-//! the crossing of two strips in three. Whatever the origin and the width are, the strip number is a
-//! non-decreasing function of the coordinate, and that alone makes the sweep exact: two overlapping boxes
-//! both reach the strip that holds the larger of their two `mins`. So origin and width may be guessed from
-//! a sample, and be guessed wrong.
+//! The axes after the first are cut into strips of equal width; a *tube* is a strip in two dimensions, and the crossing
+//! of two strips in three. Whatever the origin and the width are, the strip number is a non-decreasing function of the
+//! coordinate, and that alone makes the sweep exact: two overlapping boxes both reach the strip that holds the larger of
+//! their two `mins`. So origin and width may be guessed from a sample, and the guess may be wrong.
 
 use crate::tuning::kernel::{BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_SAMPLE};
 use crate::{Aabb, Real};
@@ -14,14 +13,14 @@ use crate::{Aabb, Real};
 pub(super) struct Strips<R> {
     origin: R,
     per_length: R,
-    /// The number of the last strip, in which all farther coordinates end up.
+    /// The number of the last strip, which takes all farther coordinates.
     pub(super) last: u32,
 }
 
 impl<R: Real> Strips<R> {
-    /// The strip of a coordinate. Non-decreasing, whatever the fields are, as long as `origin` is finite and
-    /// `per_length` not negative: subtraction, multiplication and truncation round monotonously, and zero
-    /// times infinity, where it occurs, counts as strip 0 between negative and positive ones.
+    /// The strip of a coordinate. Non-decreasing as long as `origin` is finite and `per_length` not negative:
+    /// subtraction, multiplication and truncation round monotonically, and zero times infinity, where it occurs, counts
+    /// as strip 0 between negative and positive ones.
     #[inline(always)]
     pub(super) fn strip(&self, coordinate: R) -> u32 {
         ((coordinate - self.origin) * self.per_length)
@@ -67,7 +66,7 @@ impl<R: Real> Grid<R> {
         rows.saturating_mul(columns)
     }
 
-    /// Lets the strips go on as far as numbers reach.
+    /// Extends the strips to the greatest number that they can have.
     pub(super) fn extend<const D: usize>(&mut self) {
         for axis in &mut self.axes[..cut_axes::<D>()] {
             axis.last = u32::MAX;
@@ -101,8 +100,8 @@ impl<R: Real> Grid<R> {
             .collect();
         let axes: [Extent; 3] = core::array::from_fn(|k| Extent::of(&sample, k.min(D - 1)));
 
-        // Boxes per unit of volume times the volume of a row of boxes: candidates a box, if strips were
-        // one box wide. Only an upper bound is wanted, so a flat axis counts as one box thick.
+        // Boxes per unit of volume times the volume of a row of boxes: candidates per box, if strips were one box wide.
+        // Only an upper bound is wanted, so a flat axis counts as one box thick.
         let share =
             |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
         let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
@@ -113,7 +112,7 @@ impl<R: Real> Grid<R> {
         let mut grid = Self::default();
         for cut in 0..cuts {
             let Extent { size, low, spread } = axes[cut + 1];
-            // Points have no size to go by: aim at some points a tube.
+            // Points have no size: aim at some points per tube.
             let least = spread / root(n / 16.0, cuts).max(1.0);
             let width = if size > 0.0 {
                 size * width_in_boxes
@@ -129,14 +128,14 @@ impl<R: Real> Grid<R> {
     }
 }
 
-/// What gives `x` if it is multiplied by itself once for each cut axis. Unlike powers, square roots are the same on every
-/// platform, and so the order of the pairs is.
+/// The square root of `x` if two axes are cut, else `x`. Unlike powers, square roots are the same on every platform, and
+/// so is the order of the pairs.
 fn root(x: f64, cuts: usize) -> f64 {
     if cuts > 1 { x.sqrt() } else { x }
 }
 
-/// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but in no regular
-/// distance, so that a pattern in the order of the boxes does not mislead.
+/// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but irregularly spaced, so
+/// that a pattern in the order of the boxes does not mislead.
 pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
     let count = (n / 8).clamp(GRID_SAMPLE[0], GRID_SAMPLE[1]).min(n);
     // Fibonacci hashing within each of `count` equal parts.
@@ -157,13 +156,13 @@ pub(super) const fn cut_axes<const D: usize>() -> usize {
     }
 }
 
-/// What a sample says of one axis. Robust: a few boxes far out or far larger change nothing.
+/// What a sample tells about one axis. Robust: a few boxes far out or far larger change nothing.
 struct Extent {
     /// The size that three boxes in four do not exceed.
     size: f64,
-    /// The least coordinate of `mins`, but for a few.
+    /// The least coordinate of `mins`, except for a few.
     low: f64,
-    /// From there to the greatest, but for a few.
+    /// The distance from there to the greatest, except for a few.
     spread: f64,
 }
 

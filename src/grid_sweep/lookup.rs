@@ -1,11 +1,11 @@
 //! One box against boxes that are already sorted.
 //!
-//! This is how boxes much larger than the rest meet the rest: a box that reaches more than two strips on an
-//! axis gets no entries, for there could be any number of them. And it is how a few boxes that have moved
-//! meet the many that have not.
+//! This is how boxes much larger than the rest meet the rest: a box that spans more than two strips on an
+//! axis gets no entries, because there could be any number of them. And it is how a few boxes that have
+//! moved meet the many that have not.
 //!
-//! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too, so in each occupied
-//! tube that the box reaches a binary search finds the first entry to look at, whatever the sizes are.
+//! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
+//! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
 
 use super::grid::{Grid, TubeSpan};
 use super::sweep::Emitter;
@@ -19,7 +19,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.running_maxs.len() == self.owners.len()
     }
 
-    /// Lets [`look_up`](Self::look_up) be called, until the next build.
+    /// Prepares for [`look_up`](Self::look_up), until the next build.
     pub(super) fn prepare_lookup(&mut self) {
         if self.is_prepared() {
             return;
@@ -34,7 +34,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
     }
 
-    /// Reports every entry that overlaps a box, each box once however many entries it has.
+    /// Reports every box that overlaps a given one, once, however many entries it has.
     pub(super) fn look_up(
         &self,
         grid: &Grid<R>,
@@ -51,7 +51,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
     }
 
-    /// For a box that reaches few tubes.
+    /// For a box that spans few tubes.
     fn look_up_in_table(
         &self,
         grid: &Grid<R>,
@@ -73,7 +73,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
     }
 
-    /// For a box that may reach any number of tubes, few of which need be occupied.
+    /// For a box that may span any number of tubes, few of which need be occupied.
     fn look_up_by_searching(
         &self,
         span: &TubeSpan,
@@ -83,7 +83,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     ) {
         let mut rest = &self.tubes[..];
         let mut row = span.first[0];
-        // Row after row that has tubes, and in each the tubes between the columns.
+        // Each row that has tubes, and in it the tubes between the columns.
         while row <= span.last[0] {
             rest = &rest[rest.partition_point(|t| t.strips < [row, span.first[1]])..];
             let Some(&Tube { strips, .. }) = rest.first() else {

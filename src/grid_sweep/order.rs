@@ -1,8 +1,8 @@
 //! The order of a tube's entries along the first axis.
 //!
-//! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits the
-//! first or second level cache. Entries are dealt into as many buckets as there are entries by a linear guess,
-//! and what the guess left wrong, about one in four, is put right by insertion.
+//! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits in the first- or
+//! second-level cache. Entries are dealt into as many buckets as there are entries by a linear guess. What the
+//! guess misplaces, about one in four, is put right by insertion.
 
 use crate::Real;
 use crate::tuning::kernel::{CROWDED_BUCKET, INSERTION_UP_TO};
@@ -33,7 +33,8 @@ impl<R: Real> Order<R> {
         &self.sorted
     }
 
-    /// Brings the numbers nearly into order: each into its bucket, the buckets ascending, and stable.
+    /// Brings the numbers nearly into order: deals each into its bucket. Buckets ascend, and dealing is
+    /// stable.
     #[inline]
     fn deal(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
         let Self { sorted, cursors } = self;

@@ -1,8 +1,9 @@
 //! A part of the tubes, for one thread.
 //!
-//! Tubes do not depend on each other, so any range of them can be filled, sorted and swept apart. Each slab
-//! goes through all boxes and takes those that reach its tubes: going through them is a small part of the work, and
-//! so nothing is shared. What slabs find, one after the other, is what a single one finds, in the same order.
+//! Tubes do not depend on each other, so any range of them can be filled, sorted and swept on its own. Each slab
+//! goes through all boxes and takes those that span its tubes. That is a small part of the work, and it means that
+//! nothing is shared. The pairs of the slabs, one after the other, are those that a single slab finds, in the same
+//! order.
 
 use std::ops::Range;
 
@@ -56,7 +57,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     }
 }
 
-/// Cuts the tubes of a grid into at most so many ranges that are about equally full.
+/// Cuts the tubes of a grid into at most `count` ranges that are about equally full.
 pub(super) fn split<R: Real, const D: usize>(
     grid: &Grid<R>,
     boxes: &[Aabb<R, D>],

@@ -5,8 +5,8 @@ use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
-/// For each byte, the positions of the bits that are set, three bits each, the lowest first, and from bit 24 on their
-/// number. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
+/// For each byte, the positions of the bits that are set, three bits each, the lowest first; from bit 24 on, how many
+/// there are. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
 const ONES: [u32; 1 << LANES] = {
     let mut ones = [0; 1 << LANES];
     let mut bits = 0;
@@ -30,9 +30,9 @@ const BUFFER: usize = 512;
 
 /// Pairs on their way to the output.
 ///
-/// Most boxes have a few candidates, and how many of them are hits is as good as random; a branch on that
-/// would be mispredicted for every other box. So a fixed number of pairs is always written, and the cursor
-/// moves on by the number of hits.
+/// Most boxes have a few candidates, and how many of them are hits is practically random; a branch on that would be
+/// mispredicted for every other box. So a fixed number of pairs is always written, and the cursor moves on by the
+/// number of hits.
 pub(super) struct Emitter<'a> {
     pairs: &'a mut Vec<[u32; 2]>,
     buffer: [[u32; 2]; BUFFER],
@@ -81,7 +81,7 @@ impl<'a> Emitter<'a> {
     }
 }
 
-/// The columns of the entries, all of one length, so that one look at the bounds is enough for all of them.
+/// The columns of the entries, all of one length, so that one bounds check is enough for all of them.
 #[derive(Clone, Copy)]
 pub(super) struct Columns<'a, R, const D: usize> {
     mins: [&'a [R]; D],
@@ -102,8 +102,8 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
     }
 
-    /// Reports every overlapping pair among the entries: in each tube those that belong to it, not those of
-    /// two ghosts on the same axis, which another tube reports.
+    /// Reports every overlapping pair among the entries of each tube, except those of two ghosts on the same axis,
+    /// which another tube reports.
     pub(super) fn sweep(&self, emitter: &mut Emitter) {
         let columns = self.columns();
         for tube in &self.tubes {
@@ -140,7 +140,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
-        // Behind the last tube there is a sentinel, and eight lanes.
+        // After the last tube there are a sentinel and eight lanes of padding.
         while j <= self.owners.len().saturating_sub(LANES) {
             let reached = load::<R>(self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;
@@ -179,12 +179,12 @@ fn eight<T>(items: &[T], start: usize) -> &[T; LANES] {
         .expect("the columns are padded")
 }
 
-/// In which of eight lanes the entry is a ghost on an axis on which `ghost` is too.
+/// In which of eight lanes the entry is a ghost on an axis on which `ghost` is one too.
 #[inline(always)]
 fn shared_axes(ghost: u8, lanes: &[u8; LANES]) -> u32 {
     const EACH: u64 = 0x0101_0101_0101_0101;
     let shared = u64::from_le_bytes(*lanes) & (u64::from(ghost) * EACH);
-    // One bit a byte, and then, by a multiplication that shifts each to its place, one bit a lane.
+    // One bit per byte; then a multiplication shifts each to its place, one bit per lane.
     let any = (shared | shared >> 1) & EACH;
     (any.wrapping_mul(0x0102_0408_1020_4080) >> 56) as u32
 }

@@ -1,8 +1,8 @@
 //! The boxes, sorted into tubes and by `mins[0]` within each tube.
 //!
-//! A box has an *entry* in each tube that it reaches: its own one in the tube of its `mins`, and a *ghost*
-//! in the others. Entries are kept as a structure of arrays, tube after tube, so that eight of them are
-//! compared at once. Behind each tube stands a sentinel whose `mins[0]` is NaN, at which every window ends.
+//! A box has an *entry* in each tube that it spans: its own one in the tube of its `mins`, and a *ghost* in each of the
+//! others. Entries are kept as a structure of arrays, tube after tube, so that eight of them are compared at once. After
+//! each tube there is a sentinel whose `mins[0]` is NaN, at which every window ends.
 
 use std::ops::Range;
 
@@ -69,10 +69,10 @@ struct Ghost {
     axes: u8,
 }
 
-/// A box that is at most two strips wide reaches three tubes besides its own.
+/// A box that is at most two strips wide spans at most three tubes besides its own.
 const MAX_GHOSTS: usize = 3;
 
-/// In the place of a tube: one without entries.
+/// The position of a tube without entries.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// Memory kept between calls to spare allocations.
@@ -82,11 +82,11 @@ struct Scratch<R, const D: usize> {
     entries: Vec<Entry<R, D>>,
     /// For each tube of the table, occupied or not, where its entries go.
     cursors: Vec<u32>,
-    /// The boxes whose own tube is in the table, with that tube, and rubbish behind them.
+    /// The boxes whose own tube is in the table, with that tube; entries past their count are unspecified.
     homes: Vec<Home>,
-    /// The ghosts, and rubbish behind them.
+    /// The ghosts; entries past their count are unspecified.
     ghosts: Vec<Ghost>,
-    /// For each entry in the order of the boxes, its tube, where there is no table.
+    /// Where there is no table: the tube, the owner and the ghost axes of each entry.
     keyed: Vec<(u64, u32, u8)>,
     order: Order<R>,
 }
@@ -130,8 +130,8 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     /// Enters the members, indices of boxes, into those tubes of the grid whose numbers are in `range`. Outsize ones
     /// are passed over and replace `outsize`.
     ///
-    /// Counts the entries of each tube of a table, then places them. Whether a box has a ghost is as good as random, and
-    /// so is whether it is in the range, so there is no branch on either: homes and ghosts are always written to a
+    /// Counts the entries of each tube of a table, then places them. Whether a box has a ghost is practically random,
+    /// and so is whether it is in the range. So there is no branch on either: homes and ghosts are always written to a
     /// list, which grows by those that exist.
     pub(super) fn build_by_table(
         &mut self,
@@ -254,8 +254,8 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.running_maxs.clear();
     }
 
-    /// Enters the members into all tubes by sorting: for boxes so far apart that a table would be mostly empty. Lets the
-    /// strips of the grid go on as far as numbers span.
+    /// Enters the members into all tubes by sorting: for boxes so far apart that a table would be mostly empty. Extends
+    /// the strips of the grid to the greatest number that they can have.
     pub(super) fn build_by_sorting(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -312,7 +312,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             ..
         } = self;
         let Scratch { entries, order, .. } = scratch;
-        // A sentinel behind each tube, and eight lanes may be read from the last entry on.
+        // A sentinel after each tube, and padding: eight lanes may be read from the last entry on.
         let count = tubes.last().map_or(0, |tube| tube.end as usize);
         let padded = count + tubes.len() + LANES;
         for numbers in mins.iter_mut().chain(maxs.iter_mut()) {
@@ -325,7 +325,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             let entries = &entries[tube.start as usize..tube.end as usize];
             let order = order.sort(entries.iter().map(|entry| entry.aabb.mins[0]));
             let end = start + entries.len();
-            // All of one length, so that the bounds are looked at once.
+            // All of one length, so that bounds are checked once.
             let lows = mins.each_mut().map(|column| &mut column[start..end]);
             let highs = maxs.each_mut().map(|column| &mut column[start..end]);
             let places = owners[start..end].iter_mut().zip(&mut ghosts[start..end]);
@@ -354,14 +354,14 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 }
 
-/// Makes a list so long, with whatever there was in it and `filler` behind that, and its room no larger.
+/// Resizes a list: what it held is kept, `filler` follows, and no more room than that is reserved.
 fn resize_exact<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
     list.truncate(len);
     list.reserve_exact(len - list.len());
     list.resize(len, filler);
 }
 
-/// Calls `enter` with each tube that a box reaches and the axes on which it is a ghost there.
+/// Calls `enter` with each tube that a box spans and the axes on which it is a ghost there.
 fn for_each_tube(span: &TubeSpan, mut enter: impl FnMut([u32; 2], u8)) {
     let TubeSpan { first, last } = *span;
     for row in first[0]..=last[0] {
@@ -372,7 +372,7 @@ fn for_each_tube(span: &TubeSpan, mut enter: impl FnMut([u32; 2], u8)) {
 }
 
 /// Writes the ghosts of a box that is at most two strips wide, those in the first `tube_count` tubes, to the front of
-/// `list`, and returns their number. What is behind them in the list is rubbish.
+/// `list`, and returns their number. Entries past the count are unspecified.
 #[inline(always)]
 fn write_ghosts<const D: usize>(
     span: &TubeSpan,

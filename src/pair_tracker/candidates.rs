@@ -1,8 +1,8 @@
 //! The candidates: pairs of proxies whose fat boxes overlap.
 //!
-//! When many proxies have moved, all candidates are compared, in order; when few have, theirs are picked by a bit for each
-//! slot; when very few have, theirs are found by lists. The lists are made once they would have been of use some times,
-//! and kept up until all candidates are replaced.
+//! When many proxies have moved, all candidates are compared, in order; when few have, theirs are picked by a bit for
+//! each slot; when very few have, theirs are found by lists. The lists are made once they would have been useful a
+//! number of times, and kept up to date until all candidates are replaced.
 
 mod array;
 mod lists;
@@ -59,7 +59,7 @@ impl Candidates {
         self.lists.state()
     }
 
-    /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
+    /// Makes `found` the candidates, and leaves the memory of the former ones there.
     pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &mut Vec<[u32; 2]>,
@@ -191,12 +191,12 @@ impl Candidates {
 
     fn compact(&mut self) {
         if self.array.compact() {
-            // Rows are elsewhere now.
+            // Rows have moved.
             self.lists.forget();
         }
     }
 
-    /// Panics unless the books are in order: flags, counts and, if they are made, lists.
+    /// Panics unless flags, counts and, if they are made, lists are consistent.
     pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
         self.array.validate(now);
         self.lists.validate(&self.array);

@@ -1,15 +1,15 @@
 //! How far ahead a proxy's fat box is drawn.
 //!
-//! Searching is dear, and comparing two boxes that are known to be near each other is cheap. So each proxy has
-//! a *fat box* around its box, and what is searched for are overlapping pairs of fat boxes, the candidates. While
-//! boxes stay inside of their fat boxes, only the candidates have to be looked at.
+//! Searching is expensive, and comparing two boxes that are known to be near each other is cheap. So each proxy has a
+//! *fat box* around its box, and the search is for overlapping pairs of fat boxes, the candidates. While boxes stay
+//! inside their fat boxes, only the candidates have to be looked at.
 //!
-//! Things keep going where they went: the fat box is the box, drawn out in the direction of its last move as far
-//! as it will get in a number of further moves, and by a skin to all sides. A longer horizon means fewer
-//! searches and more candidates. If `K` is what searching for one box costs and `c` what comparing one candidate, an
-//! update under a horizon of `h` moves costs about `K / h + c · e(h)` a box, with `e` the candidates a box that are not
+//! Things keep going where they went: the fat box is the box, drawn out in the direction of its last move as far as it
+//! will get in a number of further moves, and by a skin to all sides. A longer horizon means fewer searches and more
+//! candidates. If searching for one box costs `K` and comparing one candidate costs `c`, an update under a horizon of
+//! `h` moves costs about `K / h + c · e(h)` per box, where `e(h)` is the number of candidates per box that are not
 //! held. Those are counted, and grow about as `h` does, so the next horizon is near `√(K / c · h / e(h))`. The first
-//! one goes by a model: with moves of `v` box sizes and `p` pairs a box, `e(h)` is near `p · D · v · h`.
+//! one goes by a model: with moves of `v` box sizes and `p` pairs per box, `e(h)` is near `p · D · v · h`.
 
 use crate::tuning::update::{
     FIRST_FORESIGHT, LONGEST_FORESIGHT, PAUSES, SEARCH_COST, SHORTENING, SKIN, SPEED_SAMPLE,
@@ -29,16 +29,16 @@ pub(crate) struct Horizon {
     is_tried: bool,
     /// For how many more full runs it stays at 0.
     paused: u32,
-    /// For how many it will, the next time that it does not pay.
+    /// For how many it will stay at 0 the next time that it does not pay.
     next_pause: u32,
 }
 
-/// What has come of a horizon.
+/// What a horizon has cost and yielded.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Experience {
-    /// Held pairs a proxy.
+    /// Held pairs per proxy.
     pub(super) pairs: f64,
-    /// Candidates a proxy that are not held.
+    /// Candidates per proxy that are not held.
     pub(super) excess: f64,
     /// What searching has cost in each update, in full runs; `None` if nothing was searched for yet.
     pub(super) cost: Option<f64>,
@@ -59,8 +59,8 @@ impl Horizon {
         next_pause: PAUSES[0],
     };
 
-    /// The next horizon in `D` dimensions, by what has come of this one and by how fast things move on average, in box
-    /// sizes a move; `None` if nothing has moved that was there before.
+    /// The next horizon in `D` dimensions, by the experience with this one and by how fast things move on average, in
+    /// box sizes per move; `None` if nothing has moved that was there before.
     pub(super) fn adapted<const D: usize>(
         mut self,
         speed: Option<f64>,
@@ -83,7 +83,7 @@ impl Horizon {
             self.moves = 0.0;
         } else if self.moves > 0.0 && experience.excess > 0.0 {
             let best = (SEARCH_COST * self.moves / experience.excess).sqrt();
-            // Half way, by ratio, lest it goes to and fro.
+            // Half way, by ratio, so that it does not oscillate.
             self.moves = (self.moves * best).sqrt().min(LONGEST_FORESIGHT);
         } else {
             let growth = D as f64 * experience.pairs.max(0.1) * speed;
@@ -105,7 +105,7 @@ impl Horizon {
         self.moves.round() as u32
     }
 
-    /// Looks no longer ahead, for a while.
+    /// Stops looking ahead for a while.
     fn pause(&mut self) {
         self.paused = self.next_pause;
         self.next_pause = PAUSES[1].min(2 * self.next_pause);
@@ -121,7 +121,7 @@ impl Horizon {
         }
     }
 
-    /// Whether there can be such a one.
+    /// Whether there can be such a horizon.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn is_sound(&self) -> bool {
         let [shortest, longest] = PAUSES;
@@ -135,7 +135,7 @@ impl Horizon {
         self.moves > 0.0
     }
 
-    /// The fat box of a proxy that was at `before` and is at `now`. It contains `now`, whatever the numbers are.
+    /// The fat box of a proxy that was at `before` and is at `now`. It contains `now`, for any numbers.
     pub(super) fn fat_box<R: Real, const D: usize>(
         self,
         now: &Aabb<R, D>,
@@ -152,8 +152,8 @@ impl Horizon {
             .fold(R::ZERO, |m, &s| max(max(m, s), R::ZERO - s));
         let mut fat = *now;
         for k in 0..D {
-            // No more than the size of the box: for boxes of one size, candidates are then as few as pairs but for a
-            // factor.
+            // No more than the size of the box: for boxes of one size, there are then at most a constant factor more
+            // candidates than pairs.
             let size = now.maxs[k] - now.mins[k];
             let ahead = max(min(steps[k] * moves, size), R::ZERO - size);
             let aside = min(longest * moves * skin, size * widest);
@@ -178,7 +178,7 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
             let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
             let relative = (step / size).abs();
             if relative.is_finite() {
-                // One that has been carried far off says nothing of the others.
+                // One that has jumped far says nothing about the others.
                 sum += relative.min(1.0);
                 count += 1;
             }

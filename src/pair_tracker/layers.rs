@@ -6,9 +6,9 @@
 //! order. An update looks the escaped up in the first two, and runs the kernel on the third alone. Entries of one layer
 //! whose proxies have since escaped are outdated and passed over.
 //!
-//! A layer is sorted anew, and takes in all that follow, once the following ones have cost as much as that: so never
-//! more than about twice as much time is spent as if it had been known beforehand when it pays. Kernels that cannot
-//! look boxes up have no layers.
+//! A layer is sorted anew, and takes in all that follow, once the following ones have cost as much as that. So the time
+//! is never more than about twice what it would be if the best moment were known beforehand. Kernels that cannot look
+//! boxes up have no layers.
 
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
@@ -30,7 +30,7 @@ pub(crate) enum Layers<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// A kernel, with empty layers if it can have them; they are used, or only the first of them.
+    /// A kernel, with empty layers if it can have them. All are used if `are_used`, otherwise only the first.
     pub(super) fn new(kernel: Kernel, are_used: bool) -> Self {
         match kernel {
             Kernel::GridSweep => Self::Grid(Box::new(GridLayers::new(are_used))),
@@ -95,7 +95,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// The classes of sizes in the last full run, if it still holds.
+    /// The number of size classes in the last full run, if it still holds.
     pub(crate) fn classes(&self) -> usize {
         match self {
             Self::Grid(layers) if layers.base.is_sorted => layers.base.order.class_count(),
@@ -147,7 +147,7 @@ struct Layer<R, const D: usize> {
 }
 
 impl<R, const D: usize> GridLayers<R, D> {
-    /// Empty layers, which are used, or only the first of them.
+    /// Empty layers. All are used if `are_used`, otherwise only the first.
     fn new(are_used: bool) -> Self {
         Self {
             are_used,
@@ -188,7 +188,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
     }
 
     /// Appends the pairs of the valid ones among the escaped with those members that are not outdated. All the escaped
-    /// must be.
+    /// must be outdated.
     fn look_up(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -287,7 +287,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     }
 }
 
-/// A kernel without layers, which knows slices of valid boxes only.
+/// A kernel without layers, which takes only slices of valid boxes.
 #[derive(Clone, Debug)]
 pub(crate) struct Unlayered<K, R, const D: usize> {
     kernel: K,
@@ -321,7 +321,7 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
         self.boxes
             .extend(self.slots.iter().map(|&slot| boxes[slot as usize]));
         if let Err(error) = self.kernel.find_pairs(&self.boxes, &mut self.pairs) {
-            // All boxes are valid, so it is their number that is out of the kernel's reach.
+            // All boxes are valid, so there are more than the kernel takes.
             log::error!("no pairs are found: {error}");
         }
         // The slots ascend, so the smaller of a pair stays the smaller.
@@ -341,7 +341,7 @@ fn collect_valid<R: Real, const D: usize>(boxes: &[Aabb<R, D>], slots: &mut Vec<
     slots.extend(numbered.filter(|(_, b)| b.is_valid()).map(|(slot, _)| slot));
 }
 
-/// Keeps of the pairs from `first` on those that meet the condition, without a branch.
+/// Keeps the pairs before `first`, and of the others those that meet the condition, without a branch.
 #[inline(always)]
 pub(super) fn retain_from(
     pairs: &mut Vec<[u32; 2]>,

@@ -1,7 +1,7 @@
 //! What an update does: a function from what is known to a plan.
 //!
-//! Comparing boxes that are known to be near each other is cheap, looking a few boxes up among all others is dearer, and a
-//! full run, a search for all pairs, is dearest; but a full run makes the next ones late. The costs are in `tuning`.
+//! Comparing boxes that are known to be near each other is cheap. Looking a few boxes up among all others costs more. A
+//! full run, a search for all pairs, costs most, but it postpones the next ones. The costs are in `tuning`.
 
 use super::horizon::{Experience, Horizon};
 use crate::tuning::update::{
@@ -27,7 +27,7 @@ pub(super) struct Known {
     pub(super) are_layers_used: bool,
     /// The base layer, if it is sorted.
     pub(super) base: Option<Base>,
-    /// The horizon of the fat boxes that there are.
+    /// The horizon of the present fat boxes.
     pub(super) horizon: Horizon,
     /// The foresight that the user has fixed, in moves.
     pub(super) fixed_foresight: Option<u16>,
@@ -51,15 +51,15 @@ pub(super) struct Base {
 )]
 pub(super) struct Lists {
     pub(super) are_made: bool,
-    /// How often they would have been of use since they were not.
+    /// How often they would have been useful while there were none.
     pub(super) missed: u32,
 }
 
 impl Lists {
-    /// The most rows that links, of 32 bits, can tell apart.
+    /// The most rows that 32-bit links can tell apart.
     pub(super) const MOST_ROWS: usize = 1 << 30;
 
-    /// Whether there can be such a state, with so many rows.
+    /// Whether there can be such a state, with this many rows.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn are_sound(self, rows: usize) -> bool {
         self.missed <= LISTS_COST && (!self.are_made || rows <= Self::MOST_ROWS)
@@ -84,14 +84,14 @@ pub(super) enum Plan {
 pub(super) enum Extent {
     /// All, in order.
     All,
-    /// Those of what has moved, picked from all. Lists would have been of use, if they are missed.
+    /// Those of what has moved, picked from all. `lists_are_missed` if lists would have been useful.
     Picked { lists_are_missed: bool },
     /// Those of what has moved, by lists, which are made if there are none.
     Listed,
 }
 
 impl Plan {
-    /// The plan for an update. `mean_speed` is asked for before a full run only: of what has moved, in box sizes a move.
+    /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full run.
     pub(super) fn of<const D: usize>(
         known: &Known,
         mean_speed: impl FnOnce() -> Option<f64>,
@@ -142,7 +142,7 @@ impl Known {
         }
     }
 
-    /// What has come of the present horizon, if there is a full run now.
+    /// What the present horizon has cost and yielded, if there is a full run now.
     fn experience(&self) -> Experience {
         let slots = self.slots as f64;
         let full_runs = |base: Base| {
@@ -257,7 +257,7 @@ mod tests {
         assert_eq!(extent(false, 7, 5000), Plan::Compare(MISSED));
         assert_eq!(extent(false, 8, 5000), Plan::Compare(Extent::Listed));
         assert_eq!(extent(true, 0, 5000), Plan::Compare(Extent::Listed));
-        // One mover is too much for as few candidates.
+        // One mover is too many for that few candidates.
         assert_eq!(extent(true, 0, 32), Plan::Compare(PICKED));
         // Links could not tell more apart.
         let most = Lists::MOST_ROWS;

@@ -1,9 +1,9 @@
 //! A tracker as it is written and read by serde.
 //!
-//! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order of
-//! the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
-//! the one that was written does. What can be told from it is not written but made anew: which candidates are held,
-//! lists, sorted layers. What is written is checked when it is read, so whatever it was, the tracker is in order.
+//! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order
+//! of the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
+//! the one that was written does. What can be derived from it is not written but made anew: which candidates are held,
+//! lists, sorted layers. What is read is checked, so a tracker that was read is always consistent.
 
 use serde::{Deserialize, Serialize};
 
@@ -59,7 +59,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Goes on from where another tracker was; this one must be new.
     ///
     /// # Errors
-    /// What is wrong, if no tracker can have been there.
+    /// What is wrong, if no tracker can have written it.
     pub(crate) fn restore(
         &mut self,
         snapshot: TrackerSnapshot<R, D, K>,

@@ -8,7 +8,7 @@ use oorandom::Rand32;
 use super::{FilterKey, PairChange, PairTracker};
 use crate::{Aabb, Kernel};
 
-/// Those of one side may not meet, but for those of side 0.
+/// Proxies of one side may not meet, except those of side 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Side(u32);
 
@@ -130,8 +130,8 @@ fn finish_both(tracker: &mut PairTracker<f32, 2, Side>, model: &mut Model) {
     tracker.validate(Kernel::BruteForce);
 }
 
-/// Boxes that keep going where they go, for the fat boxes to be of use: some updates with some movers, then with
-/// others, and so on, to and fro over every threshold.
+/// Boxes that keep going in one direction, so that fat boxes are of use: some updates with some movers, then
+/// with others, and so on, back and forth over every threshold.
 #[test]
 fn drifting_boxes_agree_with_brute_force() {
     const SLOTS: u32 = 500;

@@ -1,11 +1,11 @@
 //! In which order listed colliders are read: as listed, by index, or by index in parts.
 //!
-//! Rapier lists colliders in the order of its islands, which hops about in memory once bodies have met. In the
-//! order of their indices the processor can see the next ones coming, which in scenes too large for the caches
-//! halves the time of reading them. Very many are read in parts, runs of slots, each by one thread.
+//! Rapier lists colliders in the order of its islands, which jumps around in memory once bodies have met. In the
+//! order of their indices the processor can foresee the next ones, which halves the time of reading them in scenes
+//! too large for the caches. Very many are read in parts, runs of slots, each by one thread.
 //!
-//! The order decides nothing else: what is not a simple move, say a collider that is new, is left for afterwards, and
-//! everything is put together in the order in which one thread would have come to it.
+//! The order decides nothing else: what is not a simple move, say a new collider, is left for afterwards, and all
+//! results are put together in the order of a single thread.
 
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable};
@@ -19,11 +19,11 @@ use crate::{Aabb, Real, parallel};
 pub(super) struct Reader {
     /// The slots to read by index.
     listed: BitSet,
-    /// By parts.
+    /// By part.
     findings: Vec<Findings>,
 }
 
-/// What has come of reading a part, in the order of reading.
+/// The results of reading a part, in the order of reading.
 #[derive(Clone, Debug, Default)]
 struct Findings {
     /// Slots whose box was renewed, and those of them that have left their fat box.
@@ -42,7 +42,7 @@ struct Left {
     escaped: usize,
 }
 
-/// A run of slots, and what is kept under them.
+/// A run of slots, and what is kept for them.
 struct Part<'a, R, const D: usize, M, K> {
     first_slot: usize,
     generations: &'a [Option<u32>],
@@ -126,7 +126,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
     ) {
         for (first, &word) in (0..).step_by(64).zip(listed) {
             for i in ones(word).map(|bit| first + bit) {
-                // Its collider may be gone since it was listed, for a newer one that has been read in its stead.
+                // Its collider may be gone since it was listed, replaced by a newer one that has been read already.
                 if let Some(generation) = self.generations[i] {
                     self.read(i, generation, source, margin);
                 }
@@ -156,7 +156,7 @@ impl Reader {
                 table.admit(handle, margin, |memo| source.read(handle, memo));
             }
             self.listed.resize(table.generations.len());
-            // Some more parts than threads, for some will be faster than others.
+            // More parts than threads, because some will be faster than others.
             let parts = if is_shared {
                 4 * parallel::threads()
             } else {
@@ -211,7 +211,7 @@ impl Reader {
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Takes in what has come of a part, in the order of reading.
+    /// Takes in the results of a part, in the order of reading.
     fn take_in<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         findings: &Findings,
@@ -261,7 +261,7 @@ impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
         }
     }
 
-    /// The next slots, at most this many, with a place for what comes of reading them.
+    /// The next slots, at most this many, with a place for the results of reading them.
     fn part(&mut self, slots: usize, findings: &'a mut Findings) -> Part<'a, R, D, M, K> {
         findings.clear();
         let first_slot = self.first_slot;

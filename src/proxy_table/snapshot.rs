@@ -1,6 +1,6 @@
 //! A table as it is written and read by serde.
 //!
-//! What the engine wants to be remembered of its colliders is not written: it is learned anew.
+//! What the engine wants remembered of its colliders is not written: it is learned anew.
 
 use serde::{Deserialize, Serialize};
 
@@ -38,7 +38,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// The table that goes on from there, with the settings that it had.
     ///
     /// # Errors
-    /// What is wrong, if it can be no table.
+    /// What is wrong, if no table can have written it.
     pub(crate) fn restored(
         settings: &Settings<R>,
         snapshot: TableSnapshot<R, D, K>,

@@ -26,7 +26,7 @@ impl Handle for Id {
     }
 }
 
-/// Those of one side may not meet, but for those of side 0.
+/// Proxies of one side may not meet, except those of side 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Side(u32);
 
@@ -65,7 +65,7 @@ impl Colliders {
     }
 }
 
-/// What is remembered is whose memory it is: it must never be another collider's.
+/// What is remembered is whose memory it is: it must never be that of another collider.
 #[derive(Clone, Default)]
 struct Memo {
     owner: Option<Id>,
@@ -183,7 +183,7 @@ impl World {
         Aabb::new(corner, corner.map(|x| x + 1.0))
     }
 
-    /// Changes the collider of a slot somehow, and says what is to be listed as modified and as removed.
+    /// Changes the collider of a slot in some way, and says what is to be listed as modified and as removed.
     fn change(&mut self, slot: u32, modified: &mut Vec<Id>, removed: &mut Vec<Id>) {
         let id = self.colliders.id(slot);
         let anywhere = self.random_box();

@@ -18,8 +18,8 @@ impl<R: Real, const D: usize> Verdict<R, D> {
     /// is loosened by `margin`.
     #[inline(always)]
     pub(super) fn of(held: &Aabb<R, D>, aabb: &Aabb<R, D>, margin: R) -> Self {
-        // Which side is passed first is as good as random: one branch on all of them is foreseen better than one on
-        // each, which the compiler would make of it otherwise.
+        // Which side is passed first is practically random. One branch on all of them is predicted better than one on
+        // each, which the compiler would otherwise make of it.
         if std::hint::black_box(held.contains(aabb) & aabb.is_valid()) {
             return Self::Keep;
         }
@@ -27,7 +27,7 @@ impl<R: Real, const D: usize> Verdict<R, D> {
             return Self::Recheck;
         }
         let loosened = aabb.loosened(margin);
-        // An infinite side less an infinite margin would be NaN.
+        // An infinite side minus an infinite margin would be NaN.
         Self::Renew(if loosened.is_valid() { loosened } else { *aabb })
     }
 }

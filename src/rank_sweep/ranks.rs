@@ -1,24 +1,25 @@
 //! The ranks of the endpoints of the first axis, such that no interval includes another.
 //!
-//! That no interval includes another in the order of the endpoints is the paper's Claim 1, on which the sweep rests. It
-//! says no more than that the high endpoints come in the order of their objects' low endpoints, so it is established by
+//! The sweep rests on the paper's Claim 1: in the order of the endpoints, no interval includes another. This says no
+//! more than that the high endpoints come in the order of their objects' low endpoints, so it is established by
 //! counting: *the k-th high endpoint belongs to the object of the k-th low endpoint.*
 //!
-//! - Boxes of one size have their high endpoints in that order anyway, but for equal ones: where coordinates are large,
-//!   `x + size` rounds different `x` to one number, and the order of object ids, which a stable sort gives, may then be the
-//!   wrong one. Handing equal endpoints out anew is all there is to do.
-//! - Boxes of different sizes are widened until it holds: an interval reaches as far as any that begins before it. That
-//!   is the least widening that will do. It never exceeds that to a common length `s`, since no interval that begins at or
-//!   before `x` reaches beyond `x + s`; and having no arithmetic it cannot round, overflow or meet `∞ - ∞`.
+//! - Boxes of one size have their high endpoints in that order anyway, except for equal ones: where coordinates are
+//!   large, `x + size` rounds different `x` to one number, and the order of object ids, which a stable sort gives, may
+//!   be the wrong one. Then it is enough to reassign the equal endpoints.
+//! - Boxes of different sizes are widened until it holds: an interval ends no earlier than any that begins before it.
+//!   That is the least widening that suffices. It never exceeds widening to a common length `s`, since no interval that
+//!   begins at or before `x` ends beyond `x + s`. It takes no arithmetic, so it cannot round, overflow or meet `∞ - ∞`.
 
 use crate::endpoints::SortKey;
 
-/// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether that took no widening.
+/// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether nothing had to be
+/// widened.
 ///
 /// `keys` are the endpoints, lows at `i` and highs at `i + n`, each low at most its high; `order` are their indexes in
-/// stable order. Two objects overlap on the axis exactly if one of them has just one rank between the two ranks of the
-/// other, when nothing was widened; otherwise those that overlap are among these pairs. Ranks differ, and are below `2n`.
-/// `lows` is scratch memory.
+/// stable order. If nothing was widened, two objects overlap on the axis exactly if one of them has just one rank
+/// between the two ranks of the other; otherwise those that overlap are among these pairs. Ranks differ, and are below
+/// `2n`. `lows` is scratch memory.
 ///
 /// Computes in **O(n)** time.
 pub(super) fn rank_endpoints<K: SortKey>(
@@ -30,7 +31,7 @@ pub(super) fn rank_endpoints<K: SortKey>(
     let n = keys.len() / 2;
     ranks.resize(n, [0; 2]);
     lows.clear();
-    // How many high endpoints there were. They are always fewer than the lows: before a box ends it begins.
+    // How many high endpoints there were: always fewer than lows, because a box begins before it ends.
     let mut ended = 0;
     for (rank, &endpoint) in (0..).zip(order) {
         let endpoint = endpoint as usize;

@@ -1,7 +1,7 @@
 //! The active set: a set of small integers that knows its order.
 //!
-//! The paper's SuccTree: a tree of bits, which finds the neighbour of a value, and the stored values linked in order as well
-//! (section 4 of the paper), so that walking from one to the next costs one step whatever lies between.
+//! The paper's SuccTree: a tree of bits, which finds the neighbour of a value, and the stored values linked in order as
+//! well (section 4 of the paper), so that walking from one to the next is a single step, however far apart they are.
 
 use crate::bit_tree::BitTree;
 
@@ -12,7 +12,7 @@ struct Node {
     next: u32,
     /// The next smaller stored value, or the universe's size.
     prev: u32,
-    /// Whatever it was inserted with.
+    /// The label it was inserted with.
     label: u32,
 }
 
@@ -21,7 +21,7 @@ struct Node {
 pub(super) struct SuccTree {
     /// Which values are stored.
     bits: BitTree,
-    /// By value. The last is no value but closes the list to a ring: its `next` is the least value stored.
+    /// By value. The last one is not a value; it closes the list to a ring: its `next` is the least stored value.
     nodes: Vec<Node>,
 }
 
@@ -70,7 +70,7 @@ impl SuccTree {
         self.bits.insert(value);
     }
 
-    /// Takes out a stored value.
+    /// Removes a stored value.
     ///
     /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
     #[inline]
@@ -125,7 +125,7 @@ mod tests {
         }
     }
 
-    /// Stores and takes out random values, more of them the one or the other by turns.
+    /// Stores and removes random values; growing and shrinking take turns.
     fn exercise(tree: &mut SuccTree, universe: u32, steps: u32, random: &mut oorandom::Rand32) {
         let mut expected = BTreeSet::new();
         tree.reset(universe);
@@ -145,7 +145,7 @@ mod tests {
                     tree.insert_before(next, value, !value);
                 }
             } else if !grow {
-                // Also the nearest one: a random value is hardly ever stored in a large universe.
+                // The nearest stored one, because a random value is hardly ever stored in a large universe.
                 let nearest = expected.range(value..).next().copied();
                 if let Some(value) = nearest {
                     expected.remove(&value);

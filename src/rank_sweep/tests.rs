@@ -4,7 +4,8 @@ use super::*;
 use crate::endpoints::MAX_BOXES;
 use crate::{BruteForce, InvalidBoxReason};
 
-/// Finds the pairs of `boxes` with a kernel that has scratch memory from before, and compares.
+/// Finds the pairs of `boxes` with a kernel whose scratch memory may be used already, and compares them with the
+/// oracle's.
 fn check<R: Real, const D: usize>(kernel: &mut RankSweep<R, D>, boxes: &[Aabb<R, D>], what: &str) {
     let (mut found, mut expected) = (vec![[7, 7]], Vec::new());
     kernel.find_pairs(boxes, &mut found).unwrap();
@@ -194,7 +195,7 @@ fn ends_that_rounding_made_equal() {
 
 #[test]
 fn boxes_of_one_size_are_not_tested() {
-    // The sum is monotone, whatever it rounds: no box ends before one that begins earlier.
+    // The sum is monotone, however it rounds: no box ends before one that begins earlier.
     let recipe: Interval = |random| point(random.rand_float() * 1e5 - 5e4);
     let mut boxes = scene::<f32, 2>(5000, [recipe; 2], 1);
     for b in &mut boxes {

@@ -18,7 +18,7 @@ pub(super) type AngVector = super::rapier::math::AngVector<Real>;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
 
-/// The filter by default.
+/// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 
 /// The origin of a pose.
@@ -27,13 +27,13 @@ pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
     pose.translation.vector
 }
 
-/// The half extents of the box around a box with these half extents that is turned.
+/// The half extents of the axis-aligned box around a rotated box with these half extents.
 #[inline(always)]
 pub(super) fn turned(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(half_extents)
 }
 
-/// A vector to a point.
+/// The vector from the origin to a point.
 pub(super) fn coordinates(point: Point<Real>) -> Vector {
     point.coords
 }

@@ -1,4 +1,4 @@
-//! The box of a collider that is not just that of a simple shape where it is.
+//! The box of a collider in the unusual case: soft CCD, or a shape that is not simple.
 
 use super::super::rapier::dynamics::{
     IntegrationParameters, RigidBody, RigidBodyPosition, RigidBodySet, RigidBodyVelocity,
@@ -8,7 +8,7 @@ use super::super::rapier::math::{DIM, Isometry, Real};
 use super::super::rapier::parry::bounding_volume::BoundingVolume;
 use crate::Aabb;
 
-/// The box of a collider that soft CCD has expect its body elsewhere at the end of the step, or whose shape is not simple,
+/// The box of a collider whose body soft CCD expects elsewhere at the end of the step, or whose shape is not simple,
 /// loosened by this distance.
 #[inline(never)]
 pub(in super::super) fn unusual_box(
@@ -28,11 +28,11 @@ pub(in super::super) fn unusual_box(
     Aabb::from(swept).loosened(distance)
 }
 
-/// Where the body will be after `dt` seconds, or after its centre of mass has gone `max_travel` length units.
+/// Where the body will be after `dt` seconds, or once its centre of mass has travelled `max_travel` length units.
 ///
-/// Rapier keeps its own version of this private, so the velocity that it would use is read off the motion
-/// that it does predict. A body that turns more than half a circle a step, and moves farther than its
-/// `max_travel`, is predicted at another angle than there.
+/// Rapier keeps its own version of this private, so the velocity that it would use is derived from the motion that it
+/// does predict. A body that turns by more than half a circle in a step, and moves farther than its `max_travel`, is
+/// predicted at another angle than in Rapier.
 fn predicted_pose(body: &RigidBody, dt: Real, max_travel: Real) -> Isometry<Real> {
     let (start, center) = (body.position(), body.local_center_of_mass());
     let end = body.predict_position_using_velocity_and_forces(dt);

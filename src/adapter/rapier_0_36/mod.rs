@@ -14,7 +14,7 @@ pub(super) use super::rapier::math::Vector;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
 
-/// The filter by default.
+/// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Groups;
 
 /// The origin of a pose.
@@ -23,13 +23,13 @@ pub(super) fn origin(pose: &Pose) -> Vector {
     pose.translation
 }
 
-/// The half extents of the box around a box with these half extents that is turned.
+/// The half extents of the axis-aligned box around a rotated box with these half extents.
 #[inline(always)]
 pub(super) fn turned(pose: &Pose, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(*half_extents)
 }
 
-/// A vector to a point.
+/// The vector from the origin to a point.
 pub(super) fn coordinates(point: Vector) -> Vector {
     point
 }
@@ -52,16 +52,16 @@ pub(super) fn unusual_box(
 
 impl UnisizeBroadPhase {
     /// Brings boxes and pairs up to date, and reports how the pairs have changed. The counterpart of
-    /// `BroadPhaseBvh::update`, with its arguments.
+    /// `BroadPhaseBvh::update`, with the same arguments.
     ///
     /// `modified_colliders` are those that are new, or whose pose, shape, parent, groups or active collision types may
-    /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that are
-    /// gone, whose pairs end without an event.
+    /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that
+    /// are gone: their pairs end without an event.
     ///
-    /// Like Rapier's own, it does not report pairs that the narrow phase would drop: two colliders of one body, those
-    /// whose collision groups forbid it, and those of two types of bodies of which neither collider has the two among its
-    /// active collision types. Once such a pair is allowed, it is reported by the next update in which one of the two
-    /// is listed as modified. Once reported, a pair stays until the boxes part.
+    /// Like Rapier's own, it does not report pairs that the narrow phase would drop: two colliders of one body, two
+    /// whose collision groups forbid it, and two whose types of bodies are among the active collision types of neither.
+    /// Once such a pair is allowed, it is reported by the next update in which one of the two is listed as modified.
+    /// Once reported, a pair stays until the boxes part.
     pub fn update(
         &mut self,
         params: &IntegrationParameters,

@@ -1,24 +1,25 @@
-//! Active intervals of about one length, and which of them overlap another.
+//! Active intervals of about one length, and which of them overlap a given one.
 
 use crate::bit_tree::BitTree;
 
-/// How many classes there are: lengths are between two ranks, so they are positive and of 32 bits.
+/// The number of classes: a length is the difference of two ranks, so it is positive and has 32 bits.
 pub(super) const CLASSES: usize = 32;
 
-/// The class of a length: in each, all are less than twice as long as any.
+/// The class of a length. In each class, every length is less than twice any other.
 #[inline]
 pub(super) fn class_of(length: u32) -> usize {
     length.ilog2() as usize
 }
 
-/// Intervals between two ranks, of which none is twice as long as another. No rank is that of two endpoints, nor 0.
+/// Intervals between two ranks, none of which is twice as long as another. No two endpoints have the same rank, and none
+/// has rank 0.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LengthClass {
     /// The ranks of the active low endpoints.
     lows: BitTree,
     /// The ranks of the active high endpoints.
     highs: BitTree,
-    /// The least and the greatest length that may come; no length at all if the least is the greater.
+    /// The least and the greatest length that may be inserted; if the least is the greater, none may.
     shortest: u32,
     longest: u32,
     /// How many intervals are active.
@@ -26,19 +27,19 @@ pub(super) struct LengthClass {
 }
 
 impl LengthClass {
-    /// Forgets what lengths may come.
+    /// Forgets which lengths may be inserted.
     pub(super) fn clear(&mut self) {
         (self.shortest, self.longest) = (u32::MAX, 0);
     }
 
-    /// Lets intervals of this length come.
+    /// Lets intervals of this length be inserted.
     #[inline]
     pub(super) fn admit(&mut self, length: u32) {
         self.shortest = self.shortest.min(length);
         self.longest = self.longest.max(length);
     }
 
-    /// Makes room for ranks up to `greatest`, if intervals may come at all.
+    /// Makes room for ranks up to `greatest`, if any interval may be inserted.
     pub(super) fn reset(&mut self, greatest: u32) {
         self.active = 0;
         if self.shortest <= self.longest {
@@ -56,7 +57,7 @@ impl LengthClass {
         self.active == 1
     }
 
-    /// Takes out an interval, and returns whether it was the only one.
+    /// Removes an interval, and returns whether it was the only one.
     #[inline]
     pub(super) fn remove(&mut self, [low, high]: [u32; 2]) -> bool {
         self.lows.remove(low);
@@ -77,7 +78,7 @@ impl LengthClass {
     }
 
     /// Calls `found` with the high rank of each active interval that overlaps one from `low` on and does not begin after
-    /// [`earliest`](Self::earliest), and of some that do.
+    /// [`earliest`](Self::earliest). Some that do begin after it are found too.
     #[inline]
     pub(super) fn ending(&self, low: u32, mut found: impl FnMut(u32)) {
         let earliest = self.earliest(low);
@@ -85,7 +86,8 @@ impl LengthClass {
             // Nothing begins so early.
             return;
         }
-        // What does, does not reach farther than this, and what ends up to there begins before `low`.
+        // An interval that begins so early ends here at the latest, and one that ends here or earlier begins before
+        // `low`.
         let latest = earliest.saturating_add(self.longest);
         if latest <= low {
             return;
@@ -97,7 +99,7 @@ impl LengthClass {
         }
     }
 
-    /// What begins after this, and before `low`, reaches `low`: it is longer than the distance.
+    /// An interval that begins after this, and before `low`, reaches `low`: it is longer than the distance.
     #[inline]
     pub(super) fn earliest(&self, low: u32) -> u32 {
         low.saturating_sub(self.shortest)

@@ -1,9 +1,9 @@
-//! What the oracle does not see: that nothing is looked at in vain.
+//! What the oracle does not see: that only overlapping intervals are looked at.
 
 use super::*;
 use oorandom::Rand32;
 
-/// Ranks of intervals with shuffled endpoints, the lengths of which are of about the given orders of magnitude.
+/// Ranks of intervals at random places, with lengths of several orders of magnitude.
 fn random_ranks(n: usize, random: &mut Rand32) -> Vec<[u32; 2]> {
     let mut ends: Vec<(f32, usize)> = Vec::new();
     for i in 0..n {
@@ -36,7 +36,7 @@ fn a_class_finds_all_that_overlap_and_looks_at_few_twice() {
             class.clear();
             all.iter().for_each(|r| class.admit(r[1] - r[0]));
             class.reset(greatest);
-            // Some that may come do not.
+            // Some of those that may be inserted are not.
             let active: Vec<_> = all.iter().filter(|_| random.rand_range(0..4) > 0).collect();
             for (i, &&r) in active.iter().enumerate() {
                 assert_eq!(class.insert(r), i == 0);
@@ -59,7 +59,7 @@ fn check_class(class: &LengthClass, active: &[&[u32; 2]], asked: [u32; 2]) {
     let overlapping = |r: &&&[u32; 2]| r[0] < asked[1] && asked[0] < r[1];
     let expected: Vec<_> = active.iter().filter(overlapping).collect();
 
-    // Whatever is looked at does overlap.
+    // Everything that is looked at overlaps.
     let by_low = beginning
         .iter()
         .map(|low| expected.iter().position(|r| r[0] == *low));
@@ -73,7 +73,7 @@ fn check_class(class: &LengthClass, active: &[&[u32; 2]], asked: [u32; 2]) {
         "{asked:?} among {active:?}"
     );
 
-    // And each that does is found once.
+    // And every overlapping interval is found once.
     let earliest = class.earliest(asked[0]);
     found.extend(
         all_ending
@@ -96,7 +96,7 @@ fn boxes_of_one_size_are_of_few_classes() {
         .iter()
         .map(|x| Aabb::new(*x, x.map(|x| x + 1.0)))
         .collect();
-    // One that contains all on the first axis is of a class of its own, so it does not widen any range.
+    // A box that contains all others on the first axis has a class of its own, so it widens no range.
     boxes.push(Aabb::new([-1.0, 200.0], [200.0, 201.0]));
     let mut kernel = DualAxisSweep::default();
     let (mut pairs, mut expected) = (Vec::new(), Vec::new());

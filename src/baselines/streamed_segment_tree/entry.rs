@@ -5,8 +5,8 @@ use core::ops::Range;
 
 /// A box, with its index in the caller's list.
 ///
-/// Of an even number of words: 28 bytes would be moved as two overlapping halves, and wait for each other wherever an
-/// entry is moved twice in a row. In 3D, partitions take twice as long then.
+/// Aligned so that its size is an even number of words. 28 bytes would be moved as two overlapping halves, which wait
+/// for each other wherever an entry is moved twice in a row; in 3D, partitions would take twice as long.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(8))]
 pub(super) struct Entry<R, const D: usize> {
@@ -14,8 +14,8 @@ pub(super) struct Entry<R, const D: usize> {
     pub(super) index: u32,
 }
 
-/// Where a box begins on an axis. Of boxes that begin at one number, the one with the smaller index begins first, so
-/// that no two begin in one place.
+/// Where a box begins on an axis. Of boxes that begin at the same number, the one with the smaller index comes first, so
+/// no two begin at the same place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Border<R> {
     at: R,
@@ -37,7 +37,7 @@ impl<R: Real> Border<R> {
     /// Whether this comes before the other one.
     #[inline(always)]
     pub(super) fn precedes(self, other: Self) -> bool {
-        // No branch: which of the two comes first is anyone's guess.
+        // No branch: which of the two comes first is unpredictable.
         (self.at < other.at) | ((self.at == other.at) & (self.index < other.index))
     }
 }
@@ -52,14 +52,14 @@ impl<R: Real, const D: usize> Entry<R, D> {
         }
     }
 
-    /// Whether the box does not end before that place. Boxes are closed, so only the number counts.
+    /// Whether the box ends there or later. Boxes are closed, so only the number counts.
     #[inline(always)]
     pub(super) fn reaches(&self, place: Border<R>, axis: usize) -> bool {
         self.aabb.maxs[axis] >= place.at
     }
 
-    /// Whether the box, as an interval, holds the low side of the other one. Of two that overlap exactly one does; no box
-    /// holds its own.
+    /// Whether the box, as an interval, holds the low side of the other one. Of two boxes that overlap exactly one does;
+    /// no box holds its own low side.
     #[inline(always)]
     pub(super) fn holds_low_of(&self, point: &Self, axis: usize) -> bool {
         let low = point.low(axis);

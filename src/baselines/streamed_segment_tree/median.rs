@@ -1,16 +1,16 @@
-//! The approximate median of many places, from few of them.
+//! The approximate median of many places, from a sample of them.
 
 use super::entry::{Border, Entry};
 use crate::Real;
 use oorandom::Rand32;
 
-/// Where the random numbers begin, in every run.
+/// The seed of the random numbers, the same in every run.
 const SEED: u64 = 0x5e61_7ee5;
 
-/// Of up to so many boxes, the smallest sample is taken.
+/// Up to this many boxes, the smallest sample is taken.
 const SMALL: f64 = 137.0;
 
-/// The least number of rounds in which a sample is thinned out.
+/// The least number of rounds that thin a sample out.
 const MIN_ROUNDS: u32 = 2;
 
 /// Estimates medians by iterated Radon points: of boxes picked at random, the median of three medians of three, and so
@@ -22,9 +22,9 @@ impl Median {
         Self(Rand32::new(SEED))
     }
 
-    /// Where one of these entries begins, about as many before as after it. There must be an entry.
+    /// Where one of these entries begins, with about as many entries before as after it. There must be an entry.
     ///
-    /// Computes in **O(n)**: of few, nine are looked at, and of many about one in twenty.
+    /// Computes in **O(n)**: of few entries nine are sampled, of many about one in twenty.
     pub(super) fn of_lows<R: Real, const D: usize>(
         &mut self,
         entries: &[Entry<R, D>],
@@ -33,7 +33,7 @@ impl Median {
         self.of_sample(rounds(entries.len()), entries, axis)
     }
 
-    /// What so many rounds leave of a sample of three to that power.
+    /// What this many rounds leave of a sample of three to that power.
     fn of_sample<R: Real, const D: usize>(
         &mut self,
         rounds: u32,
@@ -49,7 +49,7 @@ impl Median {
     }
 }
 
-/// In how many rounds of three a sample of so many is thinned out. The sample grows almost as they do.
+/// How many rounds of three thin out the sample of this many entries. The sample grows almost as their number does.
 fn rounds(count: usize) -> u32 {
     let more = 0.91 * (count as f64 / SMALL).ln();
     // Where this is negative, the conversion makes it 0.
@@ -81,7 +81,7 @@ mod tests {
         (0..count).map(entry).collect()
     }
 
-    /// Which part of the entries begins before their estimated median.
+    /// The share of the entries that begin before their estimated median.
     fn share_before(entries: &[Entry<f32, 1>]) -> f64 {
         let median = Median::new().of_lows(entries, 0);
         let before = entries.iter().filter(|e| e.low(0).precedes(median));
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn the_median_of_three_is_in_the_middle_whatever_their_order() {
-        // Two at one number, of either sign.
+        // Two at zero, one of each sign.
         let sorted = entries(3, |index| [-0.0, 0.0, 1.0][index as usize]);
         let [low, middle, high] = [0, 1, 2].map(|i| sorted[i].low(0));
         for [a, b, c] in [

@@ -1,8 +1,8 @@
-//! Bringing a part of a list to its front.
+//! Partitioning a list in place.
 
-/// Moves the items that `come_first` to the front, and cuts the list behind them. Their order is lost.
+/// Moves the items that `come_first` to the front, and splits the list after them. Their order is lost.
 ///
-/// Computes in **O(n)**, without a branch on what comes first: where a set is halved, that is as good as a coin.
+/// Computes in **O(n)**, without a branch on what comes first: where a set is halved, that is unpredictable.
 #[inline(always)]
 pub(super) fn partition<T>(
     list: &mut [T],

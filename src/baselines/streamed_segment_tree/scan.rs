@@ -1,10 +1,10 @@
-//! Sorting two sets along the first axis, and finding their pairs by going through both.
+//! Sorting two sets along the first axis, and finding their pairs by scanning both.
 
 use super::entry::Entry;
 use crate::Real;
 use crate::pair_finder::ordered;
 
-/// Appends the pairs of a point and an interval that holds its low side on the first axis; nothing else is asked.
+/// Appends the pairs of a point and an interval that holds its low side on the first axis; nothing else is tested.
 ///
 /// Computes in **O(n log n + pairs)**.
 pub(super) fn one_way<R: Real, const D: usize>(
@@ -27,7 +27,7 @@ pub(super) fn one_way<R: Real, const D: usize>(
 /// Appends the pairs of a point and an interval that overlap on all axes up to `axis`, where the interval must hold the
 /// low side of the point.
 ///
-/// Computes in **O(n log n + c)**, where c is the number of those that overlap on the first axis, at worst all with all.
+/// Computes in **O(n log n + c)**, where c is the number of pairs that overlap on the first axis, at worst all of them.
 pub(super) fn both_ways<R: Real, const D: usize>(
     points: &mut [Entry<R, D>],
     intervals: &mut [Entry<R, D>],

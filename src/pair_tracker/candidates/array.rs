@@ -1,10 +1,10 @@
-//! The array of candidates, with a tombstone in the place of each that is gone.
+//! The array of candidates, with a tombstone in place of each that is gone.
 
 use crate::bit_set::BitSet;
 use crate::pair_tracker::{FilterKey, PairChange};
 use crate::{Aabb, Real};
 
-/// In the place of a slot: of a candidate that is gone.
+/// In place of a slot: the candidate is gone.
 const TOMBSTONE: u32 = u32::MAX;
 
 /// What decides which candidates are held: boxes and filter keys, the present ones, and those at the end of the last
@@ -30,8 +30,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
         overlap(self.before, pair) && (self.former_keys.is_empty() || self.might_meet(pair))
     }
 
-    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet, for then
-    /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
+    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet,
+    /// because then it is found again. The pairs of removed proxies, which have no previous box either, end without an
+    /// event.
     #[inline(always)]
     fn end(&self, pair: [u32; 2]) -> bool {
         let is_found = self.overlap(pair) && (self.former_keys.is_empty() || self.may_meet(pair));
@@ -63,7 +64,7 @@ fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> b
 pub(super) struct CandidateArray {
     /// By slots, smaller first; two tombstones where the candidate is gone.
     pairs: Vec<[u32; 2]>,
-    /// Whether the boxes of the pair overlap, too.
+    /// By row: whether the boxes of the pair overlap.
     held: Vec<bool>,
     held_count: usize,
     tombstones: usize,
@@ -124,7 +125,7 @@ impl CandidateArray {
         all.filter_map(|(&pair, &is_held)| is_held.then_some(pair))
     }
 
-    /// Makes `found` the candidates, and leaves the memory of the former ones in its place.
+    /// Makes `found` the candidates, and leaves the memory of the former ones there.
     pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         found: &mut Vec<[u32; 2]>,
@@ -178,7 +179,7 @@ impl CandidateArray {
             words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
         );
         self.held_count += answers.iter().count();
-        // Few of those that are held were not before.
+        // Most of those that are held were held before.
         for i in answers.iter() {
             if !proxies.was_held(found[i]) {
                 report(PairChange::Added(found[i]));
@@ -186,14 +187,14 @@ impl CandidateArray {
         }
     }
 
-    /// Makes `rows` those of which a slot is picked. Rows of tombstones may be among them.
+    /// Makes `rows` the rows with a picked slot. Rows of tombstones may be among them.
     pub(super) fn pick(&self, rows: &mut BitSet, is_picked: impl Fn(u32) -> bool + Sync + Send) {
         rows.ask(self.pairs.len(), |range| {
             gather(&self.pairs[range], |&[a, b]| is_picked(a) | is_picked(b))
         });
     }
 
-    /// Brings all rows, of which none may be a tombstone, up to date with the present boxes.
+    /// Brings all rows up to date with the present boxes. None may be a tombstone.
     pub(super) fn compare_all<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         turned: &mut BitSet,
@@ -202,8 +203,7 @@ impl CandidateArray {
     ) {
         debug_assert_eq!(self.tombstones, 0);
         let Self { pairs, held, .. } = self;
-        // Which ones overlap is as good as random, so there is no branch on it, only on whether any of many has
-        // turned.
+        // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has turned.
         turned.ask(pairs.len(), |rows| {
             let rows = pairs[rows.clone()].iter().zip(&held[rows]);
             gather(rows, |(&pair, &is_held)| proxies.overlap(pair) ^ is_held)
@@ -238,7 +238,7 @@ impl CandidateArray {
         }
     }
 
-    /// Puts a tombstone in the place of a candidate of which a proxy has left its fat box or is gone.
+    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
     #[inline(always)]
     pub(super) fn retire<R: Real, const D: usize, K: FilterKey>(
         &mut self,
@@ -259,7 +259,7 @@ impl CandidateArray {
         }
     }
 
-    /// Removes the tombstones. Whether there were any, so that rows have moved.
+    /// Removes the tombstones. Returns whether there were any, so that rows have moved.
     pub(super) fn compact(&mut self) -> bool {
         if self.tombstones == 0 {
             return false;
@@ -275,7 +275,7 @@ impl CandidateArray {
         true
     }
 
-    /// Panics unless flags and counts are in order.
+    /// Panics unless flags and counts are consistent.
     pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
         assert_eq!(self.pairs.len(), self.held.len());
         assert_eq!(self.held().count(), self.held_count);
@@ -287,7 +287,7 @@ impl CandidateArray {
     }
 }
 
-/// The answers for up to 64 items, the first one lowest. Without a branch, for answers are as good as random.
+/// The answers for up to 64 items, the first one lowest. Without a branch, because answers are practically random.
 #[inline(always)]
 fn gather<T>(
     items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,

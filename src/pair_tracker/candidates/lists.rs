@@ -8,8 +8,8 @@ const END: u32 = u32::MAX;
 
 /// For each slot a list of its rows.
 ///
-/// A link is twice a row, plus one if the slot in question is the second one of its pair. Lists run through tombstones,
-/// which each walk takes out of its own.
+/// A link is twice a row, plus one if the slot in question is the second one of its pair. Lists run through tombstones;
+/// each walk takes those out of its own list.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CandidateLists {
     state: Lists,
@@ -24,7 +24,7 @@ impl CandidateLists {
         self.state
     }
 
-    /// Takes note that there were no lists where they would have been of use.
+    /// Takes note that there were no lists where they would have been useful.
     pub(super) fn miss(&mut self) {
         self.state.missed += 1;
     }
@@ -34,7 +34,7 @@ impl CandidateLists {
         self.state = Lists::default();
     }
 
-    /// Makes the lists of so many slots.
+    /// Makes the lists of this many slots.
     pub(super) fn make(&mut self, array: &CandidateArray, slots: usize) {
         self.heads.clear();
         self.next.clear();
@@ -88,7 +88,7 @@ impl CandidateLists {
         }
     }
 
-    /// Calls `visit` with each row in which a slot occurs, and takes those out of its list that turn out to be gone.
+    /// Calls `visit` with each row in which a slot occurs, and takes out of its list those for which it returns false.
     pub(super) fn walk(&mut self, slot: u32, mut visit: impl FnMut(usize) -> bool) {
         let Some(&head) = self.heads.get(slot as usize) else {
             return;

@@ -1,8 +1,8 @@
 //! Layers as they are written and read by serde.
 //!
-//! The order of a layer is that of a run of the kernel over its members, so it is enough to know these: the slots
-//! that have not escaped since, under their present fat boxes, and of the outdated ones those that were members, under the
-//! fat boxes that they had.
+//! The order of a layer is that of a run of the kernel over its members, so it is enough to know these: the slots that
+//! have not escaped since, with their present fat boxes, and those outdated ones that were members, with the fat boxes
+//! that they had.
 
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +33,7 @@ struct LayerSnapshot<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// The layers of so many slots.
+    /// The layers of this many slots.
     pub(in crate::pair_tracker) fn snapshot(&self, slots: usize) -> LayersSnapshot<R, D> {
         let default = GridLayers::new(true);
         let layers = match self {
@@ -115,7 +115,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
 }
 
 impl<R: Real, const D: usize> LayerSnapshot<R, D> {
-    /// Makes this the layer, but for its order, and returns the boxes to sort it by.
+    /// Makes this the layer, except for its order, and returns the boxes to sort it by.
     fn restore(
         self,
         layer: &mut Layer<R, D>,
