@@ -10,7 +10,7 @@ pub(crate) struct BitSet {
 }
 
 impl BitSet {
-    /// Makes room for all numbers below `capacity`, and for no others. New ones are not in the set.
+    /// Makes room for all numbers below `capacity`. New ones are not in the set.
     pub(crate) fn resize(&mut self, capacity: usize) {
         self.words.resize(capacity.div_ceil(64), 0);
     }

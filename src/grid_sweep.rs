@@ -23,7 +23,7 @@ const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
-/// Every axis but the first is cut into strips a few boxes wide. A box is entered in each tube that it spans,
+/// The second and the third axis are cut into strips a few boxes wide. A box is entered in each tube that it spans,
 /// usually one, and the pairs of each tube are found by one forward window per box, eight candidates in one step.
 /// Boxes much larger than most are a class of their own, found by the same method on a coarser grid and looked up in
 /// the finer one.

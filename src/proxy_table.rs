@@ -171,7 +171,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         not(test),
         expect(
             dead_code,
-            reason = "for engines that hand boxes over, as the pipelines of Rapier 0.36 do"
+            reason = "the second source: no adapter hands boxes over yet, only the tests do"
         )
     )]
     pub(crate) fn hand_over(&mut self, handle: impl Handle, aabb: &Aabb<R, D>, margin: R) {

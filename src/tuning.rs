@@ -1,10 +1,10 @@
-//! Every number that decides speed and nothing else.
+//! The numbers of policy: what decides speed and nothing else. (Sizes of buffers and batches stand where they are used.)
 //!
 //! No answer depends on them: the tests hold with any value. Each has its unit, what goes wrong above and below, and the
 //! command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a factor of two to either side
 //! costs a few per cent, which is why none is a setting.
 
-/// Sorting and sweeping: `GridSweep`. Shown by `cargo bench --bench kernels` and `--bench phases`.
+/// Sorting and sweeping: the kernels. Shown by `cargo bench --bench kernels` and `--bench phases`.
 pub(crate) mod kernel {
     /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
     /// choosing a grid takes longer than the sweep.

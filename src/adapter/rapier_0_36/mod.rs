@@ -58,10 +58,10 @@ impl UnisizeBroadPhase {
     /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that
     /// are gone: their pairs end without an event.
     ///
-    /// Like Rapier's own, it does not report pairs that the narrow phase would drop: two colliders of one body, two
-    /// whose collision groups forbid it, and two whose types of bodies are among the active collision types of neither.
-    /// Once such a pair is allowed, it is reported by the next update in which one of the two is listed as modified.
-    /// Once reported, a pair stays until the boxes part.
+    /// By default it reports no pairs that the narrow phase would drop, like Rapier's own: see
+    /// [`PairFilter::Groups`](crate::PairFilter::Groups). Once such a pair is allowed, it is reported by the next update in
+    /// which one of the two is listed as modified, and once it is forbidden, it ends by such an update. (Rapier's own keeps a
+    /// reported pair until the boxes part.)
     pub fn update(
         &mut self,
         params: &IntegrationParameters,
