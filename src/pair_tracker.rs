@@ -85,6 +85,8 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     keys: Vec<K>,
     /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then.
     former_keys: Vec<(u32, K)>,
+    /// Whether a slot has had another key than the default one, with which all may meet.
+    are_filtered: bool,
     /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
     /// Those of them that have left their fat box, have none yet, or are gone.
@@ -111,6 +113,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             previous: Vec::new(),
             fat_boxes: Vec::new(),
             keys: Vec::new(),
+            are_filtered: false,
             former_keys: Vec::new(),
             moved: Vec::new(),
             escaped: SlotSet::default(),
@@ -156,6 +159,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if former == key {
             return;
         }
+        self.are_filtered = true;
         if self.previous[index].is_valid() {
             // If it changes twice in an update, the first one counts: `finish` keeps it.
             self.former_keys.push((slot, former));
@@ -400,10 +404,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Drops the pairs found that may not meet.
     fn keep_those_that_may_meet(&mut self) -> Lap {
         let lap = self.stopwatch.start();
-        let keys = &self.keys;
-        retain_from(&mut self.found, 0, |[a, b]| {
-            keys[a as usize].may_meet(keys[b as usize])
-        });
+        if self.are_filtered {
+            let keys = &self.keys;
+            retain_from(&mut self.found, 0, |[a, b]| {
+                keys[a as usize].may_meet(keys[b as usize])
+            });
+        }
         lap
     }
 

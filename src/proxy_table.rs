@@ -42,13 +42,9 @@ pub(crate) trait BoxSource<R, const D: usize>: Sync {
 
     /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
     fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
-}
 
-/// A change of the pair set; the collider with the smaller slot first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PairEvent<H> {
-    Added([H; 2]),
-    Deleted([H; 2]),
+    /// Whether keys differ at all. If not, they need not be compared.
+    fn has_keys(&self) -> bool;
 }
 
 /// The proxies of all colliders, and the pairs that they form.
@@ -276,24 +272,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &mut self,
         changes: &mut Vec<PairChange>,
         events: &mut Vec<E>,
-        event: impl Fn(PairEvent<H>) -> E,
+        event: impl Fn(bool, [H; 2]) -> E,
     ) {
         self.tracker.finish(|change| changes.push(change));
         let lap = self.tracker.stopwatch.start();
         self.is_begun = false;
+        let before = events.len();
         let Self {
             generations, stats, ..
         } = self;
-        events.extend(changes.drain(..).map(|change| match change {
-            PairChange::Added(pair) => {
-                stats.added += 1;
-                event(PairEvent::Added(handles(generations, pair)))
-            }
-            PairChange::Deleted(pair) => {
-                stats.deleted += 1;
-                event(PairEvent::Deleted(handles(generations, pair)))
-            }
+        events.extend(changes.drain(..).map(|change| {
+            // Whether it begins or ends is as good as random, so there is no branch on it.
+            let (is_added, pair) = match change {
+                PairChange::Added(pair) => (true, pair),
+                PairChange::Deleted(pair) => (false, pair),
+            };
+            stats.added += usize::from(is_added);
+            event(is_added, handles(generations, pair))
         }));
+        stats.deleted = events.len() - before - stats.added;
         self.tracker.stopwatch.lap(lap, |times| &mut times.events);
     }
 }

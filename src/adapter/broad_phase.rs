@@ -10,7 +10,7 @@ use super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle, ColliderPair,
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::pair_tracker::PairChange;
-use crate::proxy_table::{PairEvent, ProxyTable};
+use crate::proxy_table::ProxyTable;
 use crate::{Kernel, PairFilter, Stats};
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
@@ -82,7 +82,10 @@ impl UnisizeBroadPhase {
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.table.pairs();
-        pairs.map(|pair| collider_pair(self.table.handles(pair)))
+        pairs.map(|pair| {
+            let [first, second] = self.table.handles(pair);
+            ColliderPair::new(first, second)
+        })
     }
 
     /// Checks the internal invariants: the books on colliders, and the pairs held, by a full search. For tests.
@@ -127,16 +130,16 @@ impl UnisizeBroadPhase {
         let is_tree_kept = self.query_tree.is_kept();
         self.table.follow_redrawn(is_tree_kept);
         self.table
-            .finish(&mut self.changes, events, |event| match event {
-                PairEvent::Added(pair) => BroadPhasePairEvent::AddPair(collider_pair(pair)),
-                PairEvent::Deleted(pair) => BroadPhasePairEvent::DeletePair(collider_pair(pair)),
+            .finish(&mut self.changes, events, |is_added, [first, second]| {
+                let pair = ColliderPair::new(first, second);
+                if is_added {
+                    BroadPhasePairEvent::AddPair(pair)
+                } else {
+                    BroadPhasePairEvent::DeletePair(pair)
+                }
             });
         if is_tree_kept {
             self.query_tree.note(self.table.redrawn());
         }
     }
-}
-
-fn collider_pair([first, second]: [ColliderHandle; 2]) -> ColliderPair {
-    ColliderPair::new(first, second)
 }

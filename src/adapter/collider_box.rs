@@ -40,6 +40,10 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Memo = Outline;
     type Key = Key;
 
+    fn has_keys(&self) -> bool {
+        self.filter != PairFilter::Off
+    }
+
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
     /// where soft CCD expects the body at the end of the step.
     ///

@@ -97,6 +97,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         self.horizon = horizon;
         self.full_runs = full_runs;
+        self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
         self.candidates = candidates.restore(&self.boxes, found)?;
         self.layers.restore(layers, &self.fat_boxes)

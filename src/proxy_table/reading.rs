@@ -83,7 +83,9 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
         let slot = self.first_slot + i;
         let handle = S::Handle::from_raw_parts(slot as u32, generation);
         let verdict = match source.read(handle, &mut self.memos[i]) {
-            Some((aabb, key)) if key == self.keys[i] => Verdict::of(&self.boxes[i], &aabb, margin),
+            Some((aabb, key)) if !source.has_keys() || key == self.keys[i] => {
+                Verdict::of(&self.boxes[i], &aabb, margin)
+            }
             _ => Verdict::Recheck,
         };
         match verdict {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use oorandom::Rand32;
 
-use super::{BoxSource, FilterKey, Handle, PairEvent, ProxyTable};
+use super::{BoxSource, FilterKey, Handle, ProxyTable};
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
 use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings};
 
@@ -75,6 +75,10 @@ impl BoxSource<f32, 2> for Colliders {
     type Handle = Id;
     type Memo = Memo;
     type Key = Side;
+
+    fn has_keys(&self) -> bool {
+        true
+    }
 
     fn read(&self, id: Id, memo: &mut Memo) -> Option<(Aabb<f32, 2>, Side)> {
         assert!(
@@ -276,14 +280,13 @@ impl World {
 
         let [mut added, mut deleted] = self.model.finish();
         let counts = [added.len(), deleted.len()];
-        let mut events: Vec<PairEvent<Id>> = Vec::new();
+        let mut events: Vec<(bool, [Id; 2])> = Vec::new();
         self.table
-            .finish(&mut Vec::new(), &mut events, |event: PairEvent<Id>| event);
-        for event in events {
-            let (due, pair) = match event {
-                PairEvent::Added(pair) => (&mut added, pair),
-                PairEvent::Deleted(pair) => (&mut deleted, pair),
-            };
+            .finish(&mut Vec::new(), &mut events, |is_added, pair| {
+                (is_added, pair)
+            });
+        for (is_added, pair) in events {
+            let due = if is_added { &mut added } else { &mut deleted };
             for id in pair {
                 let known = self.model.known.get(&id.slot);
                 assert!(
@@ -291,10 +294,7 @@ impl World {
                     "{id:?}"
                 );
             }
-            assert!(
-                due.remove(&pair.map(|id: Id| id.slot)),
-                "{event:?} is spurious"
-            );
+            assert!(due.remove(&pair.map(|id| id.slot)), "{pair:?} is spurious");
         }
         assert!(added.is_empty(), "not added: {added:?}");
         assert!(deleted.is_empty(), "not deleted: {deleted:?}");

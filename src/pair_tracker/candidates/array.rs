@@ -23,20 +23,29 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
         overlap(self.now, pair)
     }
 
-    /// Whether a pair that may meet now was held before: it was, if and only if its boxes overlapped and it might meet then,
-    /// for kernels are exact.
+    /// Whether a pair that may meet now was held before. It was if and only if its boxes overlapped and it might meet then,
+    /// because kernels are exact.
     #[inline(always)]
     fn was_held(&self, pair: [u32; 2]) -> bool {
-        overlap(self.before, pair) && (self.former_keys.is_empty() || self.might_meet(pair))
+        // Keys hardly ever change, so this branch is foreseen, and there is none on boxes.
+        let overlapped = overlap(self.before, pair);
+        if self.former_keys.is_empty() {
+            overlapped
+        } else {
+            overlapped && self.might_meet(pair)
+        }
     }
 
-    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet,
-    /// because then it is found again. The pairs of removed proxies, which have no previous box either, end without an
-    /// event.
+    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet, for then
+    /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
     #[inline(always)]
     fn end(&self, pair: [u32; 2]) -> bool {
-        let is_found = self.overlap(pair) && (self.former_keys.is_empty() || self.may_meet(pair));
-        !is_found & overlap(self.before, pair)
+        let overlapped = overlap(self.before, pair);
+        if self.former_keys.is_empty() {
+            !self.overlap(pair) & overlapped
+        } else {
+            !(self.overlap(pair) && self.may_meet(pair)) && overlapped
+        }
     }
 
     fn may_meet(&self, pair: [u32; 2]) -> bool {
