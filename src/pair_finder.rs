@@ -11,7 +11,7 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 /// ```
 /// use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder, RankSweep, Real};
 ///
-/// The pairs by any kernel, of any scalar, in any dimension, sorted.
+/// /// The pairs by any kernel, of any scalar, in any dimension, sorted.
 /// fn sorted_pairs<R: Real, const D: usize>(
 ///     mut finder: impl PairFinder<R, D>,
 ///     boxes: &[Aabb<R, D>],
