@@ -62,6 +62,11 @@ pub(crate) mod update {
     /// to a core whose caches are cold.
     pub(crate) const THREADS_FROM: usize = 1 << 14;
 
+    /// Slots. A box may be handed over for a collider that is not known, and that may not exist. Up to this far beyond all
+    /// known slots it is shown to queries at once. Above: a wrong handle takes more memory. Below: a program that hands over
+    /// the boxes of a new world in any order, and asks before its first update, does not find them all.
+    pub(crate) const ROOM_AHEAD: usize = 1 << 16;
+
     /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
     pub(crate) const SLOTS_A_TASK: usize = 1 << 14;
 

@@ -6,7 +6,9 @@ use super::filter_key::Key;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet};
+use super::rapier::geometry::{
+    Aabb as RapierAabb, BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet,
+};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::pair_tracker::PairChange;
@@ -112,6 +114,21 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
+    /// Takes boxes that are handed over, as a part of the next update.
+    #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
+    pub(crate) fn hand_over(
+        &mut self,
+        params: &IntegrationParameters,
+        aabbs: &[(ColliderHandle, RapierAabb)],
+    ) {
+        if aabbs.is_empty() {
+            return;
+        }
+        let margin = self.margin(params);
+        let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
+        self.table.hand_over(aabbs, margin);
+    }
+
     /// One update, with the modified and the removed colliders in this order.
     pub(crate) fn bring_up_to_date(
         &mut self,
@@ -121,7 +138,7 @@ impl UnisizeBroadPhase {
         lists: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        if lists.iter().all(|handles| handles.is_empty()) {
+        if lists.iter().all(|handles| handles.is_empty()) && !self.table.is_begun() {
             return;
         }
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());

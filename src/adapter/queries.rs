@@ -51,7 +51,7 @@ impl UnisizeBroadPhase {
         }
     }
 
-    fn tree(&self) -> &Bvh {
+    pub(crate) fn tree(&self) -> &Bvh {
         self.query_tree.of(self.table.fat_boxes())
     }
 }
