@@ -1,0 +1,138 @@
+//! An opened copy of a package, in memory: every file as it is to be. What is on disk is compared with it, or made from it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use walkdir::WalkDir;
+
+use crate::edit::Edit;
+use crate::note;
+use crate::seam::{EDITS, FACTORY_EDITS, FACTORY_FILES, FILES};
+
+/// What Cargo adds to the sources that it fetches, and what a package does not need.
+const LEFT_OUT: [&str; 5] = [
+    ".cargo-checksum.json",
+    ".cargo-ok",
+    ".cargo_vcs_info.json",
+    "Cargo.lock",
+    "Cargo.toml.orig",
+];
+
+/// The files of a copy.
+pub(crate) struct OpenedCopy {
+    pub(crate) package: &'static str,
+    files: BTreeMap<PathBuf, Vec<u8>>,
+}
+
+impl OpenedCopy {
+    /// Reads the sources of `package` and opens them.
+    pub(crate) fn new(package: &'static str, sources: &Path, factory: bool) -> Result<Self> {
+        let mut copy = Self {
+            package,
+            files: read(sources)?,
+        };
+        for name in LEFT_OUT {
+            copy.files.remove(Path::new(name));
+        }
+
+        let mut files = FILES.to_vec();
+        let mut edits: Vec<&Edit> = EDITS.iter().collect();
+        if factory {
+            files.extend(FACTORY_FILES);
+            edits.extend(FACTORY_EDITS);
+        }
+        for (name, contents, _) in &files {
+            if copy
+                .files
+                .insert(name.into(), contents.as_bytes().to_vec())
+                .is_some()
+            {
+                bail!(
+                    "{}: {name} is there already; nothing was written",
+                    sources.display()
+                );
+            }
+        }
+        for edit in &edits {
+            copy.edit(edit)
+                .with_context(|| format!("{} cannot be opened", sources.display()))?;
+        }
+        // The licence demands that a modified file says so.
+        for edit in &edits {
+            let new = files.iter().any(|(name, ..)| *name == edit.file);
+            if let Some(contents) = copy.files.get_mut(Path::new(edit.file)).filter(|_| !new) {
+                let notice = note::notice(edit.file);
+                if !contents.starts_with(notice.as_bytes()) {
+                    contents.splice(..0, notice.into_bytes());
+                }
+            }
+        }
+        let note = note::text(package, &files, &edits);
+        copy.files.insert(note::FILE.into(), note.into_bytes());
+        Ok(copy)
+    }
+
+    fn edit(&mut self, edit: &Edit) -> Result<()> {
+        let contents = self.files.get_mut(Path::new(edit.file));
+        let contents =
+            contents.with_context(|| format!("{} is missing; nothing was written", edit.file))?;
+        let text =
+            str::from_utf8(contents).with_context(|| format!("{} is not UTF-8", edit.file))?;
+        *contents = edit.apply(text, self.package)?.into_bytes();
+        Ok(())
+    }
+
+    /// What is different in a folder: the names of files, each with what is wrong with it.
+    pub(crate) fn differences(&self, folder: &Path) -> Result<Vec<String>> {
+        if !folder.exists() {
+            return Ok(vec![format!("{} is missing", folder.display())]);
+        }
+        let found = read(folder)?;
+        let mut differences = vec![];
+        for (name, contents) in &self.files {
+            match found.get(name) {
+                None => differences.push(format!("{} is missing", folder.join(name).display())),
+                Some(other) if other != contents => {
+                    differences.push(format!("{} is different", folder.join(name).display()));
+                }
+                Some(_) => {}
+            }
+        }
+        for name in found.keys().filter(|name| !self.files.contains_key(*name)) {
+            differences.push(format!(
+                "{} is not part of the copy",
+                folder.join(name).display()
+            ));
+        }
+        Ok(differences)
+    }
+
+    /// Writes all files into a new folder.
+    pub(crate) fn write(&self, folder: &Path) -> Result<()> {
+        for (name, contents) in &self.files {
+            let path = folder.join(name);
+            let parent = path.parent().unwrap_or(folder);
+            fs::create_dir_all(parent)
+                .with_context(|| format!("cannot make {}", parent.display()))?;
+            fs::write(&path, contents)
+                .with_context(|| format!("cannot write {}", path.display()))?;
+        }
+        Ok(())
+    }
+}
+
+/// Reads all files below a folder.
+fn read(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
+    let mut files = BTreeMap::new();
+    for entry in WalkDir::new(folder) {
+        let entry = entry?;
+        if !entry.file_type().is_dir() {
+            let contents = fs::read(entry.path())
+                .with_context(|| format!("cannot read {}", entry.path().display()))?;
+            files.insert(entry.path().strip_prefix(folder)?.to_owned(), contents);
+        }
+    }
+    Ok(files)
+}

@@ -1,0 +1,185 @@
+//! The seam: what a copy of Rapier gets, as data.
+//!
+//! [`BroadPhaseBvh`] gets one private field, an optional broad phase of the user's. Where it is set, `update`, `set_aabb` and
+//! the tree for queries go to it. No signature changes, so whatever compiles with Rapier compiles with the copy.
+//!
+//! [`BroadPhaseBvh`]: https://docs.rs/rapier3d/0.36.1/rapier3d/geometry/struct.BroadPhaseBvh.html
+
+use crate::edit::{Change, Edit};
+
+/// The packages that can be opened.
+pub(crate) const PACKAGES: [&str; 4] = ["rapier2d", "rapier3d", "rapier2d-f64", "rapier3d-f64"];
+
+/// The version whose texts the edits were written for.
+pub(crate) const VERSION: &str = "0.36.1";
+
+/// New files: name, contents, and what they are for.
+pub(crate) const FILES: &[(&str, &str, &str)] = &[
+    (
+        "build.rs",
+        include_str!("../seam/build.rs"),
+        "tells dependents that the copy is open",
+    ),
+    (
+        "src/geometry/broad_phase_bvh/custom.rs",
+        include_str!("../seam/custom.rs"),
+        "`CustomBroadPhase`, and `custom`, `custom_ref` and `custom_mut` of `BroadPhaseBvh`",
+    ),
+];
+
+/// The edits of existing files.
+pub(crate) const EDITS: &[Edit] = &[
+    Edit {
+        file: "Cargo.toml",
+        purpose: "a build script, and `links`, by which it reaches dependents",
+        find: "\nbuild = false\n",
+        times: 1,
+        change: Change::Replace("\nbuild = \"build.rs\"\nlinks = \"opened-{package}\"\n"),
+    },
+    Edit {
+        file: "src/geometry/mod.rs",
+        purpose: "exports `CustomBroadPhase`",
+        find: "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};",
+        times: 1,
+        change: Change::Replace(
+            "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy, CustomBroadPhase};",
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/mod.rs",
+        purpose: "the new module",
+        find: "mod update;\n",
+        times: 1,
+        change: Change::Replace(
+            "mod custom;
+mod update;
+
+use self::custom::Custom;
+pub use self::custom::CustomBroadPhase;
+",
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/mod.rs",
+        purpose: "the field `custom`, without which snapshots stay what they were",
+        find: "    deferred_optimize_pending: bool,\n",
+        times: 1,
+        change: Change::After(
+            r#"    /// If set, everything is left to it.
+    #[cfg_attr(
+        feature = "serde-serialize",
+        serde(
+            skip_deserializing,
+            default = "Custom::none",
+            skip_serializing_if = "Custom::is_none",
+            serialize_with = "Custom::refuse"
+        )
+    )]
+    custom: Custom,
+"#,
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/mod.rs",
+        purpose: "`set_aabb` goes to it",
+        find: "        let change_detection_skin = self.change_detection_skin(params, &aabb);\n",
+        times: 1,
+        change: Change::Before(
+            "        if let Some(custom) = &mut self.custom.0 {
+            return custom.set_aabb(params, handle, aabb);
+        }
+",
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/update.rs",
+        purpose: "`update` goes to it",
+        find: "        self.frame_index = self.frame_index.overflowing_add(1).0;\n",
+        times: 1,
+        change: Change::Before(
+            "        if let Some(custom) = &mut self.custom.0 {
+            return custom.update(
+                params,
+                colliders,
+                bodies,
+                modified_colliders,
+                removed_colliders,
+                events,
+            );
+        }
+",
+        ),
+    },
+    Edit {
+        file: "src/pipeline/physics_pipeline/substep.rs",
+        purpose: "the boxes of what a step has moved are handed over at once",
+        find: "        for (handle, aabb) in &self.end_step_collider_aabbs {
+            broad_phase.set_aabb(integration_parameters, *handle, *aabb);
+        }
+",
+        times: 1,
+        change: Change::Replace(
+            "        broad_phase.set_aabbs(integration_parameters, &self.end_step_collider_aabbs);
+",
+        ),
+    },
+    Edit {
+        file: "src/pipeline/query_pipeline.rs",
+        purpose: "queries, and with them CCD, go through its tree",
+        find: "            bvh: &self.tree,\n",
+        times: 2,
+        change: Change::Replace("            bvh: self.bvh(),\n"),
+    },
+    Edit {
+        file: "src/pipeline/physics_world.rs",
+        purpose: "queries go through its tree",
+        find: "        let bvh = &self.broad_phase.tree;\n",
+        times: 4,
+        change: Change::Replace("        let bvh = self.broad_phase.bvh();\n"),
+    },
+];
+
+/// `--factory`: new files.
+pub(crate) const FACTORY_FILES: &[(&str, &str, &str)] = &[(
+    "src/geometry/broad_phase_bvh/factory.rs",
+    include_str!("../seam/factory.rs"),
+    "`BROAD_PHASE_FACTORY`, for tests",
+)];
+
+/// `--factory`: edits of what [`FILES`] and [`EDITS`] have made.
+pub(crate) const FACTORY_EDITS: &[Edit] = &[
+    Edit {
+        file: "src/geometry/mod.rs",
+        purpose: "exports `BROAD_PHASE_FACTORY`",
+        find: "BvhOptimizationStrategy, CustomBroadPhase};",
+        times: 1,
+        change: Change::After(
+            "
+#[cfg(feature = \"std\")]
+pub use self::broad_phase_bvh::BROAD_PHASE_FACTORY;",
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/mod.rs",
+        purpose: "the module of the factory",
+        find: "mod custom;\n",
+        times: 1,
+        change: Change::After("mod factory;\n"),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/mod.rs",
+        purpose: "exports `BROAD_PHASE_FACTORY`",
+        find: "pub use self::custom::CustomBroadPhase;\n",
+        times: 1,
+        change: Change::After(
+            "#[cfg(feature = \"std\")]\npub use self::factory::BROAD_PHASE_FACTORY;\n",
+        ),
+    },
+    Edit {
+        file: "src/geometry/broad_phase_bvh/custom.rs",
+        purpose: "the default comes from the factory",
+        find: "#[derive(Default)]\n",
+        times: 1,
+        change: Change::Replace(""),
+    },
+];
