@@ -44,34 +44,6 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     fn may_meet(self, other: Self) -> bool;
 }
 
-/// The slots whose fat boxes were drawn anew, or are gone.
-#[derive(Clone, Debug)]
-pub(crate) enum Redrawn {
-    Slots(Vec<u32>),
-    All,
-}
-
-impl Default for Redrawn {
-    fn default() -> Self {
-        Self::Slots(Vec::new())
-    }
-}
-
-impl Redrawn {
-    pub(crate) fn is_empty(&self) -> bool {
-        matches!(self, Self::Slots(slots) if slots.is_empty())
-    }
-
-    /// Adds others; some may occur more than once.
-    pub(crate) fn extend(&mut self, others: &Self) {
-        match (&mut *self, others) {
-            (Self::All, _) => {}
-            (_, Self::All) => *self = Self::All,
-            (Self::Slots(slots), Self::Slots(others)) => slots.extend_from_slice(others),
-        }
-    }
-}
-
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R, const D: usize, K> {
@@ -89,6 +61,8 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     are_filtered: bool,
     /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
+    /// Those that were touched before it, since the one before.
+    settled: Vec<u32>,
     /// Those of them that have left their fat box, have none yet, or are gone.
     escaped: SlotSet,
     horizon: Horizon,
@@ -98,9 +72,6 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
-    /// What the last update has drawn anew, if that is followed.
-    redrawn: Redrawn,
-    pub(crate) is_followed: bool,
     pub(crate) stopwatch: Stopwatch,
 }
 
@@ -144,6 +115,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             are_filtered: false,
             former_keys: Vec::new(),
             moved: Vec::new(),
+            settled: Vec::new(),
             escaped: SlotSet::default(),
             horizon: Horizon::FIRST,
             fixed_foresight: foresight,
@@ -151,8 +123,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             candidates: Candidates::default(),
             layers: Layers::new(kernel, layers),
             found: Vec::new(),
-            redrawn: Redrawn::default(),
-            is_followed: false,
             stopwatch: Stopwatch::default(),
         }
     }
@@ -261,14 +231,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         &self.moved
     }
 
-    /// The fat boxes by slot; all NaN where there is no proxy.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        &self.fat_boxes
+    /// The boxes by slot; all NaN where there is no proxy.
+    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
+        &self.boxes
     }
 
-    /// The fat boxes that the last call of [`finish`](Self::finish) has drawn anew, if that is followed.
-    pub(crate) fn redrawn(&self) -> &Redrawn {
-        &self.redrawn
+    /// The slots whose boxes the last update has changed or taken away; some may occur more than once.
+    pub(crate) fn settled(&self) -> &[u32] {
+        &self.settled
     }
 
     /// The held pairs, by slots, smaller first.
@@ -308,13 +278,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let plan = Plan::of::<D>(&self.known(), || {
             mean_speed(&self.moved, &self.boxes, &self.previous)
         });
-        self.redrawn = match plan {
-            _ if !self.is_followed => Redrawn::default(),
-            Plan::FullRun(_) => Redrawn::All,
-            _ => Redrawn::Slots(self.escaped.slots().to_vec()),
-        };
         let lap = match plan {
-            Plan::Nothing => return,
+            Plan::Nothing => {
+                self.settled.clear();
+                return;
+            }
             Plan::Compare(extent) => {
                 self.layers.count_update();
                 self.found.clear();
@@ -498,6 +466,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
         }
+        std::mem::swap(&mut self.moved, &mut self.settled);
         self.moved.clear();
         self.escaped.clear();
         self.former_keys.clear();

@@ -19,7 +19,7 @@ mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{FilterKey, PairChange, PairTracker, Redrawn};
+use crate::pair_tracker::{FilterKey, PairChange, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, Kernel, Real, Settings, Stats};
 use handing_over::Awaited;
@@ -110,19 +110,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         stats
     }
 
-    /// The fat boxes by slot; invalid where there is no box.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        self.tracker.fat_boxes()
+    /// The boxes by slot; invalid where there is none.
+    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
+        self.tracker.boxes()
     }
 
-    /// From now on, records which fat boxes each update has [drawn anew](Self::redrawn), or no longer does.
-    pub(crate) fn follow_redrawn(&mut self, is_followed: bool) {
-        self.tracker.is_followed = is_followed;
+    /// The slots whose boxes have been handed over since the last update, or were taken away; some may occur more than once.
+    pub(crate) fn touched(&self) -> &[u32] {
+        self.tracker.touched()
     }
 
-    /// The fat boxes that the last update has drawn anew, if that is recorded.
-    pub(crate) fn redrawn(&self) -> &Redrawn {
-        self.tracker.redrawn()
+    /// The slots whose boxes the last update has renewed or taken away; some may occur more than once.
+    pub(crate) fn renewed(&self) -> &[u32] {
+        self.tracker.settled()
     }
 
     /// The held pairs, by slots, smaller first.

@@ -126,7 +126,11 @@ impl UnisizeBroadPhase {
         }
         let margin = self.margin(params);
         let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
+        let touched = self.table.touched().len();
         self.table.hand_over(aabbs, margin);
+        if self.table.touched().len() > touched {
+            self.query_tree.unsettle();
+        }
     }
 
     /// One update, with the modified and the removed colliders in this order.
@@ -144,8 +148,6 @@ impl UnisizeBroadPhase {
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);
         self.table.update(lists, &boxes, margin);
-        let is_tree_kept = self.query_tree.is_kept();
-        self.table.follow_redrawn(is_tree_kept);
         self.table
             .finish(&mut self.changes, events, |is_added, [first, second]| {
                 let pair = ColliderPair::new(first, second);
@@ -155,8 +157,7 @@ impl UnisizeBroadPhase {
                     BroadPhasePairEvent::DeletePair(pair)
                 }
             });
-        if is_tree_kept {
-            self.query_tree.note(self.table.redrawn());
-        }
+        let (renewed, slots) = (self.table.renewed(), self.table.boxes().len());
+        self.query_tree.note(renewed, slots);
     }
 }
