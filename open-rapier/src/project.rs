@@ -25,6 +25,8 @@ pub(crate) struct Project {
 impl Project {
     /// Asks Cargo about the project of a manifest whose copies are, or are to be, in `out`.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
+        // Cargo is run in another folder.
+        let manifest_path = &normal(manifest_path);
         let root = workspace_manifest(manifest_path)?;
         let manifest = Manifest::read(&root)?;
         let mut entries = manifest.entries();

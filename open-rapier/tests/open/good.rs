@@ -163,11 +163,19 @@ fn patches_the_root_of_a_workspace() {
             .read("project/Cargo.toml")
             .contains("rapier3d = { path = \"engines/rapier3d\" }")
     );
-    let path = "games/first/Cargo.toml";
+    // The manifest and the copies are looked for from where the program is run.
+    fs::create_dir(fixture.path("elsewhere")).unwrap();
+    let path = "../project/games/first/Cargo.toml";
     fixture
         .run_in(
-            "project",
-            &["--out", "engines", "--manifest-path", path, "--check"],
+            "elsewhere",
+            &[
+                "--out",
+                "../project/engines",
+                "--manifest-path",
+                path,
+                "--check",
+            ],
         )
         .good();
 }
