@@ -56,10 +56,13 @@ pub mod dim2 {
     #[path = "../show.rs"]
     mod show;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
     pub use gorge::Gorge;
     pub use show::{HeldPairs, Show};
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier3d")]
@@ -78,12 +81,15 @@ pub mod dim3 {
     mod show;
     mod solids;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
     pub use implosion::Implosion;
     pub use pour::Pour;
     pub use ropes::Ropes;
     pub use show::{HeldPairs, Show};
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier2d-f64")]
@@ -97,8 +103,11 @@ pub mod dim2_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier3d-f64")]
@@ -112,6 +121,49 @@ pub mod dim3_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+}
+
+#[cfg(all(feature = "rapier2d_0_36", opened_rapier2d))]
+#[path = "dim2"]
+pub mod dim2_0_36 {
+    //! The scenes for an opened rapier2d 0.36.
+
+    pub use rapier2d_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
+}
+
+#[cfg(all(feature = "rapier3d_0_36", opened_rapier3d))]
+#[path = "dim3"]
+pub mod dim3_0_36 {
+    //! The scenes for an opened rapier3d 0.36.
+
+    pub use rapier3d_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
 }
