@@ -18,8 +18,9 @@
 //! +let mut broad_phase = unisize::rapier3d::UnisizeBroadPhase::new();
 //! ```
 //!
-//! Rapier 0.36 has no such trait any more. Programs that drive collision detection by themselves can use the features
-//! `rapier2d_0_36` and `rapier3d_0_36`, whose `UnisizeBroadPhase::update` has the arguments of Rapier's own.
+//! Rapier 0.36 has no such trait any more. The features `rapier2d_0_36`, `rapier3d_0_36`, `rapier2d-f64_0_36` and
+//! `rapier3d-f64_0_36` are for programs that drive collision detection by themselves, with a `UnisizeBroadPhase::update`
+//! that has the arguments of Rapier's own; and for Rapier's own pipelines, with a copy of Rapier that is opened for them.
 //!
 //! # Without an engine
 //!
@@ -98,12 +99,16 @@ pub mod rapier2d;
 pub mod rapier2d_0_36;
 #[cfg(feature = "rapier2d-f64")]
 pub mod rapier2d_f64;
+#[cfg(feature = "rapier2d-f64_0_36")]
+pub mod rapier2d_f64_0_36;
 #[cfg(feature = "rapier3d")]
 pub mod rapier3d;
 #[cfg(feature = "rapier3d_0_36")]
 pub mod rapier3d_0_36;
 #[cfg(feature = "rapier3d-f64")]
 pub mod rapier3d_f64;
+#[cfg(feature = "rapier3d-f64_0_36")]
+pub mod rapier3d_f64_0_36;
 
 pub use aabb::Aabb;
 #[cfg(feature = "baselines")]

@@ -44,34 +44,6 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     fn may_meet(self, other: Self) -> bool;
 }
 
-/// The slots whose fat boxes were drawn anew, or are gone.
-#[derive(Clone, Debug)]
-pub(crate) enum Redrawn {
-    Slots(Vec<u32>),
-    All,
-}
-
-impl Default for Redrawn {
-    fn default() -> Self {
-        Self::Slots(Vec::new())
-    }
-}
-
-impl Redrawn {
-    pub(crate) fn is_empty(&self) -> bool {
-        matches!(self, Self::Slots(slots) if slots.is_empty())
-    }
-
-    /// Adds others; some may occur more than once.
-    pub(crate) fn extend(&mut self, others: &Self) {
-        match (&mut *self, others) {
-            (Self::All, _) => {}
-            (_, Self::All) => *self = Self::All,
-            (Self::Slots(slots), Self::Slots(others)) => slots.extend_from_slice(others),
-        }
-    }
-}
-
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R, const D: usize, K> {
@@ -89,6 +61,8 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     are_filtered: bool,
     /// Slots that were touched since the last `finish`; some may occur more than once.
     moved: Vec<u32>,
+    /// Those that were touched before it, since the one before.
+    settled: Vec<u32>,
     /// Those of them that have left their fat box, have none yet, or are gone.
     escaped: SlotSet,
     horizon: Horizon,
@@ -98,10 +72,35 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
-    /// What the last update has drawn anew, if that is followed.
-    redrawn: Redrawn,
-    pub(crate) is_followed: bool,
     pub(crate) stopwatch: Stopwatch,
+}
+
+/// Places and moves proxies in slots for which there is room.
+pub(crate) struct Mover<'a, R, const D: usize> {
+    boxes: &'a mut [Aabb<R, D>],
+    fat_boxes: &'a [Aabb<R, D>],
+    moved: &'a mut Vec<u32>,
+    escaped: &'a mut SlotSet,
+}
+
+impl<R: Real, const D: usize> Mover<'_, R, D> {
+    /// The box under a slot; all NaN if there is no proxy.
+    #[inline(always)]
+    pub(crate) fn held(&self, slot: u32) -> &Aabb<R, D> {
+        &self.boxes[slot as usize]
+    }
+
+    /// Places or moves the proxy of a slot. `aabb` must be valid.
+    #[inline(always)]
+    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
+        debug_assert!(aabb.is_valid());
+        let index = slot as usize;
+        self.boxes[index] = aabb;
+        self.moved.push(slot);
+        if !self.fat_boxes[index].contains(&aabb) {
+            self.escaped.insert(slot);
+        }
+    }
 }
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -116,6 +115,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             are_filtered: false,
             former_keys: Vec::new(),
             moved: Vec::new(),
+            settled: Vec::new(),
             escaped: SlotSet::default(),
             horizon: Horizon::FIRST,
             fixed_foresight: foresight,
@@ -123,8 +123,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             candidates: Candidates::default(),
             layers: Layers::new(kernel, layers),
             found: Vec::new(),
-            redrawn: Redrawn::default(),
-            is_followed: false,
             stopwatch: Stopwatch::default(),
         }
     }
@@ -141,14 +139,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
-    #[inline(always)]
     pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
-        debug_assert!(aabb.is_valid());
-        let index = slot as usize;
-        self.boxes[index] = aabb;
-        self.moved.push(slot);
-        if !self.fat_boxes[index].contains(&aabb) {
-            self.escaped.insert(slot);
+        self.mover().place(slot, aabb);
+    }
+
+    /// Places or moves many proxies.
+    pub(crate) fn mover(&mut self) -> Mover<'_, R, D> {
+        Mover {
+            boxes: &mut self.boxes,
+            fat_boxes: &self.fat_boxes,
+            moved: &mut self.moved,
+            escaped: &mut self.escaped,
         }
     }
 
@@ -206,12 +207,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Takes a proxy away; its pairs end with a [`PairChange::Deleted`] each.
+    /// Takes a proxy away; its pairs end with a [`PairChange::Deleted`] each. Its fat box stays until then, like its
+    /// candidates.
     pub(crate) fn refuse(&mut self, slot: u32) {
         let index = slot as usize;
         if index < self.boxes.len() {
             self.boxes[index] = absent();
-            self.fat_boxes[index] = absent();
             self.moved.push(slot);
             self.escaped.insert(slot);
         }
@@ -225,19 +226,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Whether proxies were placed, refused or removed since the last `finish`.
-    pub(crate) fn is_touched(&self) -> bool {
-        !self.moved.is_empty()
+    /// The slots whose proxies were placed, refused or removed since the last `finish`; some may occur more than once.
+    pub(crate) fn touched(&self) -> &[u32] {
+        &self.moved
     }
 
-    /// The fat boxes by slot; all NaN where there is no proxy.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        &self.fat_boxes
+    /// The boxes by slot; all NaN where there is no proxy.
+    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
+        &self.boxes
     }
 
-    /// The fat boxes that the last call of [`finish`](Self::finish) has drawn anew, if that is followed.
-    pub(crate) fn redrawn(&self) -> &Redrawn {
-        &self.redrawn
+    /// The slots whose boxes the last update has changed or taken away; some may occur more than once.
+    pub(crate) fn settled(&self) -> &[u32] {
+        &self.settled
     }
 
     /// The held pairs, by slots, smaller first.
@@ -250,7 +251,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
     }
 
-    /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs, the times of phases.
+    /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs.
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.held_count();
         stats.candidates = self.candidates.len();
@@ -259,7 +260,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         stats.full_runs = self.full_runs;
         stats.classes = self.layers.classes();
         stats.strips = self.layers.strips();
-        stats.times = self.stopwatch.times;
     }
 
     /// Brings the pairs up to date and reports what has changed since the last call.
@@ -269,7 +269,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// that is much, there is a run of the kernel over all proxies.
     pub(crate) fn finish(&mut self, mut report: impl FnMut(PairChange)) {
         let lap = self.stopwatch.start();
-        if self.is_touched() {
+        if !self.moved.is_empty() {
             self.candidates.compact_if_sparse();
             // Stable: of several keys that a slot has had in this update, the first one is kept.
             self.former_keys.sort_by_key(|&(slot, _)| slot);
@@ -278,13 +278,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let plan = Plan::of::<D>(&self.known(), || {
             mean_speed(&self.moved, &self.boxes, &self.previous)
         });
-        self.redrawn = match plan {
-            _ if !self.is_followed => Redrawn::default(),
-            Plan::FullRun(_) => Redrawn::All,
-            _ => Redrawn::Slots(self.escaped.slots().to_vec()),
-        };
         let lap = match plan {
-            Plan::Nothing => return,
+            Plan::Nothing => {
+                self.settled.clear();
+                return;
+            }
             Plan::Compare(extent) => {
                 self.layers.count_update();
                 self.found.clear();
@@ -468,38 +466,59 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
         }
+        std::mem::swap(&mut self.moved, &mut self.settled);
         self.moved.clear();
         self.escaped.clear();
         self.former_keys.clear();
     }
 
-    /// Panics unless the held pairs are exactly those that overlap, by a full run of a kernel, and everything else that
-    /// is kept is consistent.
+    /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full run of a
+    /// kernel, and everything else that is kept is consistent.
     pub(crate) fn validate(&self, kernel: Kernel) {
-        assert!(!self.is_touched(), "an update was not finished");
-        assert_eq!(self.boxes.len(), self.previous.len());
-        assert_eq!(self.boxes.len(), self.fat_boxes.len());
-        assert_eq!(self.boxes.len(), self.keys.len());
+        let Self {
+            boxes,
+            previous,
+            fat_boxes,
+            keys,
+            ..
+        } = self;
+        assert_eq!(boxes.len(), previous.len());
+        assert_eq!(boxes.len(), fat_boxes.len());
+        assert_eq!(boxes.len(), keys.len());
         assert!(self.former_keys.is_empty());
-        for (slot, (now, before)) in self.boxes.iter().zip(&self.previous).enumerate() {
-            let is_settled = now == before || !(now.is_valid() || before.is_valid());
-            assert!(is_settled, "the box of slot {slot} is not settled");
-        }
-        for (slot, (aabb, fat)) in self.boxes.iter().zip(&self.fat_boxes).enumerate() {
-            let is_sound = fat.contains(aabb) || !(aabb.is_valid() || fat.is_valid());
+        for (slot, (before, fat)) in previous.iter().zip(fat_boxes).enumerate() {
+            let is_sound = fat.contains(before) || !(before.is_valid() || fat.is_valid());
             assert!(is_sound, "the box of slot {slot} is not in its fat box");
         }
-        self.candidates.validate(&self.boxes);
+        let mut moved = SlotSet::default();
+        moved.make_room(boxes.len());
+        self.moved.iter().for_each(|&slot| moved.insert(slot));
+        for slot in 0..boxes.len() as u32 {
+            let i = slot as usize;
+            let is_settled =
+                boxes[i] == previous[i] || !(boxes[i].is_valid() || previous[i].is_valid());
+            assert!(
+                is_settled || moved.contains(slot),
+                "the box of slot {slot} is not settled"
+            );
+            assert!(
+                is_settled || fat_boxes[i].contains(&boxes[i]) || self.escaped.contains(slot),
+                "slot {slot} has escaped unnoticed"
+            );
+        }
+        let is_moved = |&slot: &u32| moved.contains(slot);
+        assert!(self.escaped.slots().iter().all(is_moved));
+        self.candidates.validate(previous);
         let check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
-            let mut expected = overlapping(kernel, boxes, &self.keys);
+            let mut expected = overlapping(kernel, boxes, keys);
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
         };
-        check(self.pairs().collect(), &self.boxes, "the held pairs");
+        check(self.pairs().collect(), previous, "the held pairs");
         check(
             self.candidates.iter().collect(),
-            &self.fat_boxes,
+            fat_boxes,
             "the candidates",
         );
     }

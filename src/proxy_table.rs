@@ -6,9 +6,10 @@
 //! changed.
 //!
 //! Boxes come from one of two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that
-//! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles. Either way each box gets one
-//! [`Verdict`].
+//! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles between two updates. Either way
+//! each box gets one [`Verdict`].
 
+mod handing_over;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
@@ -18,9 +19,10 @@ mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{FilterKey, PairChange, PairTracker, Redrawn};
+use crate::pair_tracker::{FilterKey, PairChange, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::{Aabb, Kernel, Real, Settings, Stats};
+use handing_over::Awaited;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
@@ -55,12 +57,26 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     generations: Vec<Option<u32>>,
     /// What is remembered of the collider in each slot, as many as generations.
     memos: Vec<M>,
-    /// A collider whose slot has no box is refused.
+    /// Colliders as of now, of which one whose slot has no box is refused; the rest as of the last update.
     stats: Stats,
     has_warned: bool,
-    /// Whether an update has begun that is not finished.
-    is_begun: bool,
+    gathered: Gathered,
+    /// In the order in which their boxes were handed over.
+    awaited: Vec<Awaited<R, D>>,
     reader: Reader,
+}
+
+/// What was gathered for the update that is not finished.
+#[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+struct Gathered {
+    is_begun: bool,
+    /// As in [`Stats`].
+    listed: usize,
+    moved: usize,
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
@@ -81,7 +97,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             memos: Vec::new(),
             stats: Stats::default(),
             has_warned: false,
-            is_begun: false,
+            gathered: Gathered::default(),
+            awaited: Vec::new(),
             reader: Reader::default(),
         }
     }
@@ -93,19 +110,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         stats
     }
 
-    /// The fat boxes by slot; invalid where there is no box.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        self.tracker.fat_boxes()
+    /// The boxes by slot; invalid where there is none.
+    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
+        self.tracker.boxes()
     }
 
-    /// From now on, records which fat boxes each update has [drawn anew](Self::redrawn), or no longer does.
-    pub(crate) fn follow_redrawn(&mut self, is_followed: bool) {
-        self.tracker.is_followed = is_followed;
+    /// The slots whose boxes have been handed over since the last update, or were taken away; some may occur more than once.
+    pub(crate) fn touched(&self) -> &[u32] {
+        self.tracker.touched()
     }
 
-    /// The fat boxes that the last update has drawn anew, if that is recorded.
-    pub(crate) fn redrawn(&self) -> &Redrawn {
-        self.tracker.redrawn()
+    /// The slots whose boxes the last update has renewed or taken away; some may occur more than once.
+    pub(crate) fn renewed(&self) -> &[u32] {
+        self.tracker.settled()
     }
 
     /// The held pairs, by slots, smaller first.
@@ -148,48 +165,38 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin();
-        self.stats.listed += listed.len() + removed.len();
+        self.gathered.listed += listed.len() + removed.len();
         let lap = self.tracker.stopwatch.start();
         // Removals first: a listed collider may already have the slot of a removed one.
         for &handle in removed {
             self.remove(handle);
         }
+        self.forget_awaited(removed);
+        self.admit_awaited(source, margin);
         let mut reader = std::mem::take(&mut self.reader);
         reader.read(self, listed, source, margin);
         self.reader = reader;
         self.tracker.stopwatch.lap(lap, |times| &mut times.read);
     }
 
-    /// Brings the box of a collider up to date with one that is handed over, without the margin, as a part of the next
-    /// [update](Self::update). The collider must exist, because memory grows with the highest slot. It keeps its filter
-    /// key.
-    #[cfg_attr(
-        not(test),
-        expect(
-            dead_code,
-            reason = "the second source: no adapter hands boxes over yet, only the tests do"
-        )
-    )]
-    pub(crate) fn hand_over(&mut self, handle: impl Handle, aabb: &Aabb<R, D>, margin: R) {
-        self.begin();
-        self.stats.listed += 1;
-        let known = self.slot_of(handle);
-        let key = known.map_or(K::default(), |slot| self.tracker.key(slot));
-        self.admit(handle, margin, |_| Some((*aabb, key)));
+    /// Whether there is an update to finish, because boxes were handed over.
+    pub(crate) fn is_begun(&self) -> bool {
+        self.gathered.is_begun
     }
 
     /// Begins an update, if none has begun.
     fn begin(&mut self) {
-        if !std::mem::replace(&mut self.is_begun, true) {
-            self.stats = Stats {
-                updates: self.stats.updates.wrapping_add(1),
-                listed: 0,
-                moved: 0,
-                added: 0,
-                deleted: 0,
-                ..self.stats
-            };
+        if !std::mem::replace(&mut self.gathered.is_begun, true) {
             self.tracker.stopwatch.times = PhaseTimes::default();
+        }
+    }
+
+    /// Makes room for this number of slots, if there is less.
+    fn make_room(&mut self, slots: usize) {
+        if slots > self.generations.len() {
+            self.generations.resize(slots, None);
+            self.memos.resize(slots, M::default());
+            self.tracker.make_room(slots);
         }
     }
 
@@ -211,12 +218,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
-        if index >= self.generations.len() {
-            self.generations.resize(index + 1, None);
-            self.memos.resize(index + 1, M::default());
-            // Also if its box is not sound, because the work of an update is planned by the number of slots.
-            self.tracker.make_room(index + 1);
-        }
+        // Also if its box is not sound, because the work of an update is planned by the number of slots.
+        self.make_room(index + 1);
         match self.generations[index] {
             Some(known) if known == generation => {}
             known => {
@@ -235,12 +238,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             Verdict::Keep => {}
             Verdict::Renew(renewed) => {
                 self.tracker.place(slot, renewed);
-                self.stats.moved += 1;
+                self.gathered.moved += 1;
             }
             Verdict::Recheck if aabb.is_valid() => {
                 // A new box gets no margin, as in Rapier: what never moves never needs one.
                 self.tracker.place(slot, aabb);
-                self.stats.moved += 1;
+                self.gathered.moved += 1;
                 self.stats.proxies += 1;
                 self.stats.refused -= 1;
             }
@@ -254,7 +257,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let slot = handle.into_raw_parts().0;
         if self.tracker.get(slot).is_some() {
             self.tracker.refuse(slot);
-            self.stats.moved += 1;
+            self.gathered.moved += 1;
             self.stats.proxies -= 1;
             self.stats.refused += 1;
         }
@@ -276,11 +279,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     ) {
         self.tracker.finish(|change| changes.push(change));
         let lap = self.tracker.stopwatch.start();
-        self.is_begun = false;
+        let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let before = events.len();
         let Self {
             generations, stats, ..
         } = self;
+        stats.updates = stats.updates.wrapping_add(1);
+        stats.listed = listed;
+        stats.moved = moved;
+        stats.added = 0;
         events.extend(changes.drain(..).map(|change| {
             // Whether it begins or ends is as good as random, so there is no branch on it.
             let (is_added, pair) = match change {
@@ -292,6 +299,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }));
         stats.deleted = events.len() - before - stats.added;
         self.tracker.stopwatch.lap(lap, |times| &mut times.events);
+        self.stats.times = self.tracker.stopwatch.times;
     }
 }
 
@@ -311,10 +319,14 @@ impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
         assert_eq!(self.generations.len(), self.memos.len());
         let known = self.generations.iter().flatten().count();
         assert_eq!(self.stats.proxies + self.stats.refused, known);
-        assert_eq!(self.stats.proxies, self.tracker.proxies().count());
+        let awaited: Vec<_> = self.awaited.iter().map(|awaited| awaited.slot).collect();
+        let mut proxies = 0;
         for (slot, _) in self.tracker.proxies() {
-            assert!(self.generations[slot as usize].is_some());
+            let is_known = self.generations[slot as usize].is_some();
+            assert!(is_known || awaited.contains(&slot));
+            proxies += usize::from(is_known);
         }
+        assert_eq!(self.stats.proxies, proxies);
         self.tracker.validate(kernel);
     }
 }

@@ -1,9 +1,10 @@
-//! The broad phase for rapier2d 0.36, for programs that drive collision detection by themselves.
+//! The broad phase for rapier2d 0.36.
 //!
-//! Rapier 0.36 has no trait for broad phases: its pipelines take only their own. But sensors, crowds, and particles with
-//! dynamics of their own do not need the pipelines. [`UnisizeBroadPhase::update`] has the arguments of
-//! `BroadPhaseBvh::update`, gives the same events, and filters pairs in the same way; `docs/newest-rapier.md` says what
-//! is possible and what is not.
+//! Rapier 0.36 has no trait for broad phases: its pipelines take only their own. With a copy of Rapier that `open-rapier` has
+//! opened, `DefaultBroadPhase::custom(UnisizeBroadPhase::new())` takes the place of `DefaultBroadPhase::new()` in all of
+//! them. Without one, sensors, crowds, and particles with dynamics of their own do not need the pipelines:
+//! [`UnisizeBroadPhase::update`] has the arguments of `BroadPhaseBvh::update`, gives the same events, and filters pairs in
+//! the same way, and [`UnisizeBroadPhase::set_aabb`] hands over boxes that are known. `docs/newest-rapier.md` says more.
 
 use ::rapier2d_0_36 as rapier;
 
@@ -16,6 +17,10 @@ mod dimension;
 
 #[path = "adapter/rapier_0_36/mod.rs"]
 mod version;
+
+#[cfg(opened_rapier2d)]
+#[path = "adapter/rapier_0_36/seam.rs"]
+mod seam;
 
 pub use crate::{Kernel, PairFilter, Stats};
 pub use adapter::{Settings, UnisizeBroadPhase};

@@ -62,6 +62,11 @@ pub(crate) mod update {
     /// to a core whose caches are cold.
     pub(crate) const THREADS_FROM: usize = 1 << 14;
 
+    /// Slots. A box may be handed over for a collider that is not known, and that may not exist. Up to this far beyond all
+    /// known slots it is shown to queries at once. Above: a wrong handle takes more memory. Below: a program that hands over
+    /// the boxes of a new world in any order, and asks before its first update, does not find them all.
+    pub(crate) const ROOM_AHEAD: usize = 1 << 16;
+
     /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
     pub(crate) const SLOTS_A_TASK: usize = 1 << 14;
 
@@ -137,15 +142,15 @@ pub(crate) mod update {
 /// The tree for queries. Shown by the example `compare` with `--rays 1`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod queries {
-    /// Leaves. A tree of no more is built afresh whenever it is outdated: it is as cheap, and Parry's trees that lose nearly
-    /// all leaves are not sound.
-    pub(crate) const BUILD_UP_TO: usize = 16;
+    /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
+    /// sound, and is never optimized: all of it can be visited in no time.
+    pub(crate) const SMALL_UP_TO: usize = 16;
 
     /// Updates. A tree that has not been asked for in this many is given up. Above: scenes that have stopped asking go
     /// on noting what has changed. Below: a program that asks now and then builds a tree each time.
     pub(crate) const KEEP_UNASKED: u32 = 64;
 
-    /// One leaf in this many. Up to that, each redrawn leaf enlarges its ancestors by itself; with more, all nodes are
+    /// One leaf in this many. Up to that, each renewed leaf enlarges its ancestors by itself; with more, all nodes are
     /// computed anew. Above: a pass over the whole tree for a few leaves. Below: ancestors are written many times.
     pub(crate) const PROPAGATE_UP_TO_ONE_IN: usize = 16;
 

@@ -79,7 +79,7 @@ impl OpenedCopy {
         let contents =
             contents.with_context(|| format!("{} is missing; nothing was written", edit.file))?;
         let text =
-            str::from_utf8(contents).with_context(|| format!("{} is not UTF-8", edit.file))?;
+            std::str::from_utf8(contents).with_context(|| format!("{} is not UTF-8", edit.file))?;
         *contents = edit.apply(text, self.package)?.into_bytes();
         Ok(())
     }

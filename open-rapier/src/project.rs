@@ -41,12 +41,15 @@ impl Project {
         };
         let mut sources = asking.fetched(entries.iter().map(|entry| entry.package))?;
         let options = entries.iter().flat_map(|entry| {
-            let source =
+            let path =
                 toml_edit::Value::from(sources[entry.package].to_string_lossy().into_owned());
-            let value = format!("{{ package = \"{}\", path = {source} }}", entry.package);
+            let key = format!("patch.crates-io.{}", entry.key);
+            let package = format!("{key}.package=\"{}\"", entry.package);
             [
                 "--config".to_owned(),
-                format!("patch.crates-io.{}={value}", entry.key),
+                package,
+                "--config".to_owned(),
+                format!("{key}.path={path}"),
             ]
         });
         let metadata = asking.metadata(options.collect())?;
@@ -64,7 +67,7 @@ impl Project {
                 other_versions.push(package);
             } else if is_published(package) {
                 sources.insert(name, folder(package));
-            } else if normal(&folder(package)) == out.join(name) {
+            } else if folder(package) == out.join(name) {
                 // Patched somewhere else than in the manifest.
                 copies.push(name);
             } else {
@@ -211,9 +214,11 @@ fn is_published(package: &Package) -> bool {
 }
 
 fn folder(package: &Package) -> PathBuf {
-    package
-        .manifest_path
-        .parent()
-        .map(PathBuf::from)
-        .unwrap_or_default()
+    normal(
+        package
+            .manifest_path
+            .as_std_path()
+            .parent()
+            .unwrap_or(Path::new("")),
+    )
 }

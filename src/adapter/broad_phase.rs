@@ -6,7 +6,9 @@ use super::filter_key::Key;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet};
+use super::rapier::geometry::{
+    Aabb as RapierAabb, BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet,
+};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::pair_tracker::PairChange;
@@ -112,6 +114,25 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
+    /// Takes boxes that are handed over, as a part of the next update.
+    #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
+    pub(crate) fn hand_over(
+        &mut self,
+        params: &IntegrationParameters,
+        aabbs: &[(ColliderHandle, RapierAabb)],
+    ) {
+        if aabbs.is_empty() {
+            return;
+        }
+        let margin = self.margin(params);
+        let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
+        let touched = self.table.touched().len();
+        self.table.hand_over(aabbs, margin);
+        if self.table.touched().len() > touched {
+            self.query_tree.unsettle();
+        }
+    }
+
     /// One update, with the modified and the removed colliders in this order.
     pub(crate) fn bring_up_to_date(
         &mut self,
@@ -121,14 +142,12 @@ impl UnisizeBroadPhase {
         lists: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        if lists.iter().all(|handles| handles.is_empty()) {
+        if lists.iter().all(|handles| handles.is_empty()) && !self.table.is_begun() {
             return;
         }
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);
         self.table.update(lists, &boxes, margin);
-        let is_tree_kept = self.query_tree.is_kept();
-        self.table.follow_redrawn(is_tree_kept);
         self.table
             .finish(&mut self.changes, events, |is_added, [first, second]| {
                 let pair = ColliderPair::new(first, second);
@@ -138,8 +157,7 @@ impl UnisizeBroadPhase {
                     BroadPhasePairEvent::DeletePair(pair)
                 }
             });
-        if is_tree_kept {
-            self.query_tree.note(self.table.redrawn());
-        }
+        let (renewed, slots) = (self.table.renewed(), self.table.boxes().len());
+        self.query_tree.note(renewed, slots);
     }
 }

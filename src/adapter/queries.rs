@@ -16,8 +16,7 @@ impl UnisizeBroadPhase {
     /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first call after an
     /// update brings it up to date, in well under a tenth of that time; further calls are free.
     ///
-    /// Answers are those of Rapier's own broad phase, with one exception: `intersect_aabb_conservative` may return more
-    /// colliders, because it uses boxes that are drawn out ahead of the colliders' motion.
+    /// Its boxes are those of Rapier's own broad phase, and so are the answers.
     pub fn as_query_pipeline<'a>(
         &'a self,
         dispatcher: &'a dyn QueryDispatcher,
@@ -51,7 +50,7 @@ impl UnisizeBroadPhase {
         }
     }
 
-    fn tree(&self) -> &Bvh {
-        self.query_tree.of(self.table.fat_boxes())
+    pub(crate) fn tree(&self) -> &Bvh {
+        self.query_tree.of(self.table.boxes(), self.table.touched())
     }
 }

@@ -1,17 +1,17 @@
 //! The tree that answers queries, kept between updates.
 //!
 //! It costs nothing until it is asked for: it is built at the first query, and brought up to date when the next one
-//! comes. Its leaves are the fat boxes, so only those that were drawn anew have to be written, which in most updates are
-//! few. A fat box contains its collider's box, so a query visits a few more leaves, but still decides by the shapes.
+//! comes. Its leaves are the boxes of the table, the same that Rapier's own broad phase has as its leaves, because some
+//! answers depend on them: a query for boxes returns what its leaves are, and Parry's tests of shapes have a tolerance. Only
+//! the boxes that were renewed are written, each in its place.
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::rapier::geometry::Aabb;
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
-use crate::pair_tracker::Redrawn;
 use crate::tuning::queries::{
-    BUILD_UP_TO, KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, PROPAGATE_UP_TO_ONE_IN, REORDER_FROM_ONE_IN,
+    KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, PROPAGATE_UP_TO_ONE_IN, REORDER_FROM_ONE_IN, SMALL_UP_TO,
     TIGHTEN_FROM_ONE_IN,
 };
 
@@ -23,10 +23,17 @@ type Boxes<'a> = &'a [crate::Aabb<Real, DIM>];
 pub(super) struct QueryTree {
     /// As of the last update.
     current: OnceLock<Tree>,
-    /// As of an earlier update, and what has changed since.
-    outdated: Mutex<Option<(Tree, Redrawn)>>,
+    /// As of an earlier update.
+    outdated: Mutex<Option<Outdated>>,
     /// Updates since it was last asked for.
     unasked: u32,
+}
+
+/// A tree, and the slots whose boxes have changed since; some may occur more than once.
+#[derive(Clone)]
+struct Outdated {
+    tree: Tree,
+    renewed: Vec<u32>,
 }
 
 #[derive(Clone)]
@@ -37,10 +44,12 @@ struct Tree {
     /// Leaves written since the tree was last optimized, and removed since its nodes were last put in order.
     written: usize,
     removed: usize,
-    /// Whether a leaf that is gone could not be removed.
+    /// Whether a leaf is gone that could not be removed.
     is_unsound: bool,
     /// Leaves written whose ancestors may be larger than necessary.
     loose: usize,
+    /// How many of the boxes handed over since the last update it has.
+    seen: usize,
 }
 
 /// Scratch memory of Parry's, which cannot be cloned.
@@ -64,48 +73,66 @@ impl Clone for QueryTree {
 }
 
 impl QueryTree {
-    /// Whether there is a tree, so that changes are to be [noted](Self::note).
-    pub(super) fn is_kept(&mut self) -> bool {
-        self.current.get().is_some() || self.outdated_mut().is_some()
-    }
-
-    /// Takes note of the fat boxes that an update has drawn anew. A tree that is no longer asked for is given up in the
-    /// end.
-    pub(super) fn note(&mut self, redrawn: &Redrawn) {
-        if let Some(tree) = self.current.take() {
-            self.unasked = 0;
-            if redrawn.is_empty() {
+    /// Takes note of the boxes that an update has renewed, of this number of slots. A tree that is no longer asked for is
+    /// given up in the end.
+    pub(super) fn note(&mut self, renewed: &[u32], slots: usize) {
+        if let Some(tree) = self.current.get_mut() {
+            if tree.seen >= renewed.len() {
                 // It is still up to date.
-                self.current = OnceLock::from(tree);
+                tree.seen = 0;
+                self.unasked = 0;
                 return;
             }
-            *self.outdated_mut() = Some((tree, Redrawn::default()));
         }
-        self.unasked += 1;
+        self.unsettle();
+        self.unasked = self.unasked.saturating_add(1);
         let is_given_up = self.unasked > KEEP_UNASKED;
         let outdated = self.outdated_mut();
         if is_given_up {
             *outdated = None;
-        } else if let Some((_, all)) = outdated {
-            all.extend(redrawn);
+        } else if let Some(Outdated { tree, renewed: all }) = outdated {
+            all.extend_from_slice(&renewed[std::mem::take(&mut tree.seen).min(renewed.len())..]);
+            if all.len() > slots {
+                // Many have changed more than once, and no more than all can have.
+                all.clear();
+                all.extend(0..slots as u32);
+            }
         }
     }
 
-    /// The tree of these boxes. **O(n log n)** at first, then **O(n)** with a small constant once after an update in which
-    /// fat boxes were drawn anew, and **O(1)** otherwise.
-    pub(super) fn of(&self, boxes: Boxes) -> &Bvh {
-        let tree = self.current.get_or_init(|| match self.lock().take() {
-            Some((tree, redrawn)) => tree.refreshed(boxes, &redrawn),
-            None => Tree::new(boxes),
+    /// Takes note that boxes have been handed over since it was last asked for.
+    pub(super) fn unsettle(&mut self) {
+        if let Some(tree) = self.current.take() {
+            self.unasked = 0;
+            *self.outdated_mut() = Some(Outdated {
+                tree,
+                renewed: Vec::new(),
+            });
+        }
+    }
+
+    /// The tree of these boxes, of which those of the `touched` slots were handed over since the last update.
+    /// **O(n log n)** at first, then **O(n)** with a small constant once after boxes were renewed, and **O(1)** otherwise.
+    pub(super) fn of(&self, boxes: Boxes, touched: &[u32]) -> &Bvh {
+        let tree = self.current.get_or_init(|| {
+            let mut tree = match self.lock().take() {
+                Some(Outdated { tree, mut renewed }) => {
+                    renewed.extend_from_slice(&touched[tree.seen.min(touched.len())..]);
+                    tree.refreshed(boxes, &renewed)
+                }
+                None => Tree::new(boxes),
+            };
+            tree.seen = touched.len();
+            tree
         });
         &tree.bvh
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Option<(Tree, Redrawn)>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Option<Outdated>> {
         self.outdated.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn outdated_mut(&mut self) -> &mut Option<(Tree, Redrawn)> {
+    fn outdated_mut(&mut self) -> &mut Option<Outdated> {
         self.outdated
             .get_mut()
             .unwrap_or_else(PoisonError::into_inner)
@@ -137,33 +164,29 @@ impl Tree {
             removed: 0,
             is_unsound: false,
             loose: 0,
+            seen: 0,
         }
     }
 
-    /// The tree with the leaves of redrawn boxes brought up to date.
-    fn refreshed(mut self, boxes: Boxes, redrawn: &Redrawn) -> Self {
-        match redrawn {
-            Redrawn::Slots(slots) if slots.len() * PROPAGATE_UP_TO_ONE_IN < self.leaves => {
-                for &slot in slots {
-                    self.write(slot as usize, boxes, Bvh::insert);
-                }
-                self.loose += slots.len();
+    /// The tree with the leaves of these slots brought up to date.
+    fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
+        if renewed.len() * PROPAGATE_UP_TO_ONE_IN < self.leaves {
+            for &slot in renewed {
+                self.write(slot as usize, boxes, Bvh::insert);
             }
-            Redrawn::Slots(slots) => {
-                for &slot in slots {
-                    self.write(slot as usize, boxes, write_leaf);
-                }
-                self.loose = self.leaves;
+            self.loose += renewed.len();
+        } else {
+            for &slot in renewed {
+                self.write(slot as usize, boxes, write_leaf);
             }
-            Redrawn::All => {
-                for slot in 0..boxes.len() {
-                    self.write(slot, boxes, write_leaf);
-                }
-                self.loose = self.leaves;
-            }
+            self.loose = self.leaves;
         }
-        if self.is_unsound || self.leaves <= BUILD_UP_TO {
+        if self.is_unsound {
             return Self::new(boxes);
+        }
+        if self.leaves <= SMALL_UP_TO {
+            self.bvh.refit_without_opt();
+            return self;
         }
         let is_due = self.written * OPTIMIZE_FROM_ONE_IN > self.leaves;
         if is_due {
@@ -183,13 +206,17 @@ impl Tree {
 
     /// Brings the leaf of a slot up to date; `insert` writes it if its box has changed.
     fn write(&mut self, slot: usize, boxes: Boxes, insert: impl Fn(&mut Bvh, Aabb, u32)) {
+        if self.is_unsound {
+            // It will be built afresh.
+            return;
+        }
         let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
         let aabb = &boxes[slot];
         if !aabb.is_valid() {
             if leaf.is_none() {
                 return;
             }
-            if self.leaves > BUILD_UP_TO {
+            if self.leaves > SMALL_UP_TO {
                 self.bvh.remove(slot as u32);
                 self.removed += 1;
             } else {

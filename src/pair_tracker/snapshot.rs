@@ -2,7 +2,8 @@
 //!
 //! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order
 //! of the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
-//! the one that was written does. What can be derived from it is not written but made anew: which candidates are held,
+//! the one that was written does. Between two updates boxes may have been handed over, so what has been touched since the
+//! last one is written too. What can be derived from it is not written but made anew: which candidates are held,
 //! lists, sorted layers. What is read is checked, so a tracker that was read is always consistent.
 
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::candidates::CandidatesSnapshot;
 use super::layers::LayersSnapshot;
 use super::{FilterKey, Horizon, PairTracker, absent, overlapping};
+use crate::slot_set::SlotSet;
 use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come.
@@ -19,8 +21,14 @@ use crate::{Aabb, Kernel, Real};
     deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
 ))]
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
-    /// By slot.
+    /// By slot, as of the last `finish`.
     proxies: Vec<Option<Proxy<R, D, K>>>,
+    /// The keys of slots without a proxy, except default ones: a box that is handed over does not bring its key.
+    other_keys: Vec<(u32, K)>,
+    /// The slots that were touched since, with the boxes that they have now.
+    touched: Vec<(u32, Option<Aabb<R, D>>)>,
+    /// Those of them that have left their fat box, have none yet, or are gone.
+    escaped: Vec<u32>,
     horizon: Horizon,
     full_runs: u64,
     candidates: CandidatesSnapshot,
@@ -42,13 +50,24 @@ struct Proxy<R, const D: usize, K> {
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
-        debug_assert!(!self.is_touched(), "an update was not finished");
-        let proxies = self.boxes.iter().zip(&self.fat_boxes).zip(&self.keys);
+        debug_assert!(self.former_keys.is_empty(), "an update has begun");
+        let proxies = self.previous.iter().zip(&self.fat_boxes).zip(&self.keys);
         let proxy = |((&aabb, &fat), &key): ((&Aabb<R, D>, _), _)| {
             aabb.is_valid().then_some(Proxy { aabb, fat, key })
         };
+        let other_keys = (0..).zip(self.previous.iter().zip(&self.keys));
+        let other_keys = other_keys
+            .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
+            .map(|(slot, (_, &key))| (slot, key));
+        let touched = self
+            .moved
+            .iter()
+            .map(|&slot| (slot, self.get(slot).copied()));
         TrackerSnapshot {
             proxies: proxies.map(proxy).collect(),
+            other_keys: other_keys.collect(),
+            touched: touched.collect(),
+            escaped: self.escaped.slots().to_vec(),
             horizon: self.horizon,
             full_runs: self.full_runs,
             candidates: self.candidates.snapshot(),
@@ -66,6 +85,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     ) -> Result<(), &'static str> {
         let TrackerSnapshot {
             proxies,
+            other_keys,
+            touched,
+            escaped,
             horizon,
             full_runs,
             candidates,
@@ -85,13 +107,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 }
                 Some(Proxy { aabb, fat, .. }) => [*aabb, *fat],
             };
-            self.boxes.push(aabb);
+            self.previous.push(aabb);
             self.fat_boxes.push(fat);
             self.keys
                 .push(proxy.map_or(K::default(), |proxy| proxy.key));
         }
-        self.previous.clone_from(&self.boxes);
-        self.escaped.make_room(self.boxes.len());
+        for (slot, key) in other_keys {
+            match (
+                self.keys.get_mut(slot as usize),
+                self.previous.get(slot as usize),
+            ) {
+                (Some(known), Some(before)) if !before.is_valid() => *known = key,
+                _ => return Err("snapshot: a filter key has no slot, or two"),
+            }
+        }
         if !horizon.is_sound() {
             return Err("snapshot: the horizon is out of range (0 to 64 moves)");
         }
@@ -99,7 +128,43 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
-        self.candidates = candidates.restore(&self.boxes, found)?;
-        self.layers.restore(layers, &self.fat_boxes)
+        self.candidates = candidates.restore(&self.previous, found)?;
+        self.layers.restore(layers, &self.fat_boxes)?;
+        self.restore_touched(touched, &escaped)
+    }
+
+    /// Touches slots again, as they were touched since the last `finish`.
+    fn restore_touched(
+        &mut self,
+        touched: Vec<(u32, Option<Aabb<R, D>>)>,
+        escaped: &[u32],
+    ) -> Result<(), &'static str> {
+        self.boxes.clone_from(&self.previous);
+        self.escaped.make_room(self.boxes.len());
+        let mut moved = SlotSet::default();
+        moved.make_room(self.boxes.len());
+        for &(slot, aabb) in &touched {
+            let held = self.boxes.get_mut(slot as usize);
+            *held.ok_or("snapshot: a touched slot is out of range")? = aabb.unwrap_or(absent());
+            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
+                return Err("snapshot: a box that was handed over is not valid");
+            }
+            moved.insert(slot);
+            self.moved.push(slot);
+        }
+        for &slot in escaped {
+            if !moved.contains(slot) || self.escaped.contains(slot) {
+                return Err("snapshot: an escaped slot was not touched, or escapes twice");
+            }
+            self.escaped.insert(slot);
+        }
+        let is_noticed = |&slot: &u32| {
+            let [aabb, fat] = [&self.boxes, &self.fat_boxes].map(|boxes| &boxes[slot as usize]);
+            fat.contains(aabb) || self.escaped.contains(slot)
+        };
+        if !self.moved.iter().all(is_noticed) {
+            return Err("snapshot: a box has left its fat box and is not among the escaped");
+        }
+        Ok(())
     }
 }

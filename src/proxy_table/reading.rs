@@ -234,7 +234,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     fn note(&mut self, moved: &[u32], escaped: &[u32]) {
-        self.stats.moved += moved.len();
+        self.gathered.moved += moved.len();
         self.tracker.note(moved, escaped);
     }
 }

@@ -4,9 +4,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ProxyTable;
+use super::{Awaited, Gathered, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
-use crate::{Aabb, PhaseTimes, Real, Settings, Stats};
+use crate::slot_set::SlotSet;
+use crate::{PhaseTimes, Real, Settings, Stats};
 
 /// What decides the events to come.
 #[derive(Serialize, Deserialize)]
@@ -18,6 +19,9 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     stats: Stats,
     has_warned: bool,
     generations: Vec<Option<u32>>,
+    /// What was handed over since the last update.
+    gathered: Gathered,
+    awaited: Vec<Awaited<R, D>>,
     tracker: TrackerSnapshot<R, D, K>,
 }
 
@@ -31,6 +35,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             },
             has_warned: self.has_warned,
             generations: self.generations.clone(),
+            gathered: self.gathered,
+            awaited: self.awaited.clone(),
             tracker: self.tracker.snapshot(),
         }
     }
@@ -47,6 +53,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             stats,
             has_warned,
             generations,
+            gathered,
+            awaited,
             tracker,
         } = snapshot;
         let mut table = Self::new(settings);
@@ -54,11 +62,34 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if table.tracker.slots() != generations.len() {
             return Err("snapshot: the generations are not as many as the slots");
         }
-        let is_known = |(slot, _): (u32, &Aabb<R, D>)| generations[slot as usize].is_some();
-        if !table.tracker.proxies().all(is_known) {
-            return Err("snapshot: a box has no collider");
+        if !gathered.is_begun && !(awaited.is_empty() && table.tracker.touched().is_empty()) {
+            return Err("snapshot: boxes were handed over for no update");
         }
-        let proxies = table.tracker.proxies().count();
+        if gathered.listed.max(gathered.moved) > u32::MAX as usize {
+            return Err("snapshot: more boxes were handed over than can be counted");
+        }
+        let mut is_awaited = SlotSet::default();
+        is_awaited.make_room(generations.len());
+        for awaited in &awaited {
+            if (awaited.slot as usize) < generations.len() {
+                is_awaited.insert(awaited.slot);
+            }
+        }
+        let mut proxies = 0;
+        for (slot, _) in table.tracker.proxies() {
+            let is_known = generations[slot as usize].is_some();
+            if !is_known && !is_awaited.contains(slot) {
+                return Err("snapshot: a box has no collider");
+            }
+            proxies += usize::from(is_known);
+        }
+        let is_known = |pair: [u32; 2]| {
+            pair.iter()
+                .all(|&slot| generations[slot as usize].is_some())
+        };
+        if !table.tracker.pairs().all(is_known) {
+            return Err("snapshot: a pair has no colliders");
+        }
         table.stats = Stats {
             proxies,
             refused: generations.iter().flatten().count() - proxies,
@@ -67,6 +98,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         table.has_warned = has_warned;
         table.memos.resize(generations.len(), M::default());
         table.generations = generations;
+        table.gathered = gathered;
+        table.awaited = awaited;
         Ok(table)
     }
 }

@@ -6,7 +6,7 @@ use oorandom::Rand32;
 
 use super::{BoxSource, FilterKey, Handle, ProxyTable};
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
-use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings};
+use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings, Stats};
 
 const MARGIN: f32 = 0.125;
 
@@ -100,6 +100,8 @@ struct Model {
     known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
     sides: BTreeMap<u32, Side>,
     held: BTreeSet<[u32; 2]>,
+    /// What the next update has to look for, with the boxes that were handed over.
+    awaited: Vec<(Id, Option<Aabb<f32, 2>>)>,
     moved: usize,
 }
 
@@ -115,9 +117,46 @@ impl Model {
         }
     }
 
-    /// Without a side, the collider keeps its own, or is of side 0.
-    fn read(&mut self, id: Id, aabb: Option<Aabb<f32, 2>>, side: Option<Side>) {
-        let Some(aabb) = aabb else {
+    /// A known collider keeps its side.
+    fn hand_over(&mut self, id: Id, aabb: Aabb<f32, 2>) {
+        match self.known.get_mut(&id.slot) {
+            Some(known) if known.0 == id.generation => {
+                let side = self.sides[&id.slot];
+                return self.read(id, Some((aabb, side)));
+            }
+            Some((generation, held)) => {
+                // Queries find the box in its slot. If that is wrong, the next update puts it right.
+                let outdated = Id {
+                    generation: *generation,
+                    ..id
+                };
+                self.awaited.push((outdated, None));
+                if aabb.is_valid() {
+                    *held = Some(aabb);
+                }
+            }
+            None => {}
+        }
+        self.awaited.push((id, Some(aabb)));
+    }
+
+    fn update(&mut self, modified: &[Id], removed: &[Id], colliders: &Colliders) {
+        let read = |id| {
+            let collider = colliders.get(id).filter(|collider| collider.is_enabled);
+            collider.map(|collider| (collider.aabb, collider.side))
+        };
+        removed.iter().for_each(|&id| self.remove(id));
+        for (id, aabb) in std::mem::take(&mut self.awaited) {
+            if !removed.contains(&id) {
+                let found = read(id).map(|(found, side)| (aabb.unwrap_or(found), side));
+                self.read(id, found);
+            }
+        }
+        modified.iter().for_each(|&id| self.read(id, read(id)));
+    }
+
+    fn read(&mut self, id: Id, found: Option<(Aabb<f32, 2>, Side)>) {
+        let Some((aabb, side)) = found else {
             return self.remove(id);
         };
         if let Some(&(generation, _)) = self.known.get(&id.slot) {
@@ -125,14 +164,10 @@ impl Model {
                 self.remove(Id { generation, ..id });
             }
         }
-        let side = side.unwrap_or(match self.known.contains_key(&id.slot) {
-            true => self.sides[&id.slot],
-            false => Side::default(),
-        });
         self.sides.insert(id.slot, side);
         let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
         let renewed = match held {
-            Some(held) if held.contains(&aabb) => return,
+            Some(held) if aabb.is_valid() && held.contains(&aabb) => return,
             Some(_) if aabb.is_valid() => Some(aabb.loosened(MARGIN)),
             None if !aabb.is_valid() => return,
             _ => aabb.is_valid().then_some(aabb),
@@ -259,24 +294,33 @@ impl World {
         }
     }
 
-    /// One update of both, with the boxes of some handed over.
-    fn update(&mut self, handed_over: &[Id], modified: &[Id], removed: &[Id]) {
-        self.model.moved = 0;
-        let known = |collider: &Collider| collider.is_enabled.then_some(collider.aabb);
-        for &id in handed_over {
-            if let Some(aabb) = self.colliders.get(id).and_then(known) {
-                self.table.hand_over(id, &aabb, MARGIN);
-                self.model.read(id, Some(aabb), None);
-            }
+    /// Hands boxes over to both.
+    fn hand_over(&mut self, boxes: &[(Id, Aabb<f32, 2>)]) {
+        let before = self.table.stats();
+        self.table.hand_over(boxes.iter().copied(), MARGIN);
+        for &(id, aabb) in boxes {
+            self.model.hand_over(id, aabb);
         }
+        let after = self.table.stats();
+        // What the last update did stays.
+        let before = Stats {
+            proxies: after.proxies,
+            refused: after.refused,
+            ..before
+        };
+        assert_eq!(after, before);
+        for (slot, known) in &self.model.known {
+            let aabb = self.table.tracker.get(*slot);
+            assert_eq!(aabb, known.1.as_ref());
+        }
+        self.table.validate(Kernel::GridSweep);
+    }
+
+    /// One update of both.
+    fn update(&mut self, modified: &[Id], removed: &[Id]) {
         self.table
             .update([modified, removed], &self.colliders, MARGIN);
-        removed.iter().for_each(|&id| self.model.remove(id));
-        for &id in modified {
-            let collider = self.colliders.get(id);
-            let side = collider.map(|collider| collider.side);
-            self.model.read(id, collider.and_then(known), side);
-        }
+        self.model.update(modified, removed, &self.colliders);
 
         let [mut added, mut deleted] = self.model.finish();
         let counts = [added.len(), deleted.len()];
@@ -300,6 +344,7 @@ impl World {
         assert!(deleted.is_empty(), "not deleted: {deleted:?}");
 
         let stats = self.table.stats();
+        assert_eq!(stats.moved, std::mem::take(&mut self.model.moved));
         let proxies = self
             .model
             .known
@@ -315,6 +360,19 @@ impl World {
             assert_eq!(self.model.known[&slot].1.as_ref(), Some(aabb));
         }
         self.table.validate(Kernel::GridSweep);
+    }
+
+    /// The box of the collider, or some other one.
+    fn box_to_hand_over(&mut self, id: Id) -> Aabb<f32, 2> {
+        let anywhere = self.random_box();
+        match self.random.rand_range(0..16) {
+            0 => Aabb::new(anywhere.maxs, anywhere.mins),
+            1 => anywhere,
+            _ => self
+                .colliders
+                .get(id)
+                .map_or(anywhere, |collider| collider.aabb),
+        }
     }
 
     /// Lists in no order, or ascending.
@@ -342,7 +400,13 @@ fn check(slots: u32, updates: usize, seed: u64) {
         });
     }
     let all: Vec<_> = (0..slots).map(|slot| world.colliders.id(slot)).collect();
-    world.update(&all[..slots as usize / 10], &all, &[]);
+    // No collider is known yet.
+    let boxes = all
+        .iter()
+        .map(|&id| (id, world.colliders.get(id).unwrap().aabb));
+    let boxes: Vec<_> = boxes.take(slots as usize / 2).collect();
+    world.hand_over(&boxes);
+    world.update(&all[slots as usize / 3..], &[]);
     for update in 0..updates {
         let [mut modified, mut removed] = [vec![], vec![]];
         let stride = [1, 1, 7, 3, 40][update % 5];
@@ -350,14 +414,30 @@ fn check(slots: u32, updates: usize, seed: u64) {
             world.change(slot, &mut modified, &mut removed);
         }
         world.arrange(&mut modified, update % 3 == 0);
-        let mut handed_over = Vec::new();
         if update % 2 == 0 {
-            // These are known, or new; none is the older one of a slot that was used again.
-            handed_over = modified.split_off(modified.len() / 2);
-            handed_over.retain(|&id| world.colliders.get(id).is_some());
+            // Known ones, new ones, and such as never existed or are gone; most of them once, some are listed as well.
+            let from = modified.len() / 2;
+            let handed_over: Vec<_> = modified[from..]
+                .iter()
+                .map(|&id| (id, world.box_to_hand_over(id)))
+                .collect();
+            modified.truncate(from + from / 4);
+            let (first, second) = handed_over.split_at(handed_over.len() / 3);
+            world.hand_over(first);
+            world.table = world.table.clone();
+            world.hand_over(second);
+            world.hand_over(&second[..second.len() / 4]);
+            let nowhere = Id {
+                slot: u32::MAX - update as u32,
+                generation: 0,
+            };
+            let anywhere = world.random_box();
+            world.hand_over(&[(nowhere, anywhere)]);
         }
-        world.update(&handed_over, &modified, &removed);
+        world.update(&modified, &removed);
     }
+    // Nothing of it is left over.
+    world.update(&[], &[]);
 }
 
 #[test]
@@ -390,13 +470,14 @@ fn moved_colliders_are_counted_once() {
     };
     world.colliders.slots.push(collider);
     let id = world.colliders.id(0);
-    world.update(&[id], &[id, id], &[]);
+    world.hand_over(&[(id, aabb)]);
+    world.update(&[id, id], &[]);
     let stats = world.table.stats();
     assert_eq!(
         [stats.updates as usize, stats.listed, stats.moved],
         [1, 3, 1]
     );
-    world.update(&[], &[id], &[]);
+    world.update(&[id], &[]);
     let stats = world.table.stats();
     assert_eq!(
         [stats.updates as usize, stats.listed, stats.moved],

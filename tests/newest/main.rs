@@ -19,3 +19,19 @@ mod dim3 {
 
     mod suite;
 }
+
+#[path = "."]
+mod dim2_f64 {
+    use rapier2d_f64_0_36 as rapier;
+    use unisize::rapier2d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+
+    mod suite;
+}
+
+#[path = "."]
+mod dim3_f64 {
+    use rapier3d_f64_0_36 as rapier;
+    use unisize::rapier3d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+
+    mod suite;
+}

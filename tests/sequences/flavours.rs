@@ -71,3 +71,27 @@ pub(crate) mod dim3_0_36 {
 
     pub(crate) use suite::play;
 }
+
+#[path = "."]
+pub(crate) mod dim2_f64_0_36 {
+    use rapier2d_f64_0_36 as rapier;
+    use unisize::rapier2d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_36/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}
+
+#[path = "."]
+pub(crate) mod dim3_f64_0_36 {
+    use rapier3d_f64_0_36 as rapier;
+    use unisize::rapier3d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
+
+    mod suite;
+    #[path = "rapier_0_36/mod.rs"]
+    mod version;
+
+    pub(crate) use suite::play;
+}

@@ -141,6 +141,14 @@ pub(crate) enum Op {
     ListStale(List, Pick),
     /// Lists a handle that never existed.
     ListBogus(List, u32, u32),
+    /// Moves a collider, with its body if it has one, and hands the boxes over that it has then, where the engine does so.
+    Carry(Pick, Triple),
+    /// Hands over a box that is another one than the collider has: around this place, or all NaN.
+    HandOver(Pick, Option<Triple>),
+    /// Hands over a box of a collider that was removed some time ago.
+    HandOverStale(Pick, Triple),
+    /// Hands over a box of a collider that never existed.
+    HandOverBogus(u32, u32, Triple),
 }
 
 /// What happens, starting from an empty world.

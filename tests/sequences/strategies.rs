@@ -86,7 +86,24 @@ fn ops() -> impl Strategy<Value = Op> {
         (list(), bogus, 0..4_u32).prop_map(|(list, index, g)| Op::ListBogus(list, index, g)),
     ];
     let length_unit = select(&LENGTH_UNITS[..]).prop_map(Op::LengthUnit);
-    prop_oneof![16 => existing, 6 => of_bodies, 6 => in_and_out, 2 => listed, 1 => length_unit]
+    let (small, large) = (triples(select(&SMALL[..])), triples(select(&LARGE[..])));
+    let slot = prop_oneof![3 => 0..40_u32, 1 => select(&FAR_INDICES[..])];
+    let handed_over = prop_oneof![
+        4 => (pick(), small).prop_map(|(i, by)| Op::Carry(i, by)),
+        6 => (pick(), large).prop_map(|(i, by)| Op::Carry(i, by)),
+        1 => (pick(), places()).prop_map(|(i, at)| Op::HandOver(i, Some(at))),
+        1 => pick().prop_map(|i| Op::HandOver(i, None)),
+        1 => (pick(), places()).prop_map(|(i, at)| Op::HandOverStale(i, at)),
+        1 => (slot, 0..4_u32, places()).prop_map(|(i, g, at)| Op::HandOverBogus(i, g, at)),
+    ];
+    prop_oneof![
+        16 => existing,
+        6 => of_bodies,
+        6 => in_and_out,
+        2 => listed,
+        6 => handed_over,
+        1 => length_unit
+    ]
 }
 
 fn triples(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Triple> {

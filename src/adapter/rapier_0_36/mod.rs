@@ -2,7 +2,9 @@
 
 use super::adapter::UnisizeBroadPhase;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet};
+use super::rapier::geometry::{
+    Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
+};
 use super::rapier::math::{DIM, Pose, Real};
 use super::rapier::parry::utils::PoseOps;
 use crate::{Aabb, PairFilter};
@@ -73,5 +75,31 @@ impl UnisizeBroadPhase {
     ) {
         let lists = [modified_colliders, removed_colliders];
         self.bring_up_to_date(params, colliders, bodies, lists, events);
+    }
+
+    /// Hands over the box of a collider, in place of listing it as modified: in the next [`update`](Self::update) it counts
+    /// as moved there, and is not read. The counterpart of `BroadPhaseBvh::set_aabb`, which Rapier calls for all that it
+    /// has moved, at the end of each step. Queries see the box at once.
+    ///
+    /// `aabb` is that of `Collider::compute_broad_phase_aabb`, or at least contains it; the margin is added if the collider
+    /// has left the box that is held. Only its position may have changed: for anything else it must be listed. A box for a
+    /// collider that the broad phase does not know counts once the next update finds it in the set; a box that is not sound
+    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a sound one comes. **O(1)**.
+    pub fn set_aabb(
+        &mut self,
+        params: &IntegrationParameters,
+        handle: ColliderHandle,
+        aabb: RapierAabb,
+    ) {
+        self.set_aabbs(params, &[(handle, aabb)]);
+    }
+
+    /// Hands over many boxes, like [`set_aabb`](Self::set_aabb) one after the other, in less time.
+    pub fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        aabbs: &[(ColliderHandle, RapierAabb)],
+    ) {
+        self.hand_over(params, aabbs);
     }
 }

@@ -47,14 +47,14 @@ fn may_meet(pair: Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool 
 /// A vector with each coordinate within this distance of 0.
 fn within(random: &mut Rand32, distance: Real) -> Vector {
     Vector::from(std::array::from_fn(|_| {
-        distance * (2.0 * random.rand_float() - 1.0)
+        distance * Real::from(2.0 * random.rand_float() - 1.0)
     }))
 }
 
 /// One of several shapes.
 fn shape(random: &mut Rand32) -> SharedShape {
     let mut length = || 0.2 + 0.6 * random.rand_float();
-    let lengths: [Real; 3] = std::array::from_fn(|_| length());
+    let lengths: [Real; 3] = std::array::from_fn(|_| Real::from(length()));
     match random.rand_range(0..4) {
         0 => SharedShape::ball(lengths[0]),
         1 => SharedShape::new(Cuboid::new(Vector::from(std::array::from_fn(|k| {

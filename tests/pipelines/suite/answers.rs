@@ -93,28 +93,6 @@ impl Watched {
         filter: QueryFilter<'_>,
         question: impl Fn(&QueryPipeline<'_>) -> Vec<(ColliderHandle, String)>,
     ) -> usize {
-        let (ours, theirs) = self.ask_for_all(filter, question);
-        assert_eq!(ours, theirs, "ours (left) and Rapier's (right)");
-        ours.len()
-    }
-
-    /// Checks that ours finds all that Rapier's does, and returns how many those are.
-    pub(super) fn compare_at_least(
-        &mut self,
-        filter: QueryFilter<'_>,
-        question: impl Fn(&QueryPipeline<'_>) -> Vec<(ColliderHandle, String)>,
-    ) -> usize {
-        let (ours, theirs) = self.ask_for_all(filter, question);
-        let missing: Vec<_> = theirs.difference(&ours).collect();
-        assert!(missing.is_empty(), "ours does not find {missing:?}");
-        theirs.len()
-    }
-
-    fn ask_for_all(
-        &mut self,
-        filter: QueryFilter<'_>,
-        question: impl Fn(&QueryPipeline<'_>) -> Vec<(ColliderHandle, String)>,
-    ) -> (BTreeSet<Found>, BTreeSet<Found>) {
         let (ours, theirs) = self.ask(filter, question);
         let count = ours.len();
         let sorted = |found: Vec<(ColliderHandle, String)>| -> BTreeSet<_> {
@@ -125,9 +103,7 @@ impl Watched {
         };
         let ours = sorted(ours);
         assert_eq!(ours.len(), count, "ours finds one twice");
-        (ours, sorted(theirs))
+        assert_eq!(ours, sorted(theirs), "ours (left) and Rapier's (right)");
+        count
     }
 }
-
-/// A collider, and what is known of it.
-type Found = ((u32, u32), String);

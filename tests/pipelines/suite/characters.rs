@@ -208,6 +208,38 @@ fn bodies_in_its_way() {
     assert!(has_met);
 }
 
+/// The controller forgets the contacts of a body that it pushes whenever it finds a later one in its box, whether or not
+/// that one touches it. So what is found must be what Rapier's own broad phase finds: not what is on its way there.
+#[test]
+fn what_is_only_near_takes_no_push_away() {
+    let mut walk = Walk::new();
+    let (pushed, _) = walk.twins.insert(dynamic(1.0, 0.5), cube().density(0.5));
+    // They fly along above its head, down and up again.
+    let fliers: Vec<_> = (0..6)
+        .map(|i| {
+            let place = at(0.0, 2.0 + 0.1 * i as Real);
+            let body = RigidBodyBuilder::dynamic().translation(place);
+            let flier = ColliderBuilder::ball(0.1).collision_groups(InteractionGroups::none());
+            walk.twins.insert(body.gravity_scale(0.0), flier).0
+        })
+        .collect();
+    for step in 0..160 {
+        for (i, &flier) in fliers.iter().enumerate() {
+            let is_down = (step + 3 * i) % 32 < 16;
+            let ahead = walk.place().x - walk.twins.ours.bodies[flier].translation().x;
+            let velocity = at(
+                60.0 * ahead.clamp(-0.06, 0.06),
+                if is_down { -2.0 } else { 2.0 },
+            );
+            walk.twins
+                .change_body(flier, |body| body.set_linvel(velocity, true));
+        }
+        walk.go(at(0.05, FALL));
+    }
+    let place = walk.twins.ours.bodies[pushed].translation();
+    assert!(place.x > 2.0, "it ends at {place}");
+}
+
 #[test]
 fn on_a_platform_that_moves() {
     let mut walk = Walk::new();

@@ -1,8 +1,7 @@
 //! Random worlds, random questions: the answers of both broad phases.
 //!
-//! Boxes only rule out what need not be tested, so all answers are the same, whatever the margin is, except to the query about
-//! boxes itself: ours are drawn out ahead of the motion. With the default margin they contain those of Rapier, so at least the
-//! same colliders must be found.
+//! With the default margin, the boxes of both are the same. With another one they are not, but boxes only rule out
+//! what need not be tested: all answers are the same, except to the query about boxes itself.
 //!
 //! `cast_shape_nonlinear` is not among the questions (`queries` has it): Parry runs the same cast against a ball around each node of the
 //! tree, and for some sizes and speeds that does not end, or reports a false hit. So the answer depends on the tree.
@@ -84,7 +83,7 @@ impl Asked {
             Question::Region(center, half) => {
                 if self.are_boxes_the_same {
                     let region = Aabb::from_half_extents(vector(center).into(), vector(half));
-                    self.watched.compare_at_least(filter, |scene| {
+                    self.watched.compare_all(filter, |scene| {
                         // Parry does not look at the boxes of leaves that are children of the root.
                         let meets = |handle: ColliderHandle| {
                             let leaf = scene.bvh.leaf_node(handle.into_raw_parts().0);

@@ -131,12 +131,10 @@ fn compare_queries(twins: &Twins) -> usize {
         let probe = Ball::new(1.7);
         hits += same(twins, |scene| indices(scene.intersect_shape(pose, &probe))).len();
         let region = Aabb::from_half_extents(point, triple([1.5; 3]));
-        let [ours, theirs] = both(twins, |scene| {
+        hits += same(twins, |scene| {
             indices(scene.intersect_aabb_conservative(region))
-        });
-        // It may tell of more, for it goes by boxes that are drawn out ahead.
-        assert!(ours.is_superset(&theirs), "{theirs:?} but {ours:?}");
-        hits += theirs.len();
+        })
+        .len();
         let cast = same(twins, |scene| {
             let options = ShapeCastOptions::with_max_time_of_impact(50.0);
             let hit = scene.cast_shape(&pose, &at(-1.0, -0.3), &probe, options);

@@ -1,5 +1,6 @@
 //! What the suite needs of Rapier 0.27 in particular.
 
+use super::UnisizeBroadPhase;
 use super::rapier::parry::query;
 use super::rapier::prelude::*;
 use super::suite::World;
@@ -28,6 +29,26 @@ pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
 pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
     (*collider.translation()).into()
 }
+
+/// The box of a collider that this version hands over: none.
+pub(super) fn handed_over_box(
+    _: &Collider,
+    _: &IntegrationParameters,
+    _: &RigidBodySet,
+) -> Option<Aabb> {
+    None
+}
+
+/// Hands boxes over, which this version does not do. Returns whether it did.
+pub(super) fn hand_over(
+    _: &mut UnisizeBroadPhase,
+    _: &IntegrationParameters,
+    _: &[(ColliderHandle, Aabb)],
+) -> bool {
+    false
+}
+
+pub(super) fn check_leaves(_: &UnisizeBroadPhase, _: impl Iterator<Item = (u32, Aabb)>) {}
 
 /// How far apart two colliders are, where there is an answer.
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {

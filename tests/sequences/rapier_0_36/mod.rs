@@ -1,5 +1,6 @@
 //! What the suite needs of Rapier 0.36 in particular.
 
+use super::UnisizeBroadPhase;
 use super::rapier::math::Vector;
 use super::rapier::parry::query;
 use super::rapier::prelude::*;
@@ -24,6 +25,49 @@ pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
 
 pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
     collider.translation().into()
+}
+
+/// The box of a collider that the engine hands over once it has moved.
+pub(super) fn handed_over_box(
+    collider: &Collider,
+    params: &IntegrationParameters,
+    bodies: &RigidBodySet,
+) -> Option<Aabb> {
+    Some(collider.compute_broad_phase_aabb(params, bodies))
+}
+
+/// Hands boxes over, few of them one by one. Returns whether it did.
+pub(super) fn hand_over(
+    broad_phase: &mut UnisizeBroadPhase,
+    params: &IntegrationParameters,
+    boxes: &[(ColliderHandle, Aabb)],
+) -> bool {
+    match boxes {
+        [] => return false,
+        [_] | [_, _] => boxes
+            .iter()
+            .for_each(|&(handle, aabb)| broad_phase.set_aabb(params, handle, aabb)),
+        _ => broad_phase.set_aabbs(params, boxes),
+    }
+    true
+}
+
+/// Checks that queries find all boxes.
+pub(super) fn check_leaves(
+    broad_phase: &UnisizeBroadPhase,
+    boxes: impl Iterator<Item = (u32, Aabb)>,
+) {
+    let (bodies, colliders) = (RigidBodySet::new(), ColliderSet::new());
+    let dispatcher = query::DefaultQueryDispatcher;
+    let filter = QueryFilter::default();
+    let queries = broad_phase.as_query_pipeline(&dispatcher, &bodies, &colliders, filter);
+    for (index, aabb) in boxes {
+        let leaf = queries.bvh.leaf_node(index);
+        let leaf = leaf.expect("there is a leaf for it").aabb();
+        let is_found =
+            (0..DIM).all(|k| leaf.mins[k] <= aabb.mins[k] && aabb.maxs[k] <= leaf.maxs[k]);
+        assert!(is_found, "{leaf:?} does not contain {aabb:?}");
+    }
 }
 
 /// How far apart two colliders are, where there is an answer.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::model::{Changes, Model, Pair};
 use super::rapier::prelude::*;
-use super::{Kernel, Settings, UnisizeBroadPhase, version};
+use super::{HandedOver, Kernel, Settings, UnisizeBroadPhase, version};
 use crate::ops::Sequence;
 
 pub(crate) struct CheckedBroadPhase {
@@ -13,6 +13,10 @@ pub(crate) struct CheckedBroadPhase {
     updates: u64,
     /// The least prediction distance so far.
     prediction: Real,
+    /// Boxes handed over since the last update.
+    handed_over: usize,
+    /// Whether one of them was not that of its collider.
+    is_deceived: bool,
 }
 
 impl CheckedBroadPhase {
@@ -29,6 +33,8 @@ impl CheckedBroadPhase {
             model: Model::new(sequence.filter),
             updates: 0,
             prediction: Real::MAX,
+            handed_over: 0,
+            is_deceived: false,
         }
     }
 
@@ -48,6 +54,52 @@ impl CheckedBroadPhase {
         self.inner.validate();
     }
 
+    /// Hands boxes over, where the engine does so. What the last update did and the pairs that are held stay as they are.
+    pub(super) fn check_hand_over(
+        &mut self,
+        params: &IntegrationParameters,
+        handed_over: &[HandedOver],
+    ) {
+        let boxes: Vec<_> = handed_over
+            .iter()
+            .map(|handed_over| (handed_over.handle, handed_over.aabb))
+            .collect();
+        let before = self.inner.stats();
+        if !version::hand_over(&mut self.inner, params, &boxes) {
+            return;
+        }
+        let margin = self.margin(params);
+        for handed_over in handed_over {
+            self.model
+                .hand_over(handed_over.handle, handed_over.aabb, margin);
+            match handed_over.prediction {
+                Some(prediction) => self.prediction = self.prediction.min(prediction),
+                None => self.is_deceived = true,
+            }
+        }
+        self.handed_over += boxes.len();
+        let mut after = self.inner.stats();
+        after.proxies = before.proxies;
+        after.refused = before.refused;
+        assert_eq!(after, before);
+        self.check_state();
+        version::check_leaves(&self.inner, self.model.boxes());
+        self.inner = self.inner.clone();
+        #[cfg(feature = "serde-serialize")]
+        {
+            let bytes = postcard::to_stdvec(&self.inner).expect("it can be written");
+            self.inner = postcard::from_bytes(&bytes).expect("it can be read");
+            self.check_state();
+        }
+    }
+
+    /// How far a renewed box extends beyond its collider.
+    fn margin(&self, params: &IntegrationParameters) -> Real {
+        let margin = self.inner.settings().margin;
+        let margin = margin.expect("each sequence has one");
+        (margin * params.length_unit).max(0.0)
+    }
+
     pub(crate) fn check_update(
         &mut self,
         params: &IntegrationParameters,
@@ -60,23 +112,23 @@ impl CheckedBroadPhase {
         let mut sent = Vec::new();
         self.inner
             .update(params, colliders, bodies, modified, removed, &mut sent);
-        let margin = self.inner.settings().margin;
-        let margin = margin.expect("each sequence has one");
+        let margin = self.margin(params);
         let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");
         // A box is renewed only when its collider is listed, so it may date from an earlier prediction distance.
         self.prediction = self.prediction.min(params.prediction_distance());
         for pair in &expected.deleted {
-            if !self.model.may_meet(pair) {
+            if !self.model.may_meet(pair) || self.is_deceived {
                 continue;
             }
             assert_far_apart(pair, self.prediction, colliders);
         }
-        if !modified.is_empty() || !removed.is_empty() {
+        let listed = modified.len() + removed.len() + std::mem::take(&mut self.handed_over);
+        if listed > 0 {
             self.updates += 1;
             let stats = self.inner.stats();
-            assert_eq!(stats.listed, modified.len() + removed.len());
+            assert_eq!(stats.listed, listed);
             assert_eq!(stats.added, expected.added.len());
             assert_eq!(stats.deleted, expected.deleted.len());
         }

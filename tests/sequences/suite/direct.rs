@@ -12,6 +12,8 @@ pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
         for &op in ops {
             world.apply(op);
         }
+        let handed_over = std::mem::take(&mut world.handed_over);
+        broad_phase.check_hand_over(&world.params, &handed_over);
         list_silent_removals(&mut world, &broad_phase);
         broad_phase.check_update(
             &world.params,

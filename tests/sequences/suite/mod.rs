@@ -10,7 +10,7 @@ mod model;
 pub(super) mod runner;
 mod world;
 
-pub(super) use world::World;
+pub(super) use world::{HandedOver, World};
 
 /// Plays a sequence with lists made by hand, with one of the kernels.
 pub(crate) fn play(sequence: &crate::ops::Sequence, kernel: usize) {

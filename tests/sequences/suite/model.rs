@@ -14,8 +14,11 @@ pub(super) struct Model {
     filter: PairFilter,
     proxies: BTreeMap<u32, Proxy>,
     held: BTreeSet<Pair>,
+    /// Colliders that the next update has to look for, with the boxes that were handed over.
+    awaited: Vec<(ColliderHandle, Option<Aabb>)>,
 }
 
+#[derive(Clone, Copy)]
 struct Proxy {
     generation: u32,
     /// `None` while the collider's box is not sound.
@@ -45,7 +48,35 @@ impl Model {
             filter,
             proxies: BTreeMap::new(),
             held: BTreeSet::new(),
+            awaited: Vec::new(),
         }
+    }
+
+    /// The sound boxes, by index.
+    pub(super) fn boxes(&self) -> impl Iterator<Item = (u32, Aabb)> + '_ {
+        let proxies = self.proxies.iter();
+        proxies.filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
+    }
+
+    /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
+    /// at; otherwise the next update looks for the collider.
+    pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
+        let (index, generation) = handle.into_raw_parts();
+        if let Some(&known) = self.proxies.get(&index) {
+            if known.generation == generation {
+                return self.renew(handle, aabb, margin, known.key);
+            }
+            let outdated = ColliderHandle::from_raw_parts(index, known.generation);
+            self.awaited.push((outdated, None));
+            if is_sound(&aabb) {
+                let proxy = Proxy {
+                    aabb: Some(aabb),
+                    ..known
+                };
+                self.proxies.insert(index, proxy);
+            }
+        }
+        self.awaited.push((handle, Some(aabb)));
     }
 
     pub(super) fn held(&self) -> &BTreeSet<Pair> {
@@ -87,11 +118,14 @@ impl Model {
         for &handle in removed {
             self.forget(handle);
         }
-        for &handle in modified {
+        let awaited = std::mem::take(&mut self.awaited).into_iter();
+        let awaited = awaited.filter(|(handle, _)| !removed.contains(handle));
+        let modified = modified.iter().map(|&handle| (handle, None));
+        for (handle, handed_over) in awaited.chain(modified) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
-                    let margin = (margin * params.length_unit).max(0.0);
+                    let aabb = handed_over.unwrap_or_else(|| collider.compute_collision_aabb(skin));
                     let body = collider.parent().and_then(|body| bodies.get(body));
                     let key = Key {
                         body: collider.parent(),
@@ -99,7 +133,7 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    self.renew(handle, collider.compute_collision_aabb(skin), margin, key);
+                    self.renew(handle, aabb, margin, key);
                 }
                 _ => self.forget(handle),
             }

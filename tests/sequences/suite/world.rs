@@ -2,7 +2,7 @@
 
 use super::rapier::prelude::*;
 use super::version::{self, Pose, translation, vector};
-use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Types};
+use crate::ops::{BodyKind, Groups, List, NewCollider, Op, Parent, Shape, Triple, Types};
 
 /// Rapier's sets and parameters, with the lists of what changed since the last update.
 #[derive(Default)]
@@ -15,11 +15,22 @@ pub(crate) struct World {
     pub(crate) params: IntegrationParameters,
     pub(crate) modified: Vec<ColliderHandle>,
     pub(crate) removed: Vec<ColliderHandle>,
+    /// In the order in which they are to be handed over.
+    pub(crate) handed_over: Vec<HandedOver>,
     /// Whether an engine's pipeline propagates the changes of a body to its colliders.
     pub(crate) engine_follows_bodies: bool,
     live: Vec<ColliderHandle>,
     live_bodies: Vec<RigidBodyHandle>,
     gone: Vec<ColliderHandle>,
+}
+
+/// A box to hand over.
+#[derive(Clone, Copy)]
+pub(crate) struct HandedOver {
+    pub(crate) handle: ColliderHandle,
+    pub(crate) aabb: Aabb,
+    /// The prediction distance with which it was computed; `None` if it is not the collider's box.
+    pub(crate) prediction: Option<Real>,
 }
 
 impl World {
@@ -57,6 +68,28 @@ impl World {
             Op::ListBogus(list, index, generation) => {
                 self.list(list, ColliderHandle::from_raw_parts(index, generation));
             }
+            Op::Carry(pick, by) => {
+                if let Some(handle) = nth(&self.live, pick) {
+                    let listed = self.modified.len();
+                    self.change(handle, Op::Move(pick, by));
+                    for handle in self.modified.split_off(listed) {
+                        self.hand_over(handle);
+                    }
+                }
+            }
+            Op::HandOver(pick, at) => {
+                if let Some(handle) = nth(&self.live, pick) {
+                    self.hand_over_at(handle, at.unwrap_or([f32::NAN; 3]));
+                }
+            }
+            Op::HandOverStale(pick, at) => {
+                if let Some(handle) = nth(&self.gone, pick) {
+                    self.hand_over_at(handle, at);
+                }
+            }
+            Op::HandOverBogus(index, generation, at) => {
+                self.hand_over_at(ColliderHandle::from_raw_parts(index, generation), at);
+            }
             Op::Move(pick, _)
             | Op::Shift(pick, _)
             | Op::Teleport(pick, _)
@@ -83,6 +116,29 @@ impl World {
             List::Modified => self.modified.push(handle),
             List::Removed => self.removed.push(handle),
         }
+    }
+
+    /// Hands over the box of a collider, or lists it where boxes are not handed over.
+    fn hand_over(&mut self, handle: ColliderHandle) {
+        let collider = &self.colliders[handle];
+        match version::handed_over_box(collider, &self.params, &self.bodies) {
+            Some(aabb) => self.handed_over.push(HandedOver {
+                handle,
+                aabb,
+                prediction: Some(self.params.prediction_distance()),
+            }),
+            None => self.modified.push(handle),
+        }
+    }
+
+    /// Hands over a box around some place.
+    fn hand_over_at(&mut self, handle: ColliderHandle, at: Triple) {
+        let aabb = SharedShape::ball(0.5).compute_aabb(&translation(at));
+        self.handed_over.push(HandedOver {
+            handle,
+            aabb,
+            prediction: None,
+        });
     }
 
     fn list_colliders_of(&mut self, body: RigidBodyHandle) {

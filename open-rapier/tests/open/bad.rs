@@ -1,0 +1,133 @@
+//! What cannot be opened: an error that says why, and nothing is written.
+
+use std::fs;
+
+use crate::fixture::{BOTH, Fixture, Outcome};
+use crate::seam::EDITS;
+
+/// Runs with `--write`, and makes sure that neither copies nor the manifest were touched.
+#[track_caller]
+fn refused(fixture: &Fixture) -> Outcome {
+    let manifest = fixture.read("project/Cargo.toml");
+    let before = fixture.state("project/copies");
+    let outcome = fixture.run(&["--write"]);
+    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    assert!(fixture.state("project/copies") == before);
+    outcome
+}
+
+#[test]
+fn another_patch_release() {
+    let fixture = Fixture::new(&[("rapier2d", "0.36.1"), ("rapier3d", "0.36.0")]);
+    refused(&fixture).bad(&["rapier3d 0.36.0", "--precise 0.36.1"]);
+}
+
+#[test]
+fn another_version() {
+    let fixture = Fixture::new(&[("rapier2d", "0.27.0"), ("rapier3d", "0.37.0")]);
+    refused(&fixture).bad(&["rapier2d 0.27.0, rapier3d 0.37.0", "only version 0.36.1"]);
+}
+
+#[test]
+fn no_rapier() {
+    refused(&Fixture::new(&[])).bad(&["uses none of them"]);
+    let no_project = tempfile::tempdir().unwrap();
+    let path = no_project.path().join("Cargo.toml");
+    let options = ["--out", "copies", "--manifest-path", path.to_str().unwrap()];
+    Fixture::new(&[])
+        .run_in("project", &options)
+        .bad(&["Cargo.toml"]);
+}
+
+/// Of two packages the second is not as expected, by every edit in turn.
+#[test]
+fn an_unexpected_text() {
+    for edit in EDITS.iter().filter(|edit| edit.file != "Cargo.toml") {
+        for times in [edit.times - 1, edit.times + 1] {
+            let fixture = Fixture::new(BOTH);
+            let file = format!("registry/rapier3d-0.36.1/{}", edit.file);
+            let text = fixture.read(&file).replace(edit.find, "") + &edit.find.repeat(times);
+            fixture.write(&file, &text);
+            let first = edit.find.trim().lines().next().unwrap();
+            let count = format!("found {times}");
+            refused(&fixture).bad(&["rapier3d-0.36.1 cannot be opened", edit.file, &count, first]);
+        }
+    }
+}
+
+#[test]
+fn a_missing_file_and_one_that_should_not_be_there() {
+    let fixture = Fixture::new(BOTH);
+    fs::remove_file(fixture.path("registry/rapier3d-0.36.1/src/pipeline/physics_world.rs"))
+        .unwrap();
+    refused(&fixture).bad(&["src/pipeline/physics_world.rs is missing"]);
+
+    let fixture = Fixture::new(BOTH);
+    fixture.write("registry/rapier3d-0.36.1/build.rs", "");
+    refused(&fixture).bad(&["build.rs is there already"]);
+}
+
+#[test]
+fn a_copy_stays_when_another_cannot_be_made() {
+    let fixture = Fixture::new(BOTH);
+    fixture.run(&[]).good();
+    fixture.write("project/copies/rapier2d/src/lib.rs", "// Edited.\n");
+    fixture.write("registry/rapier3d-0.36.1/src/geometry/mod.rs", "");
+    refused(&fixture).bad(&["src/geometry/mod.rs"]);
+}
+
+#[test]
+fn a_foreign_folder() {
+    let fixture = Fixture::new(BOTH);
+    fixture.write("project/copies/rapier3d/precious.txt", "mine");
+    refused(&fixture).bad(&["copies/rapier3d was not made by open-rapier"]);
+
+    let fixture = Fixture::new(BOTH);
+    fixture.write("project/copies/rapier3d", "mine");
+    refused(&fixture).bad(&["copies/rapier3d was not made by open-rapier"]);
+
+    // An empty one is in nobody's way, nor is what else there is.
+    let fixture = Fixture::new(BOTH);
+    fixture.write("project/copies/precious.txt", "mine");
+    fs::create_dir(fixture.path("project/copies/rapier3d")).unwrap();
+    fixture.run(&[]).good();
+    assert_eq!(fixture.read("project/copies/precious.txt"), "mine");
+}
+
+#[test]
+fn a_fork() {
+    // One that the project uses, and one that it does not.
+    for (uses, refuses) in [("rapier3d", true), ("rapier3d-f64", false)] {
+        let fixture = Fixture::new(&[("rapier2d", "0.36.1"), (uses, "0.36.1")]);
+        fixture.write(
+            "fork/Cargo.toml",
+            "[package]\nname = \"rapier3d\"\nversion = \"0.36.1\"\nedition = \"2024\"\n",
+        );
+        fixture.write("fork/src/lib.rs", "");
+        let manifest = fixture.read("project/Cargo.toml");
+        let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
+        fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+        if refuses {
+            refused(&fixture).bad(&["rapier3d", "fork", "only that can be opened"]);
+        } else {
+            fixture.run(&["--write"]).good();
+            assert!(fixture.folder_of("rapier2d").ends_with("copies/rapier2d"));
+        }
+    }
+}
+
+#[test]
+fn a_patch_in_the_way() {
+    let fixture = Fixture::new(BOTH);
+    fixture.run(&[]).good();
+    let manifest = fixture.read("project/Cargo.toml");
+    fixture.write(
+        "project/Cargo.toml",
+        &format!("{manifest}\n[patch.crates-io]\nrapier3d.path = \"copies/rapier3d\"\n"),
+    );
+    let options = ["--out", "elsewhere", "--write"];
+    fixture
+        .run_in("project", &options)
+        .bad(&["copies/rapier3d", "only that can be opened"]);
+    assert!(!fixture.path("project/elsewhere").exists());
+}

@@ -1,0 +1,170 @@
+//! A project in a folder of its own, with a folder of packages in the place of crates.io.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::SystemTime;
+
+use tempfile::TempDir;
+use walkdir::WalkDir;
+
+use crate::seam::EDITS;
+
+/// What a project depends on: the package and its version.
+pub(crate) const BOTH: &[(&str, &str)] = &[("rapier2d", "0.36.1"), ("rapier3d", "0.36.1")];
+
+pub(crate) struct Fixture {
+    site: TempDir,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    pub(crate) success: bool,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Outcome {
+    #[track_caller]
+    pub(crate) fn good(self) -> String {
+        assert!(self.success, "{}", self.stderr);
+        self.stdout
+    }
+
+    /// The error, which must have all of `words` in it.
+    #[track_caller]
+    pub(crate) fn bad(self, words: &[&str]) {
+        assert!(!self.success, "{self:?}");
+        for word in words {
+            assert!(
+                self.stderr.contains(word),
+                "no {word:?} in: {}",
+                self.stderr
+            );
+        }
+    }
+}
+
+impl Fixture {
+    /// A project that depends on these.
+    pub(crate) fn new(dependencies: &[(&str, &str)]) -> Self {
+        let fixture = Self {
+            site: tempfile::tempdir().unwrap(),
+        };
+        let lines = dependencies
+            .iter()
+            .map(|(name, version)| format!("{name} = \"={version}\"\n"));
+        let lines: String = lines.collect();
+        fixture.write(
+            "project/Cargo.toml",
+            &format!("[package]\nname = \"game\"\nedition = \"2024\"\n\n[dependencies]\n{lines}"),
+        );
+        fixture.write("project/src/lib.rs", "");
+        fixture.write(
+            "project/.cargo/config.toml",
+            "source.crates-io.replace-with = \"here\"\nsource.here.directory = \"../registry\"\n",
+        );
+        for (name, version) in dependencies {
+            fixture.publish(name, version);
+        }
+        fixture
+    }
+
+    /// Puts a package into the registry that has the texts of all edits.
+    fn publish(&self, name: &str, version: &str) {
+        let mut files = BTreeMap::from([
+            ("src/lib.rs", String::new()),
+            (
+                "Cargo.toml",
+                format!(
+                    "[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\nbuild = false\n"
+                ),
+            ),
+            (".cargo-checksum.json", "{\"files\":{}}".to_owned()),
+            (".cargo-ok", "{\"v\":1}".to_owned()),
+            ("Cargo.lock", "version = 4\n".to_owned()),
+        ]);
+        for edit in EDITS.iter().filter(|edit| edit.file != "Cargo.toml") {
+            files
+                .entry(edit.file)
+                .or_default()
+                .push_str(&edit.find.repeat(edit.times));
+        }
+        for (file, contents) in files {
+            self.write(&format!("registry/{name}-{version}/{file}"), &contents);
+        }
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.site.path().join(name)
+    }
+
+    pub(crate) fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    pub(crate) fn write(&self, name: &str, contents: &str) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, contents).unwrap();
+    }
+
+    pub(crate) fn remove(&self, name: &str) {
+        fs::remove_dir_all(self.path(name)).unwrap();
+    }
+
+    /// Runs the program in the project, with its copies in `copies`.
+    pub(crate) fn run(&self, options: &[&str]) -> Outcome {
+        self.run_in("project", &[&["--out", "copies"], options].concat())
+    }
+
+    pub(crate) fn run_in(&self, folder: &str, options: &[&str]) -> Outcome {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_open-rapier"));
+        command.args(options).env("CARGO_NET_OFFLINE", "true");
+        outcome(command.current_dir(self.path(folder)))
+    }
+
+    /// The folder from which Cargo takes a package of the project.
+    pub(crate) fn folder_of(&self, package: &str) -> PathBuf {
+        let mut command = cargo_metadata::MetadataCommand::new();
+        let metadata = command
+            .current_dir(self.path("project"))
+            .env("CARGO_NET_OFFLINE", "true")
+            .exec()
+            .unwrap();
+        let found = metadata
+            .packages
+            .iter()
+            .find(|found| found.name.as_str() == package)
+            .unwrap();
+        found.manifest_path.parent().unwrap().into()
+    }
+
+    /// All files of a folder, if it exists, and when they were written.
+    pub(crate) fn state(&self, folder: &str) -> BTreeMap<PathBuf, (Vec<u8>, SystemTime)> {
+        let files = WalkDir::new(self.path(folder))
+            .into_iter()
+            .filter_map(Result::ok);
+        let files = files.filter(|entry| !entry.file_type().is_dir());
+        let state = |path: &Path| {
+            (
+                fs::read(path).unwrap(),
+                fs::metadata(path).unwrap().modified().unwrap(),
+            )
+        };
+        files
+            .map(|entry| (entry.path().to_owned(), state(entry.path())))
+            .collect()
+    }
+}
+
+pub(crate) fn outcome(command: &mut Command) -> Outcome {
+    let output = command.output().unwrap();
+    Outcome {
+        success: output.status.success(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}

@@ -1,0 +1,39 @@
+//! The seam of an opened Rapier 0.36: its pipelines take any broad phase that implements this trait.
+
+use super::adapter::UnisizeBroadPhase;
+use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+use super::rapier::geometry::{
+    Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
+};
+use super::rapier::parry::partitioning::Bvh;
+
+impl CustomBroadPhase for UnisizeBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let lists = [modified_colliders, removed_colliders];
+        self.bring_up_to_date(params, colliders, bodies, lists, events);
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        self.set_aabbs(params, &[(handle, aabb)]);
+    }
+
+    fn set_aabbs(&mut self, params: &IntegrationParameters, aabbs: &[(ColliderHandle, Aabb)]) {
+        self.hand_over(params, aabbs);
+    }
+
+    fn bvh(&self) -> &Bvh {
+        self.tree()
+    }
+
+    fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
+        Box::new(self.clone())
+    }
+}

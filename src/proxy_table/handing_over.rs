@@ -1,0 +1,161 @@
+//! Boxes that are handed over between two updates, by an engine that knows them already.
+//!
+//! They count in the next update, and nothing that was handed over is read again. Nearly all are those of known colliders
+//! that have moved, which one tight loop deals with. A box for a collider that is not known has to wait: whether there is
+//! such a collider, and whom it may meet, is only known when the next update reads it. Until then its slot has that box,
+//! so that queries find it.
+
+use std::collections::BTreeSet;
+
+use super::verdict::Verdict;
+use super::{BoxSource, Handle, ProxyTable};
+use crate::pair_tracker::FilterKey;
+use crate::tuning::update::ROOM_AHEAD;
+use crate::{Aabb, Real};
+
+/// A collider that the next update has to look at, if it exists.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "R: serde::Serialize",
+        deserialize = "R: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub(super) struct Awaited<R, const D: usize> {
+    pub(super) slot: u32,
+    generation: u32,
+    /// The box that was handed over; if there is none, it is read.
+    aabb: Option<Aabb<R, D>>,
+}
+
+impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
+    /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
+    /// their filter keys. **O(1)** each.
+    pub(crate) fn hand_over<H: Handle>(
+        &mut self,
+        boxes: impl IntoIterator<Item = (H, Aabb<R, D>)>,
+        margin: R,
+    ) {
+        self.begin();
+        let lap = self.tracker.stopwatch.start();
+        let mut boxes = boxes.into_iter();
+        while let Some((handle, aabb)) = self.move_known(&mut boxes, margin) {
+            self.gathered.listed += 1;
+            if self.slot_of(handle).is_some() {
+                let key = self.tracker.key(handle.into_raw_parts().0);
+                self.admit(handle, margin, |_| Some((aabb, key)));
+            } else {
+                self.await_collider(handle, aabb);
+            }
+        }
+        self.tracker.stopwatch.lap(lap, |times| &mut times.read);
+    }
+
+    /// Moves known proxies, up to the first box that is more than a move, which is returned.
+    fn move_known<H: Handle>(
+        &mut self,
+        boxes: &mut impl Iterator<Item = (H, Aabb<R, D>)>,
+        margin: R,
+    ) -> Option<(H, Aabb<R, D>)> {
+        let Self {
+            tracker,
+            generations,
+            gathered,
+            ..
+        } = self;
+        let mut mover = tracker.mover();
+        let (mut listed, mut moved) = (0, 0);
+        let unusual = loop {
+            let Some((handle, aabb)) = boxes.next() else {
+                break None;
+            };
+            let (slot, generation) = handle.into_raw_parts();
+            if generations.get(slot as usize) != Some(&Some(generation)) {
+                break Some((handle, aabb));
+            }
+            match Verdict::of(mover.held(slot), &aabb, margin) {
+                Verdict::Keep => {}
+                Verdict::Renew(renewed) => {
+                    mover.place(slot, renewed);
+                    moved += 1;
+                }
+                Verdict::Recheck => break Some((handle, aabb)),
+            }
+            listed += 1;
+        };
+        gathered.listed += listed;
+        gathered.moved += moved;
+        unusual
+    }
+
+    /// Keeps a box until the next update can look for its collider.
+    #[cold]
+    fn await_collider(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
+        // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all others.
+        if index < self.generations.len() + ROOM_AHEAD {
+            self.make_room(index + 1);
+            if let Some(known) = self.generations[index] {
+                // Probably its removal has not been reported yet.
+                self.awaited.push(Awaited {
+                    slot,
+                    generation: known,
+                    aabb: None,
+                });
+            }
+            let is_known = self.generations[index].is_some();
+            if aabb.is_valid() {
+                if is_known && self.tracker.get(slot).is_none() {
+                    self.stats.proxies += 1;
+                    self.stats.refused -= 1;
+                }
+                self.tracker.place(slot, aabb);
+            } else if !is_known {
+                self.tracker.refuse(slot);
+            }
+        }
+        self.awaited.push(Awaited {
+            slot,
+            generation,
+            aabb: Some(aabb),
+        });
+    }
+
+    /// Forgets awaited colliders that have been removed in the meantime.
+    pub(super) fn forget_awaited<H: Handle>(&mut self, removed: &[H]) {
+        if !self.awaited.is_empty() && !removed.is_empty() {
+            let removed: BTreeSet<_> = removed
+                .iter()
+                .map(|handle| handle.into_raw_parts())
+                .collect();
+            self.awaited
+                .retain(|awaited| !removed.contains(&(awaited.slot, awaited.generation)));
+        }
+    }
+
+    /// Looks at the awaited colliders.
+    pub(super) fn admit_awaited<S>(&mut self, source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for awaited in std::mem::take(&mut self.awaited) {
+            let Awaited {
+                slot,
+                generation,
+                aabb,
+            } = awaited;
+            if self.generations.get(slot as usize) == Some(&None) {
+                // The box was only there for queries.
+                self.tracker.refuse(slot);
+            }
+            let handle = S::Handle::from_raw_parts(slot, generation);
+            self.admit(handle, margin, |memo| {
+                let (read, key) = source.read(handle, memo)?;
+                Some((aabb.unwrap_or(read), key))
+            });
+        }
+    }
+}
