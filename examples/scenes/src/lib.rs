@@ -22,7 +22,8 @@
 //!
 //! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
 //!
-//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
+//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
+//! its versions in `version/`. `dim2_0_36` and `dim3_0_36` are for an opened copy of Rapier 0.36, and exist if there is one.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod backbone;

@@ -108,33 +108,6 @@ macro_rules! scene_tests {
                 assert!(pairs.filter(|(_, _, intersecting)| *intersecting).count() > 0);
             }
 
-            /// The pairs of colliders whose boxes overlap, and how many of them the narrow phase looks at.
-            fn pairs(kind: SceneKind, bodies: usize) -> [usize; 2] {
-                let mut scene = Scene::build(kind, bodies, 1);
-                let mut broad_phase = install(Observed::new(OwnBroadPhase::new()).with_held());
-                for _ in 0..STEPS {
-                    scene.step(broad_phase.for_step(), &(), &());
-                }
-                let colliders = &scene.world.colliders;
-                let may_touch = broad_phase.held().iter().filter(|pair| {
-                    let (a, b) = (&colliders[pair.collider1], &colliders[pair.collider2]);
-                    scene.world.may_touch(a, b)
-                });
-                [broad_phase.held().len(), may_touch.count()]
-            }
-
-            #[test]
-            fn the_narrow_phase_drops_nearly_all_pairs_of_ships_tiles_and_ghosts() {
-                for kind in [SceneKind::Ships, SceneKind::TileMap] {
-                    let [all, relevant] = pairs(kind, 240);
-                    assert!(relevant > 0, "{}", kind.name());
-                    assert!(20 * relevant < all, "{}: {relevant} of {all}", kind.name());
-                }
-                // Of few ghosts, many are at the walls.
-                let [all, relevant] = pairs(SceneKind::Ghosts, 600);
-                assert!(relevant > 0 && 4 * relevant < all, "{relevant} of {all}");
-            }
-
             #[test]
             fn ships_are_three_bodies_with_cargo() {
                 let (scene, _) = run(SceneKind::Ships, 3 * 12 * 12 * 12, 1, 1);
