@@ -47,7 +47,7 @@ const FEW_STEPS: usize = 20;
 fn main() {
     common::set_threads();
     println!(
-        "| dimension | balls | of which move | µs of the first ray, steps 1 to 100 | last 100 steps | further ray | new tree | ratio | default's ray |"
+        "| dimension | balls | of which move | µs of the first ray, mean of steps 1 to 100 | of the last 100 | further ray | new tree | ratio | default's ray |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     let steps = if common::is_smoke_test() {

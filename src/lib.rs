@@ -9,18 +9,26 @@
 //!
 //! # In Rapier
 //!
-//! Enable the feature `rapier2d` or `rapier3d` (for Rapier **0.27**, the last version whose broad phase can be
-//! replaced), or `rapier2d-f64` or `rapier3d-f64` for numbers of 64 bits, and give Rapier another broad phase; everything
-//! else stays as it is, and so do the contacts:
+//! Give Rapier another broad phase; everything else stays as it is, and so do the contacts.
+//!
+//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d_0_36`,
+//! `rapier3d_0_36`, `rapier2d-f64_0_36` or `rapier3d-f64_0_36`:
+//!
+//! ```diff
+//! -let mut broad_phase = DefaultBroadPhase::new();
+//! +let mut broad_phase = DefaultBroadPhase::custom(unisize::rapier3d_0_36::UnisizeBroadPhase::new());
+//! ```
+//!
+//! Rapier **0.27**, the last version whose pipelines take any broad phase, with the feature `rapier2d`, `rapier3d`,
+//! `rapier2d-f64` or `rapier3d-f64`:
 //!
 //! ```diff
 //! -let mut broad_phase = DefaultBroadPhase::new();
 //! +let mut broad_phase = unisize::rapier3d::UnisizeBroadPhase::new();
 //! ```
 //!
-//! Rapier 0.36 has no such trait any more. The features `rapier2d_0_36`, `rapier3d_0_36`, `rapier2d-f64_0_36` and
-//! `rapier3d-f64_0_36` are for programs that drive collision detection by themselves, with a `UnisizeBroadPhase::update`
-//! that has the arguments of Rapier's own; and for Rapier's own pipelines, with a copy of Rapier that is opened for them.
+//! Programs that drive the collision detection of Rapier 0.36 by themselves need no opened copy: `UnisizeBroadPhase::update`
+//! has the arguments of Rapier's own.
 //!
 //! # Without an engine
 //!

@@ -139,27 +139,28 @@ pub(crate) mod update {
     pub(crate) const SPEED_SAMPLE: usize = 128;
 }
 
-/// The tree for queries. Shown by the example `compare` with `--rays 1`.
+/// The tree for queries. Shown by `cargo bench --bench queries`, and by the example `compare` with `--rays 1`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
-    /// sound, and is never optimized: all of it can be visited in no time.
+    /// sound, and its leaves keep their places: all of it can be visited in no time.
     pub(crate) const SMALL_UP_TO: usize = 16;
 
     /// Updates. A tree that has not been asked for in this many is given up. Above: scenes that have stopped asking go
     /// on noting what has changed. Below: a program that asks now and then builds a tree each time.
     pub(crate) const KEEP_UNASKED: u32 = 64;
 
-    /// One leaf in this many. Up to that, each renewed leaf enlarges its ancestors by itself; with more, all nodes are
-    /// computed anew. Above: a pass over the whole tree for a few leaves. Below: ancestors are written many times.
-    pub(crate) const PROPAGATE_UP_TO_ONE_IN: usize = 16;
+    /// One leaf in this many. If fewer were renewed, each is written alone, with what becomes of its ancestors; otherwise all
+    /// nodes are computed anew. Above: a pass over the whole tree for a few leaves. Below: ancestors are written many times.
+    pub(crate) const WRITE_ALONE_UP_TO_ONE_IN: usize = 8;
 
-    /// One leaf in this many. Once ancestors of more have been enlarged, all nodes are computed anew.
-    pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 4;
+    /// One leaf in this many. Once ancestors of more have been enlarged, all nodes are computed anew. Above: time. Below: rays
+    /// visit more of the tree.
+    pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 2;
 
-    /// One leaf in this many. Once more have been written, one step of incremental optimization is made, on a twentieth of
-    /// the tree. Above: time. Below: the tree ages, and rays visit more of it.
-    pub(crate) const OPTIMIZE_FROM_ONE_IN: usize = 2;
+    /// One leaf in this many. Once more have left the boxes for which their places were chosen, all at a time, the tree is
+    /// built afresh. Above: the tree ages, and rays visit more of it. Below: building takes more than writing.
+    pub(crate) const BUILD_FROM_ONE_IN: usize = 4;
 
     /// One leaf in this many. Once more have been removed, the nodes are put in order, which frees those that they left.
     pub(crate) const REORDER_FROM_ONE_IN: usize = 4;

@@ -140,18 +140,14 @@ pub(crate) fn print(count: usize, one_in: usize, steps: usize) {
             *best = flight.time(scene, &rays).min(*best);
         }
     }
-    let median = |times: &[Duration]| {
-        let mut times = times.to_vec();
-        times.sort_unstable();
-        micros(times[times.len() / 2])
-    };
+    let mean = |times: &[Duration]| micros(times.iter().sum::<Duration>()) / times.len() as f64;
     let few = steps.min(100);
     let [kept, new, default] = best.map(micros);
     println!(
         "| {DIM} | {count} | {} | {:.1} | {:.1} | {kept:.2} | {new:.2} | {:.2} | {default:.2} |",
         movers.len(),
-        median(&first[..few]),
-        median(&first[steps - few..]),
+        mean(&first[..few]),
+        mean(&first[steps - few..]),
         kept / new,
     );
 }

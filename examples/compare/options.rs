@@ -44,9 +44,9 @@ pub(super) struct Options {
     #[arg(long, value_enum, default_value = "grid-sweep")]
     pub(super) kernel: Kernel,
     /// Which pairs unisize leaves out because they can have no effect
-    #[arg(long, value_enum, default_value = "off")]
+    #[arg(long, value_enum, default_value = crate::FILTER)]
     pub(super) filter: Filter,
-    /// How many threads unisize may use, which pays only for very many bodies; Rapier's own uses one
+    /// How many threads unisize may use, which pays only for very many bodies, and Rapier if it is built with `parallel`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
     /// How many rays are cast after each step, in the tree of the broad phase, beside those of the scene itself

@@ -13,8 +13,9 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
     print(
         bar,
         &format!(
-            "rapier{dim}d. Whole steps: each broad phase alone, queries included. The rest: the default drives, unisize \
-             follows.\n"
+            "rapier{dim}d {}. Whole steps: each broad phase alone, queries included. The rest: the default drives, unisize \
+             follows.\n",
+            crate::RAPIER
         ),
     );
     let head = format!(

@@ -11,8 +11,8 @@ use super::rapier::geometry::Aabb;
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use crate::tuning::queries::{
-    KEEP_UNASKED, OPTIMIZE_FROM_ONE_IN, PROPAGATE_UP_TO_ONE_IN, REORDER_FROM_ONE_IN, SMALL_UP_TO,
-    TIGHTEN_FROM_ONE_IN,
+    BUILD_FROM_ONE_IN, KEEP_UNASKED, REORDER_FROM_ONE_IN, SMALL_UP_TO, TIGHTEN_FROM_ONE_IN,
+    WRITE_ALONE_UP_TO_ONE_IN,
 };
 
 /// The boxes by slot; invalid where there is none.
@@ -40,14 +40,15 @@ struct Outdated {
 struct Tree {
     bvh: Bvh,
     workspace: Workspace,
+    /// By slot, the box for which the place of the leaf was chosen.
+    placed: Vec<crate::Aabb<Real, DIM>>,
     leaves: usize,
-    /// Leaves written since the tree was last optimized, and removed since its nodes were last put in order.
-    written: usize,
+    /// Leaves removed since the nodes were last put in order.
     removed: usize,
-    /// Whether a leaf is gone that could not be removed.
-    is_unsound: bool,
     /// Leaves written whose ancestors may be larger than necessary.
     loose: usize,
+    /// Whether a leaf is gone that could not be removed.
+    is_unsound: bool,
     /// How many of the boxes handed over since the last update it has.
     seen: usize,
 }
@@ -159,27 +160,26 @@ impl Tree {
         Self {
             bvh,
             workspace: Workspace::default(),
+            placed: boxes.to_vec(),
             leaves: count,
-            written: 0,
             removed: 0,
-            is_unsound: false,
             loose: 0,
+            is_unsound: false,
             seen: 0,
         }
     }
 
     /// The tree with the leaves of these slots brought up to date.
+    ///
+    /// A leaf that has gone far from where its place was chosen makes its ancestors large, and rays visit more of the
+    /// tree. If few have moved, it gets a new place; if many have, they go far at about the same time, and then the
+    /// tree is built afresh.
     fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
-        if renewed.len() * PROPAGATE_UP_TO_ONE_IN < self.leaves {
-            for &slot in renewed {
-                self.write(slot as usize, boxes, Bvh::insert);
-            }
-            self.loose += renewed.len();
-        } else {
-            for &slot in renewed {
-                self.write(slot as usize, boxes, write_leaf);
-            }
-            self.loose = self.leaves;
+        self.placed.resize(boxes.len(), ABSENT);
+        let are_few = renewed.len() * WRITE_ALONE_UP_TO_ONE_IN < self.leaves;
+        let mut strays = 0;
+        for &slot in renewed {
+            strays += usize::from(self.write(slot as usize, boxes, are_few));
         }
         if self.is_unsound {
             return Self::new(boxes);
@@ -188,54 +188,67 @@ impl Tree {
             self.bvh.refit_without_opt();
             return self;
         }
-        let is_due = self.written * OPTIMIZE_FROM_ONE_IN > self.leaves;
-        if is_due {
-            self.written = 0;
-            self.bvh.optimize_incremental(&mut self.workspace.0);
+        if !are_few && strays * BUILD_FROM_ONE_IN > self.leaves {
+            return Self::new(boxes);
         }
+        self.loose += renewed.len();
         if self.removed * REORDER_FROM_ONE_IN > self.leaves {
             self.removed = 0;
             self.loose = 0;
             self.bvh.refit(&mut self.workspace.0);
-        } else if is_due || self.loose * TIGHTEN_FROM_ONE_IN > self.leaves {
+        } else if !are_few || self.loose * TIGHTEN_FROM_ONE_IN > self.leaves {
             self.loose = 0;
             self.bvh.refit_without_opt();
         }
         self
     }
 
-    /// Brings the leaf of a slot up to date; `insert` writes it if its box has changed.
-    fn write(&mut self, slot: usize, boxes: Boxes, insert: impl Fn(&mut Bvh, Aabb, u32)) {
+    /// Brings the leaf of a slot up to date. Alone, it takes care of its ancestors too. Otherwise, they are to be computed
+    /// afterwards, and it returns whether it has gone far from its place.
+    fn write(&mut self, slot: usize, boxes: Boxes, is_alone: bool) -> bool {
         if self.is_unsound {
             // It will be built afresh.
-            return;
+            return false;
         }
-        let leaf = self.bvh.leaf_node(slot as u32).map(|node| node.aabb());
+        let index = slot as u32;
+        let leaf = self.bvh.leaf_node(index).map(|node| node.aabb());
         let aabb = &boxes[slot];
+        let is_small = self.leaves <= SMALL_UP_TO;
         if !aabb.is_valid() {
             if leaf.is_none() {
-                return;
+                return false;
             }
-            if self.leaves > SMALL_UP_TO {
-                self.bvh.remove(slot as u32);
-                self.removed += 1;
-            } else {
+            if is_small {
                 // Parry's trees that lose nearly all leaves are not sound.
                 self.is_unsound = true;
+            } else {
+                self.bvh.remove(index);
+                self.removed += 1;
             }
             self.leaves -= 1;
-            return;
+            return false;
         }
-        let aabb = Aabb::from(*aabb);
-        if leaf != Some(aabb) {
-            self.leaves += usize::from(leaf.is_none());
-            self.written += 1;
-            insert(&mut self.bvh, aabb, slot as u32);
+        let new = Aabb::from(*aabb);
+        let Some(_) = leaf else {
+            self.leaves += 1;
+            self.placed[slot] = *aabb;
+            self.bvh.insert(new, index);
+            return false;
+        };
+        let is_stray = !is_small && !aabb.overlaps(&self.placed[slot]);
+        if !is_alone {
+            self.bvh.insert_or_update_partially(new, index, 0.0);
+            return is_stray;
         }
+        if is_stray {
+            self.placed[slot] = *aabb;
+            self.bvh.remove(index);
+            self.removed += 1;
+        }
+        self.bvh.insert(new, index);
+        false
     }
 }
 
-/// Writes a leaf; its ancestors are updated afterwards.
-fn write_leaf(bvh: &mut Bvh, aabb: Aabb, slot: u32) {
-    bvh.insert_or_update_partially(aabb, slot, 0.0);
-}
+/// The box of a slot without a leaf.
+const ABSENT: crate::Aabb<Real, DIM> = crate::Aabb::new([Real::NAN; DIM], [Real::NAN; DIM]);

@@ -22,7 +22,8 @@
 //!
 //! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
 //!
-//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules.
+//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
+//! its versions in `version/`. `dim2_0_36` and `dim3_0_36` are for an opened copy of Rapier 0.36, and exist if there is one.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod backbone;
@@ -56,10 +57,13 @@ pub mod dim2 {
     #[path = "../show.rs"]
     mod show;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
     pub use gorge::Gorge;
     pub use show::{HeldPairs, Show};
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier3d")]
@@ -78,12 +82,15 @@ pub mod dim3 {
     mod show;
     mod solids;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
     pub use implosion::Implosion;
     pub use pour::Pour;
     pub use ropes::Ropes;
     pub use show::{HeldPairs, Show};
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier2d-f64")]
@@ -97,8 +104,11 @@ pub mod dim2_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
 #[cfg(feature = "rapier3d-f64")]
@@ -112,6 +122,49 @@ pub mod dim3_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
+    #[path = "../version/rapier_0_27.rs"]
+    mod version;
 
     pub use engine::*;
+    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+}
+
+#[cfg(all(feature = "rapier2d_0_36", opened_rapier2d))]
+#[path = "dim2"]
+pub mod dim2_0_36 {
+    //! The scenes for an opened rapier2d 0.36.
+
+    pub use rapier2d_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
+}
+
+#[cfg(all(feature = "rapier3d_0_36", opened_rapier3d))]
+#[path = "dim3"]
+pub mod dim3_0_36 {
+    //! The scenes for an opened rapier3d 0.36.
+
+    pub use rapier3d_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
 }

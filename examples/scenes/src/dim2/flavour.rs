@@ -1,6 +1,7 @@
 //! What the scenes need and Rapier spells differently in two dimensions.
 
-use super::rapier::{na::DVector, prelude::*};
+use super::engine::space::{Point, along, vector};
+use super::rapier::prelude::*;
 
 /// The area of the unit ball.
 pub(super) const UNIT_BALL: Real = core::f64::consts::PI as Real;
@@ -18,17 +19,17 @@ pub(super) const UPRIGHT: LockedAxes = LockedAxes::ROTATION_LOCKED_Z;
 pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
 
 /// The rotation that lifts the positive side of a horizontal axis by this angle.
-pub(super) fn tilt(_axis: usize, angle: Real) -> AngVector<Real> {
+pub(super) fn tilt(_axis: usize, angle: Real) -> Real {
     angle
 }
 
 /// The rotation that lays a capsule along the first axis.
-pub(super) fn lying() -> AngVector<Real> {
+pub(super) fn lying() -> Real {
     core::f64::consts::FRAC_PI_2 as Real
 }
 
 /// An angular velocity of random components.
-pub(super) fn turning(mut component: impl FnMut() -> Real) -> AngVector<Real> {
+pub(super) fn turning(mut component: impl FnMut() -> Real) -> Real {
     component()
 }
 
@@ -38,12 +39,14 @@ pub(super) fn terrain(
     extent: Real,
     mut height: impl FnMut() -> Real,
 ) -> ColliderBuilder {
-    let heights = DVector::from_fn(cells + 1, |_, _| height());
-    ColliderBuilder::heightfield(heights, vector![extent, 1.0])
+    let heights: Vec<_> = (0..=cells).map(|_| height()).collect();
+    let scale = vector(|axis| if axis == 0 { extent } else { 1.0 });
+    ColliderBuilder::heightfield(heights.into(), scale)
 }
 
 /// An open surface of segments: a ridge of this half width and height.
 pub(super) fn ridge(half: Real, height: Real) -> ColliderBuilder {
-    let vertices = vec![point![-half, 0.0], point![0.0, height], point![half, 0.0]];
+    let vertices = [along(0, -half), along(1, height), along(0, half)];
+    let vertices = vertices.into_iter().map(Point::from).collect();
     ColliderBuilder::polyline(vertices, None)
 }

@@ -1,14 +1,15 @@
 //! The vehicle of the plane: there is none, for Rapier's controller of vehicles needs a third dimension.
 
+use super::engine::space::Vector;
+use super::engine::{Queries, World};
 use super::rapier::prelude::*;
-use super::{Queries, World};
 
 /// A vehicle, of which there is none.
 pub(super) enum Vehicle {}
 
 impl Vehicle {
     /// Inserts no vehicle.
-    pub(super) fn insert(_world: &mut World, _place: Vector<Real>) -> Option<Self> {
+    pub(super) fn insert(_world: &mut World, _place: Vector) -> Option<Self> {
         None
     }
 

@@ -1,8 +1,9 @@
 //! A vehicle of Rapier's own: a chassis on four wheels, each of which is a ray.
 
+use super::engine::space::{Point, Vector, along, length, own};
+use super::engine::{Queries, World};
 use super::rapier::control::{DynamicRayCastVehicleController, WheelTuning};
 use super::rapier::prelude::*;
-use super::{Queries, World};
 
 /// Half the length, height and width of the chassis.
 const HALF: [Real; 3] = [0.8, 0.2, 0.4];
@@ -26,13 +27,13 @@ pub(super) struct Vehicle {
 
 impl Vehicle {
     /// Inserts a vehicle here.
-    pub(super) fn insert(world: &mut World, place: Vector<Real>) -> Option<Self> {
-        let [length, height, width] = HALF;
+    pub(super) fn insert(world: &mut World, place: Vector) -> Option<Self> {
+        let [half_length, height, width] = HALF;
         let chassis = world.insert(
             RigidBodyBuilder::dynamic()
                 .translation(place)
                 .can_sleep(false),
-            ColliderBuilder::cuboid(length, height, width).density(DENSITY),
+            ColliderBuilder::cuboid(half_length, height, width).density(DENSITY),
         );
         let mut controller = DynamicRayCastVehicleController::new(chassis);
         let tuning = WheelTuning {
@@ -41,11 +42,13 @@ impl Vehicle {
             ..WheelTuning::default()
         };
         for (forward, aside) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let connection = point![forward * 0.8 * length, -height, aside * width];
+            let mut connection = along(1, -height);
+            connection[0] = forward * 0.8 * half_length;
+            connection[2] = aside * width;
             controller.add_wheel(
-                connection,
-                -Vector::y(),
-                Vector::z(),
+                Point::from(connection),
+                -along(1, 1.0),
+                along(2, 1.0),
                 height,
                 0.5 * height,
                 &tuning,
@@ -68,6 +71,6 @@ impl Vehicle {
             dt,
             queries.pipeline_mut(&mut world.bodies, &mut world.colliders, filter),
         );
-        2.0 * FORCE * dt * world.bodies[chassis].linvel().norm()
+        2.0 * FORCE * dt * length(own(world.bodies[chassis].linvel()))
     }
 }

@@ -17,7 +17,8 @@ use super::queries::{Queries, QueryAccess};
 use super::rapier::{self, prelude::*};
 use super::sanity::Sanity;
 use super::scene::Scene;
-use super::space::{along, vector};
+use super::space::{self, components, direction, largest, vector};
+use super::version::{self, BroadPhase, Steppable};
 use super::world::World;
 use crate::SceneKind;
 use crate::random::Random;
@@ -62,7 +63,7 @@ pub struct Candidate<C> {
 /// What a candidate is asked after each step.
 type Ask<C, T> = Box<dyn Fn(&C) -> T>;
 
-impl<C: BroadPhase> Candidate<C> {
+impl<C: BroadPhase + 'static> Candidate<C> {
     /// A candidate that can only be updated.
     pub fn new(create: impl Fn() -> C + 'static) -> Self {
         Self {
@@ -147,7 +148,7 @@ impl Comparison {
 
     /// Compares, and calls `on_step` after each simulated step with the number of steps done: `steps` of
     /// them, and twice as many again for each repeat of the independent runs.
-    pub fn run<C: BroadPhase>(
+    pub fn run<C: BroadPhase + 'static>(
         &self,
         candidate: &Candidate<C>,
         mut on_step: impl FnMut(usize),
@@ -168,7 +169,7 @@ impl Comparison {
         Scene::build(self.kind, self.bodies, seed)
     }
 
-    fn run_together<C: BroadPhase>(
+    fn run_together<C: BroadPhase + 'static>(
         &self,
         candidate: &Candidate<C>,
         on_step: &mut impl FnMut(usize),
@@ -182,8 +183,8 @@ impl Comparison {
             ..Outcome::default()
         };
         for step in 1..=self.steps {
-            scene.prepare_asking(&rays::of_default().to(&ledger.tee.heard.inner));
-            scene.world.step(&mut ledger.tee, &(), &());
+            scene.prepare_asking(&version::access_to_own().to(&ledger.tee.heard.inner));
+            scene.world.step(ledger.tee.for_step(), &(), &());
             ledger.enter_step();
             let touching = Touching::of(&scene.world.narrow_phase);
             outcome.contacts.record(touching.contacts.len());
@@ -216,7 +217,7 @@ impl Comparison {
     }
 }
 
-impl<C: BroadPhase> Candidate<C> {
+impl<C: BroadPhase + 'static> Candidate<C> {
     /// The first difference in what is held, all checks but that of the two narrow phases.
     fn difference(
         &self,

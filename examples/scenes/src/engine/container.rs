@@ -1,7 +1,7 @@
 //! Where the bodies of a scene are meant to stay, and the colliders that keep them there.
 
-use super::rapier::{na::Unit, prelude::*};
-use super::space::{UP, along, cuboid, horizontal, vector};
+use super::rapier::{math::DIM, na::Unit, prelude::*};
+use super::space::{UP, Vector, along, cuboid, horizontal, vector};
 use super::world::World;
 
 /// The thickness of floors and walls. What falls for ten seconds moves by less than this in a step.
@@ -11,9 +11,9 @@ const THICKNESS: Real = 4.0;
 #[derive(Clone, Copy)]
 pub(super) struct Container {
     /// The lower corner.
-    pub(super) lo: Vector<Real>,
+    pub(super) lo: Vector,
     /// The upper corner.
-    pub(super) hi: Vector<Real>,
+    pub(super) hi: Vector,
 }
 
 impl Container {
@@ -37,8 +37,8 @@ impl Container {
     }
 
     /// Whether a body of this size is outside by more than its size.
-    pub(super) fn is_left_by(&self, center: &Vector<Real>, size: Real) -> bool {
-        (0..center.len())
+    pub(super) fn is_left_by(&self, center: Vector, size: Real) -> bool {
+        (0..DIM)
             .any(|axis| center[axis] < self.lo[axis] - size || center[axis] > self.hi[axis] + size)
     }
 
@@ -58,8 +58,8 @@ impl Container {
 
     /// Inserts a floor and walls of half-spaces, which have no bodies.
     pub(super) fn dig(&self, world: &mut World) {
-        let mut insert = |outward: Vector<Real>, at: Vector<Real>| {
-            let normal = Unit::new_normalize(outward);
+        let mut insert = |outward: Vector, at: Vector| {
+            let normal = Unit::new_unchecked(outward);
             world
                 .colliders
                 .insert(ColliderBuilder::halfspace(normal).translation(at));

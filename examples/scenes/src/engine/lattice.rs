@@ -1,7 +1,7 @@
 //! Places for bodies that must not overlap at the start: the cells of a regular grid.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::space::{UP, power, vector};
+use super::space::{UP, Vector, power, vector};
 
 /// A grid of cells, as wide along each horizontal axis, filled layer by layer from the bottom.
 pub(super) struct Lattice {
@@ -46,7 +46,7 @@ impl Lattice {
     }
 
     /// The center of a cell: around zero along the horizontal axes, and above zero.
-    pub(super) fn center(&self, index: usize) -> Vector<Real> {
+    pub(super) fn center(&self, index: usize) -> Vector {
         let layer = index / self.per_layer();
         let mut rest = index % self.per_layer();
         vector(|axis| {
@@ -62,6 +62,7 @@ impl Lattice {
 
 #[cfg(test)]
 mod tests {
+    use super::super::space::length;
     use super::{DIM, Lattice, UP};
 
     #[test]
@@ -75,7 +76,7 @@ mod tests {
                 }
                 assert!(center[UP] > 0.0 && center[UP] < lattice.height());
                 for other in &centers[..index] {
-                    assert!((center - other).norm() > 1.49);
+                    assert!(length(*center - *other) > 1.49);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! The part of the scenes that touches Rapier: one source for every flavour.
 
-use super::{flavour, rapier, vehicle};
+use super::{flavour, rapier, vehicle, version};
 
 mod comparison;
 mod container;
@@ -11,7 +11,7 @@ mod sanity;
 mod scene;
 mod scenes;
 mod script;
-mod space;
+pub(super) mod space;
 mod stage;
 mod world;
 

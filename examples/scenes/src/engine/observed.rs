@@ -4,6 +4,7 @@
 //! the set of pairs that these amount to. What was not asked for costs nothing.
 
 use super::rapier::prelude::*;
+use super::version::{self, BroadPhase};
 use std::collections::HashSet;
 use std::time::Instant;
 
@@ -208,6 +209,20 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
         }
         if let Some(timing) = &mut self.timing {
             timing.end = Some(Instant::now());
+        }
+    }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
+            let start = self.timing.is_some().then(Instant::now);
+            self.inner.set_aabbs(params, boxes);
+            if let (Some(timing), Some(start)) = (&mut self.timing, start) {
+                timing.record_boxes(start.elapsed());
+            }
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.inner.bvh()
         }
     }
 }

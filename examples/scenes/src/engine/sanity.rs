@@ -2,8 +2,9 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::scene::Scene;
-use super::space::UP;
+use super::space::{Point, UP, largest, length, own};
 use super::stage::Link;
+use super::version;
 
 /// By how much the energy of a scene may exceed what it had and what its script brought in.
 ///
@@ -106,12 +107,12 @@ impl Scene {
             }
             let mass = f64::from(body.mass());
             let height = f64::from(body.center_of_mass()[UP] - self.cue.ground);
-            let gravity = f64::from(self.world.gravity.norm() * body.gravity_scale());
+            let gravity = f64::from(length(self.world.gravity) * body.gravity_scale());
             sanity.mass += mass;
             sanity.kinetic_energy += f64::from(body.kinetic_energy());
             sanity.potential_energy += mass * gravity * height;
             let container = &self.containers[body.user_data as usize];
-            if container.is_left_by(body.translation(), self.size(body)) {
+            if container.is_left_by(own(body.translation()), self.size(body)) {
                 sanity.fallen_through += 1;
             }
         }
@@ -137,24 +138,23 @@ impl Scene {
         body.colliders()
             .iter()
             .map(|&collider| self.world.colliders[collider].shape().compute_local_aabb())
-            .map(|aabb| aabb.extents().max())
+            .map(|aabb| largest(aabb.extents()))
             .fold(0.0, Real::max)
     }
 
     fn stretch(&self, link: &Link) -> Option<f64> {
         let joint = self.world.impulse_joints.get(link.joint)?;
-        let end = |body: RigidBodyHandle, anchor: Point<Real>| {
-            self.world.bodies[body].position() * anchor
-        };
-        let first = end(joint.body1, joint.data.local_anchor1());
-        let second = end(joint.body2, joint.data.local_anchor2());
-        Some(f64::from((second - first).norm()) / f64::from(link.length))
+        let end =
+            |body: RigidBodyHandle, anchor: Point| self.world.bodies[body].position() * anchor;
+        let [first, second] = link.bodies;
+        let first = end(first, joint.data.local_anchor1());
+        let second = end(second, joint.data.local_anchor2());
+        Some(f64::from(length(second - first)) / f64::from(link.length))
     }
 }
 
 fn is_finite(body: &RigidBody) -> bool {
     let vels = body.vels();
     let moves = (0..DIM).all(|axis| vels.linvel[axis].is_finite());
-    let isometry = body.position().to_homogeneous();
-    moves && isometry.iter().all(|entry| entry.is_finite())
+    moves && version::is_finite(body.position())
 }

@@ -7,6 +7,7 @@ use super::scenes;
 use super::script::{Cue, Script};
 use super::space::UP;
 use super::stage::{Link, Stage};
+use super::version::AnyBroadPhase;
 use super::world::World;
 use crate::SceneKind;
 use crate::random::Random;
@@ -95,7 +96,7 @@ impl Scene {
     /// Runs the script, then advances the world by one time step.
     pub fn step(
         &mut self,
-        broad_phase: &mut dyn BroadPhase,
+        broad_phase: &mut AnyBroadPhase,
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) {

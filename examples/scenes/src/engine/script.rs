@@ -2,7 +2,7 @@
 
 use super::queries::Queries;
 use super::rapier::prelude::*;
-use super::space::{GRAVITY, UP};
+use super::space::{GRAVITY, UP, Vector, length, length_squared, own};
 use super::world::World;
 use crate::random::Random;
 
@@ -54,23 +54,18 @@ impl Cue {
     ) -> RigidBodyHandle {
         let (body, collider) = (body.into(), collider.into());
         let height = body.translation()[UP] - self.ground;
-        let potential = world.gravity.norm() * height.max(0.0);
+        let potential = length(world.gravity) * height.max(0.0);
         self.supply(
             collider.mass(),
-            body.linvel().norm_squared() / 2.0 + potential,
+            length_squared(own(body.linvel())) / 2.0 + potential,
         );
         world.insert(body, collider)
     }
 
     /// Gives a body a velocity.
-    pub(super) fn push(
-        &mut self,
-        world: &mut World,
-        handle: RigidBodyHandle,
-        velocity: Vector<Real>,
-    ) {
+    pub(super) fn push(&mut self, world: &mut World, handle: RigidBodyHandle, velocity: Vector) {
         let body = &mut world.bodies[handle];
-        let gain = (velocity.norm_squared() - body.linvel().norm_squared()) / 2.0;
+        let gain = (length_squared(velocity) - length_squared(own(body.linvel()))) / 2.0;
         self.supply(body.mass(), gain.max(0.0));
         body.set_linvel(velocity, true);
     }
@@ -80,10 +75,10 @@ impl Cue {
         &mut self,
         world: &mut World,
         handle: RigidBodyHandle,
-        from: Vector<Real>,
-        velocity: Vector<Real>,
+        from: Vector,
+        velocity: Vector,
     ) {
-        let lift = (from - world.bodies[handle].translation())[UP];
+        let lift = from[UP] - world.bodies[handle].translation()[UP];
         let mass = world.bodies[handle].mass();
         self.supply(mass, GRAVITY * lift.max(0.0));
         world.bodies[handle].set_translation(from, true);

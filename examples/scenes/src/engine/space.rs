@@ -2,6 +2,9 @@
 
 use super::rapier::{math::DIM, na::ComplexField, parry::shape::Cuboid, prelude::*};
 use crate::random::Random;
+use std::borrow::Borrow;
+
+pub(in super::super) use super::version::{Point, Vector};
 
 /// The axis along which gravity acts, downward.
 pub(super) const UP: usize = 1;
@@ -10,17 +13,21 @@ pub(super) const UP: usize = 1;
 pub(super) const GRAVITY: Real = 9.81;
 
 /// The vector with these components.
-pub(super) fn vector(mut component: impl FnMut(usize) -> Real) -> Vector<Real> {
-    Vector::from_fn(|axis, _| component(axis))
+pub(in super::super) fn vector(mut component: impl FnMut(usize) -> Real) -> Vector {
+    let mut vector = Vector::default();
+    for axis in 0..DIM {
+        vector[axis] = component(axis);
+    }
+    vector
 }
 
 /// The vector of this length along one axis.
-pub(super) fn along(axis: usize, length: Real) -> Vector<Real> {
+pub(in super::super) fn along(axis: usize, length: Real) -> Vector {
     vector(|other| if other == axis { length } else { 0.0 })
 }
 
 /// The vector with one component for the horizontal axes and one for the vertical axis.
-pub(super) fn wide_high(wide: Real, high: Real) -> Vector<Real> {
+pub(super) fn wide_high(wide: Real, high: Real) -> Vector {
     vector(|axis| if axis == UP { high } else { wide })
 }
 
@@ -29,8 +36,50 @@ pub(super) fn horizontal() -> impl Iterator<Item = usize> {
     (0..DIM).filter(|&axis| axis != UP)
 }
 
+/// A vector that one version of the engine returns by reference, and another by value.
+pub(in super::super) fn own(vector: impl Borrow<Vector>) -> Vector {
+    *vector.borrow()
+}
+
+/// The components of a vector.
+pub(super) fn components(vector: Vector) -> [Real; DIM] {
+    std::array::from_fn(|axis| vector[axis])
+}
+
+/// The scalar product.
+pub(super) fn dot(a: Vector, b: Vector) -> Real {
+    (0..DIM).map(|axis| a[axis] * b[axis]).sum()
+}
+
+/// The length of a vector, squared.
+pub(super) fn length_squared(vector: Vector) -> Real {
+    dot(vector, vector)
+}
+
+/// The length of a vector.
+pub(in super::super) fn length(vector: Vector) -> Real {
+    length_squared(vector).sqrt()
+}
+
+/// The largest component of a vector.
+pub(super) fn largest(vector: Vector) -> Real {
+    components(vector)
+        .into_iter()
+        .fold(Real::NEG_INFINITY, Real::max)
+}
+
+/// The vector of length 1 in this direction; along the first axis where there is none.
+pub(super) fn direction(vector: Vector) -> Vector {
+    let length = length(vector);
+    if length > 0.0 {
+        vector / length
+    } else {
+        along(0, 1.0)
+    }
+}
+
 /// A vector with each component in `-amount..amount`.
-pub(super) fn jitter(random: &mut Random, amount: Real) -> Vector<Real> {
+pub(super) fn jitter(random: &mut Random, amount: Real) -> Vector {
     vector(|_| random.range(-amount, amount))
 }
 
@@ -41,7 +90,7 @@ pub(super) fn log_range(random: &mut Random, lo: Real, hi: Real) -> Real {
 }
 
 /// A cuboid, from its half extents.
-pub(super) fn cuboid(half: Vector<Real>) -> ColliderBuilder {
+pub(super) fn cuboid(half: Vector) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(Cuboid::new(half)))
 }
 

@@ -9,6 +9,8 @@ use super::world::World;
 pub(super) struct Link {
     /// The joint.
     pub(super) joint: ImpulseJointHandle,
+    /// What it joins.
+    pub(super) bodies: [RigidBodyHandle; 2],
     /// The length of a segment of its rope.
     pub(super) length: Real,
 }

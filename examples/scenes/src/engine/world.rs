@@ -1,11 +1,12 @@
 //! Everything that `PhysicsPipeline::step` asks for, except the broad phase.
 
 use super::rapier::prelude::*;
+use super::version::{SoftBodySet, Vector};
 
 /// A Rapier world without its broad phase, which is given to each step.
 pub struct World {
     /// The acceleration of every dynamic body, in length units per second squared.
-    pub gravity: Vector<Real>,
+    pub gravity: Vector,
     /// The time step and the solver's settings.
     pub params: IntegrationParameters,
     /// Scratch memory of the step, and its timings.
@@ -22,13 +23,15 @@ pub struct World {
     pub impulse_joints: ImpulseJointSet,
     /// The joints in reduced coordinates.
     pub multibody_joints: MultibodyJointSet,
+    /// The soft bodies, in versions that have them.
+    pub soft_bodies: SoftBodySet,
     /// The solver for bodies with CCD.
     pub ccd_solver: CCDSolver,
 }
 
 impl World {
     /// An empty world with this gravity.
-    pub fn new(gravity: Vector<Real>) -> Self {
+    pub fn new(gravity: Vector) -> Self {
         Self {
             gravity,
             params: IntegrationParameters::default(),
@@ -39,31 +42,9 @@ impl World {
             colliders: ColliderSet::new(),
             impulse_joints: ImpulseJointSet::new(),
             multibody_joints: MultibodyJointSet::new(),
+            soft_bodies: SoftBodySet::default(),
             ccd_solver: CCDSolver::new(),
         }
-    }
-
-    /// Advances the world by one time step.
-    pub fn step(
-        &mut self,
-        broad_phase: &mut dyn BroadPhase,
-        hooks: &dyn PhysicsHooks,
-        events: &dyn EventHandler,
-    ) {
-        self.pipeline.step(
-            &self.gravity,
-            &self.params,
-            &mut self.islands,
-            broad_phase,
-            &mut self.narrow_phase,
-            &mut self.bodies,
-            &mut self.colliders,
-            &mut self.impulse_joints,
-            &mut self.multibody_joints,
-            &mut self.ccd_solver,
-            hooks,
-            events,
-        );
     }
 
     /// Inserts a body with one collider.
@@ -76,18 +57,6 @@ impl World {
         self.colliders
             .insert_with_parent(collider, handle, &mut self.bodies);
         handle
-    }
-
-    /// Removes a body with its colliders and joints.
-    pub fn remove(&mut self, handle: RigidBodyHandle) {
-        self.bodies.remove(
-            handle,
-            &mut self.islands,
-            &mut self.colliders,
-            &mut self.impulse_joints,
-            &mut self.multibody_joints,
-            true,
-        );
     }
 
     /// Whether the narrow phase would look at a pair of colliders of this world at all.

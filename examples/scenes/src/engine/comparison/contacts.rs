@@ -8,6 +8,7 @@ use super::both::{Both, Side};
 use super::journal::Journal;
 use super::pair::Pair;
 use super::rapier::prelude::*;
+use super::version::{self, BroadPhase};
 
 /// The colliders that touch, and the sensors that are entered.
 #[derive(Default, PartialEq, Eq)]
@@ -23,7 +24,7 @@ impl Touching {
     pub(super) fn of(narrow_phase: &NarrowPhase) -> Self {
         let mut contacts: Vec<_> = narrow_phase
             .contact_pairs()
-            .filter(|pair| pair.has_any_active_contact)
+            .filter(|pair| version::touches(pair))
             .map(|pair| Pair::new(pair.collider1, pair.collider2))
             .collect();
         let mut intersections: Vec<_> = narrow_phase
@@ -60,6 +61,14 @@ impl BroadPhase for Replay {
     ) {
         events.append(&mut self.0);
     }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, _: &IntegrationParameters, _: &[(ColliderHandle, Aabb)]) {}
+
+        fn bvh(&self) -> &Bvh {
+            unreachable!("a replay is not asked")
+        }
+    }
 }
 
 /// The two narrow phases.
@@ -95,14 +104,14 @@ impl ContactCheck {
                 &(),
             );
             mark_modified(&mut colliders);
-            CollisionPipeline::new().step(
-                world.params.prediction_distance(),
-                &mut Replay(journal.events.drain(..).map(Into::into).collect()),
+            let replay = Replay(journal.events.drain(..).map(Into::into).collect());
+            version::detect(
+                world,
+                replay,
                 narrow_phase,
                 &mut bodies,
                 &mut colliders,
                 hooks,
-                &(),
             );
             journal.clear();
         }

@@ -11,12 +11,13 @@
 use super::outcome::Independent;
 use super::rapier::prelude::*;
 use super::rays::{self, Answer, Rays};
-use super::{Both, Candidate, Comparison, QueryAccess, Sanity, Scene};
+use super::version::{self, Steppable};
+use super::{Both, BroadPhase, Candidate, Comparison, QueryAccess, Sanity, Scene};
 use std::time::{Duration, Instant};
 
 impl Comparison {
     /// Simulates the scene on both, each alone.
-    pub(super) fn run_alone<C: BroadPhase>(
+    pub(super) fn run_alone<C: BroadPhase + 'static>(
         &self,
         candidate: &Candidate<C>,
         repeat: usize,
@@ -26,7 +27,8 @@ impl Comparison {
         // Where one cannot be asked, neither is.
         let access = candidate.access.map(|_| rays::of_default());
         let mut default = Run::new(self, seed, DefaultBroadPhase::new(), access);
-        let mut other = Run::new(self, seed, (candidate.create)(), candidate.access);
+        let (other, access) = version::alone((candidate.create)(), candidate.access);
+        let mut other = Run::new(self, seed, other, access);
         for step in 0..self.steps {
             if step % 2 == 0 {
                 default.step();
@@ -59,7 +61,7 @@ struct Run<B> {
     seed: u64,
 }
 
-impl<B: BroadPhase> Run<B> {
+impl<B: Steppable> Run<B> {
     fn new(
         comparison: &Comparison,
         seed: u64,
@@ -86,7 +88,7 @@ impl<B: BroadPhase> Run<B> {
             Some(access) => self.scene.prepare_asking(&access.to(&self.broad_phase)),
             None => self.scene.prepare(),
         }
-        self.scene.world.step(&mut self.broad_phase, &(), &());
+        self.scene.world.step(self.broad_phase.for_step(), &(), &());
         self.elapsed += start.elapsed();
         let Some(access) = &self.access else { return };
         let rays = self.rays.draw(&self.scene);

@@ -3,13 +3,13 @@
 use super::both::{Both, Side};
 use super::held_pairs::HeldPairs;
 use super::journal::Journal;
-use super::rapier::prelude::*;
+use super::version::{self, BroadPhase, Installed, OwnBroadPhase};
 use super::{Observed, Tee, Update};
 
 /// Two broad phases that see the same updates, and the books on what both report.
 pub(super) struct Ledger<C> {
     /// What takes the place of a broad phase in a step. Rapier hears of the default.
-    pub(super) tee: Tee<Observed<DefaultBroadPhase>, Observed<C>>,
+    pub(super) tee: Installed<Tee<Observed<OwnBroadPhase>, Observed<C>>>,
     /// What both hold, by their events.
     pub(super) held: HeldPairs,
     /// What both have reported since the last look at the contacts.
@@ -20,15 +20,13 @@ pub(super) struct Ledger<C> {
     pub(super) first_redundant: Option<String>,
 }
 
-impl<C: BroadPhase> Ledger<C> {
+impl<C: BroadPhase + 'static> Ledger<C> {
     pub(super) fn new(candidate: C) -> Self {
         Self {
-            tee: Tee::new(
-                Observed::new(DefaultBroadPhase::new())
-                    .clocked()
-                    .with_events(),
+            tee: version::install(Tee::new(
+                Observed::new(OwnBroadPhase::new()).clocked().with_events(),
                 Observed::new(candidate).clocked().with_events(),
-            ),
+            )),
             held: HeldPairs::default(),
             journals: Both::default(),
             redundant: Both::default(),

@@ -2,6 +2,7 @@
 
 use super::World;
 use super::rapier::prelude::*;
+use super::space::{components, own};
 use std::fmt;
 
 /// Two colliders, each as index and generation, the smaller first.
@@ -38,7 +39,7 @@ impl Pair {
                 Some(collider) => format!(
                     "{index}:{generation} ({:?} at {:?}{}{})",
                     collider.shape().shape_type(),
-                    collider.translation().as_slice(),
+                    components(own(collider.translation())),
                     if collider.is_sensor() { ", sensor" } else { "" },
                     if collider.is_enabled() {
                         ""

@@ -5,8 +5,10 @@
 
 use super::ledger::Ledger;
 use super::rapier::prelude::*;
+use super::space::Point;
 use super::{
-    Both, Comparison, Queries, QueryAccess, Random, RayCount, Scene, World, along, vector,
+    Both, BroadPhase, Comparison, Queries, QueryAccess, Random, RayCount, Scene, World, components,
+    direction, largest, vector, version,
 };
 
 /// What a ray hits first, and at which distance.
@@ -47,12 +49,13 @@ impl Rays {
         let colliders = scene.world.colliders.iter();
         let region = colliders
             .map(|(_, collider)| collider.compute_aabb())
-            .filter(|aabb| aabb.extents().max() < ENDLESS)
+            .filter(|aabb| largest(aabb.extents()) < ENDLESS)
             .reduce(|region, aabb| region.merged(&aabb));
         Self {
             random: Random::new(seed),
-            region: region
-                .unwrap_or_else(|| Aabb::from_half_extents(Point::origin(), vector(|_| 1.0))),
+            region: region.unwrap_or_else(|| {
+                Aabb::from_half_extents(Point::from(Vector::default()), vector(|_| 1.0))
+            }),
             count,
             drawn: Vec::new(),
         }
@@ -65,9 +68,8 @@ impl Rays {
         self.drawn.clear();
         for _ in 0..self.count {
             let (from, to) = (somewhere(), somewhere());
-            let direction = (to - from).try_normalize(0.0);
-            let direction = direction.unwrap_or_else(|| along(0, 1.0));
-            self.drawn.push(Ray::new(Point::from(from), direction));
+            self.drawn
+                .push(Ray::new(Point::from(from), direction(to - from)));
         }
         self.drawn.extend(scene.rays());
         &self.drawn
@@ -83,7 +85,7 @@ pub(super) struct RayCheck<C> {
     pub(super) count: RayCount,
 }
 
-impl<C: BroadPhase> RayCheck<C> {
+impl<C: BroadPhase + 'static> RayCheck<C> {
     /// A check of the rays of a comparison, if the candidate can be asked.
     pub(super) fn new(
         access: Option<QueryAccess<C>>,
@@ -106,9 +108,8 @@ impl<C: BroadPhase> RayCheck<C> {
         }
         let (world, answers) = (&scene.world, &mut self.answers);
         let tee = &ledger.tee;
-        let default = of_default();
         cast(
-            &default.to(&tee.heard.inner),
+            &version::access_to_own().to(&tee.heard.inner),
             world,
             rays,
             &mut answers.default,
@@ -128,8 +129,8 @@ impl<C: BroadPhase> RayCheck<C> {
             both.find(|(ray, (default, candidate))| !is_equal(**default, **candidate, ray, world))?;
         Some(format!(
             "the ray from {:?} along {:?} hits {} by the default, and {} by the candidate",
-            ray.origin.coords.as_slice(),
-            ray.dir.as_slice(),
+            components(version::coordinates(ray.origin)),
+            components(ray.dir),
             describe(*default),
             describe(*candidate),
         ))
@@ -165,6 +166,7 @@ fn describe(answer: Answer) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::Candidate;
+    use super::super::version::OwnBroadPhase;
     use super::*;
     use crate::SceneKind;
     use std::time::Duration;
@@ -181,7 +183,8 @@ mod tests {
     #[test]
     fn rays_hit_the_same_in_equal_trees() {
         for kind in SceneKind::ALL {
-            let candidate = Candidate::new(DefaultBroadPhase::new).with_queries(of_default());
+            let candidate =
+                Candidate::new(OwnBroadPhase::new).with_queries(version::access_to_own());
             let outcome = comparison(kind).run(&candidate, |_| {});
             assert_eq!(outcome.first_difference, None, "{}", kind.name());
             let looks = if kind == SceneKind::Player { 16 } else { 0 };
@@ -199,13 +202,13 @@ mod tests {
     #[test]
     fn a_ray_that_misses_is_reported() {
         let blind = QueryAccess::new(
-            |broad_phase: &DefaultBroadPhase, dispatcher, bodies, colliders, _| {
+            |broad_phase: &OwnBroadPhase, dispatcher, bodies, colliders, _| {
                 let filter = QueryFilter::only_fixed();
                 broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter)
             },
-            DefaultBroadPhase::as_query_pipeline_mut,
+            OwnBroadPhase::as_query_pipeline_mut,
         );
-        let candidate = Candidate::new(DefaultBroadPhase::new).with_queries(blind);
+        let candidate = Candidate::new(OwnBroadPhase::new).with_queries(blind);
         let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
         let difference = outcome.first_difference.expect("a difference");
         assert!(difference.starts_with("step "), "{difference}");
@@ -214,7 +217,7 @@ mod tests {
 
     #[test]
     fn nobody_casts_rays_where_one_cannot_be_asked() {
-        let candidate = Candidate::new(DefaultBroadPhase::new);
+        let candidate = Candidate::new(OwnBroadPhase::new);
         let outcome = comparison(SceneKind::Player).run(&candidate, |_| {});
         assert!(outcome.is_equal());
         assert_eq!(outcome.rays, RayCount::default());

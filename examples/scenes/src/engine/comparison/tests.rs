@@ -2,7 +2,9 @@
 
 use super::contacts::ContactCheck;
 use super::ledger::Ledger;
-use super::rapier::{na, prelude::*};
+use super::rapier::prelude::*;
+use super::space::{Vector, along};
+use super::version::{self, BroadPhase, OwnBroadPhase, Steppable};
 use super::{Candidate, Comparison, Outcome, Side, World};
 use crate::SceneKind;
 use std::sync::{Arc, Mutex};
@@ -30,7 +32,7 @@ enum Fault {
 
 /// Rapier's broad phase with a fault.
 struct Faulty {
-    inner: DefaultBroadPhase,
+    inner: OwnBroadPhase,
     fault: Fault,
     list: Vec<ColliderPair>,
     added: usize,
@@ -41,7 +43,7 @@ struct Faulty {
 impl Faulty {
     fn new(fault: Fault) -> Self {
         Self {
-            inner: DefaultBroadPhase::new(),
+            inner: OwnBroadPhase::new(),
             fault,
             list: Vec::new(),
             added: 0,
@@ -121,6 +123,16 @@ impl BroadPhase for Faulty {
         }
         self.updates += 1;
     }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
+            self.inner.set_aabbs(params, boxes);
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.inner.bvh()
+        }
+    }
 }
 
 fn comparison(kind: SceneKind) -> Comparison {
@@ -153,7 +165,7 @@ fn default_equals_itself() {
 
 #[test]
 fn independent_runs_are_sane() {
-    let candidate = Candidate::new(DefaultBroadPhase::new);
+    let candidate = Candidate::new(OwnBroadPhase::new);
     let mut steps = 0;
     let outcome = Comparison {
         repeats: 2,
@@ -241,7 +253,7 @@ fn every_fault_is_reported() {
 #[test]
 fn a_broken_invariant_is_reported() {
     let candidate =
-        Candidate::new(DefaultBroadPhase::new).with_validation(|_| panic!("box {} is askew", 17));
+        Candidate::new(OwnBroadPhase::new).with_validation(|_| panic!("box {} is askew", 17));
     let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
     let difference = outcome.first_difference.expect("a difference");
     assert!(difference.starts_with("step 1: "), "{difference}");
@@ -258,7 +270,7 @@ struct Watched {
 impl Watched {
     fn new(fault: Fault) -> Self {
         Self {
-            world: World::new(na::zero()),
+            world: World::new(Vector::default()),
             ledger: Ledger::new(Faulty::new(fault)),
             check: ContactCheck::default(),
         }
@@ -266,8 +278,7 @@ impl Watched {
 
     /// A kinematic ball, which stays where it is put.
     fn ball(&mut self, x: Real) -> ColliderHandle {
-        let mut translation: Vector<Real> = na::zero();
-        translation.x = x;
+        let translation = along(0, x);
         let body = RigidBodyBuilder::kinematic_position_based().translation(translation);
         let collider =
             ColliderBuilder::ball(1.0).active_collision_types(ActiveCollisionTypes::all());
@@ -280,7 +291,7 @@ impl Watched {
     }
 
     fn step(&mut self) {
-        self.world.step(&mut self.ledger.tee, &(), &());
+        self.world.step(self.ledger.tee.for_step(), &(), &());
         self.ledger.enter_step();
     }
 

@@ -1,6 +1,7 @@
 //! Two broad phases in the place of one.
 
 use super::super::rapier::prelude::*;
+use super::super::version::{self, BroadPhase};
 
 /// Two broad phases in the place of one: each update goes to both, with the very same arguments, and Rapier hears of
 /// the events of the first.
@@ -48,6 +49,23 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
                 (&mut self.unheard, &mut self.unheard_events)
             };
             broad_phase.update(params, colliders, bodies, modified, removed, events);
+        }
+    }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
+            // Whoever was first in the last update, which reads colliders, is second here.
+            if self.updates.div_ceil(2) % 2 == 0 {
+                self.heard.set_aabbs(params, boxes);
+                self.unheard.set_aabbs(params, boxes);
+            } else {
+                self.unheard.set_aabbs(params, boxes);
+                self.heard.set_aabbs(params, boxes);
+            }
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.heard.bvh()
         }
     }
 }

@@ -1,17 +1,16 @@
 //! What was asked for is kept as it happened, and nothing else is.
 
-use super::super::rapier::{na, prelude::*};
+use super::super::rapier::prelude::*;
+use super::super::space::{Vector, along};
+use super::super::version::{BroadPhase, OwnBroadPhase};
 use super::super::world::World;
 use super::{Observed, PairEvent, Tee, Timing};
 
 /// Balls in a row, of which neighbours overlap.
 fn row(count: usize) -> (World, Vec<ColliderHandle>) {
-    let mut world = World::new(na::zero());
-    let balls = (0..count).map(|i| {
-        let mut place: Vector<Real> = na::zero();
-        place.x = 1.5 * i as Real;
-        ColliderBuilder::ball(1.0).translation(place)
-    });
+    let mut world = World::new(Vector::default());
+    let balls =
+        (0..count).map(|i| ColliderBuilder::ball(1.0).translation(along(0, 1.5 * i as Real)));
     let handles = balls.map(|ball| world.colliders.insert(ball)).collect();
     (world, handles)
 }
@@ -32,7 +31,7 @@ fn update(
 #[test]
 fn what_was_asked_for_is_kept() {
     let (mut world, handles) = row(3);
-    let mut all = Observed::new(DefaultBroadPhase::new())
+    let mut all = Observed::new(OwnBroadPhase::new())
         .clocked()
         .with_lists()
         .with_events()
@@ -72,14 +71,12 @@ fn what_was_asked_for_is_kept() {
 #[test]
 fn nothing_else_is_kept() {
     let (world, handles) = row(3);
-    let mut none = Observed::new(DefaultBroadPhase::new());
+    let mut none = Observed::new(OwnBroadPhase::new());
     assert_eq!(update(&mut none, &world, &handles, &[]), 2);
     assert_eq!(none.timing(), Timing::default());
     assert!(none.take_updates().is_empty());
 
-    let mut lists = Observed::new(DefaultBroadPhase::new())
-        .with_lists()
-        .silent();
+    let mut lists = Observed::new(OwnBroadPhase::new()).with_lists().silent();
     assert_eq!(update(&mut lists, &world, &handles, &[]), 0);
     assert!(lists.take_events().is_empty());
 }
@@ -87,10 +84,10 @@ fn nothing_else_is_kept() {
 #[test]
 fn a_contradiction_is_a_fault() {
     let (world, handles) = row(2);
-    let mut broad_phase = Observed::new(DefaultBroadPhase::new()).with_held();
+    let mut broad_phase = Observed::new(OwnBroadPhase::new()).with_held();
     update(&mut broad_phase, &world, &handles, &[]);
     assert_eq!(broad_phase.held_fault(), None);
-    broad_phase.inner = DefaultBroadPhase::new();
+    broad_phase.inner = OwnBroadPhase::new();
     update(&mut broad_phase, &world, &handles, &[]);
     let pair = ColliderPair::new(handles[0], handles[1]);
     assert_eq!(broad_phase.held_fault(), Some(PairEvent::Add(pair)));
@@ -99,15 +96,12 @@ fn a_contradiction_is_a_fault() {
 #[test]
 fn events_are_sorted_on_request() {
     let (mut world, handles) = row(20);
-    let mut sorted = Observed::new(DefaultBroadPhase::new())
-        .with_events()
-        .sorted();
+    let mut sorted = Observed::new(OwnBroadPhase::new()).with_events().sorted();
     update(&mut sorted, &world, &handles, &[]);
     // Every second ball leaves, so that all pairs end.
     for &handle in handles.iter().step_by(2) {
-        let mut place: Vector<Real> = na::zero();
-        place.y = 10.0 + 10.0 * handle.into_raw_parts().0 as Real;
-        world.colliders[handle].set_translation(place);
+        let height = 10.0 + 10.0 * handle.into_raw_parts().0 as Real;
+        world.colliders[handle].set_translation(along(1, height));
     }
     update(&mut sorted, &world, &handles, &[]);
     let updates = sorted.take_updates();
@@ -120,11 +114,7 @@ fn events_are_sorted_on_request() {
 #[test]
 fn a_tee_gives_both_the_same() {
     let (world, handles) = row(5);
-    let new = || {
-        Observed::new(DefaultBroadPhase::new())
-            .with_lists()
-            .with_held()
-    };
+    let new = || Observed::new(OwnBroadPhase::new()).with_lists().with_held();
     let mut tee = Tee::new(new(), new());
     for listed in [&handles[..2], &handles[2..]] {
         let heard = update(&mut tee, &world, listed, &[]);

@@ -15,9 +15,11 @@ pub struct Timing {
     pub end: Option<Instant>,
     /// How many updates there were.
     pub updates: usize,
-    /// How many of them had a collider to look at, modified or removed.
+    /// How many of them had a collider to look at, modified, removed or handed over.
     pub busy_updates: usize,
     busy_total: Duration,
+    /// Whether boxes were handed over since the last update, which has to look at them.
+    has_boxes: bool,
 }
 
 impl Timing {
@@ -26,10 +28,20 @@ impl Timing {
         self.worst = self.worst.max(elapsed);
         self.last = elapsed;
         self.updates += 1;
-        if is_busy {
+        if is_busy | std::mem::take(&mut self.has_boxes) {
             self.busy_total += elapsed;
             self.busy_updates += 1;
         }
+    }
+
+    /// Adds what was done with the boxes that were handed over after an update, as a part of it.
+    #[allow(dead_code)] // Only later versions hand over boxes.
+    pub(super) fn record_boxes(&mut self, elapsed: Duration) {
+        self.has_boxes = true;
+        self.total += elapsed;
+        self.busy_total += elapsed;
+        self.last += elapsed;
+        self.worst = self.worst.max(self.last);
     }
 
     /// The mean of the updates that had a collider to look at.

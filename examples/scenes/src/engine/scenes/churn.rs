@@ -3,7 +3,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, falling, jitter, power,
+    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, falling, jitter, own,
+    power, version,
 };
 
 /// Radii differ by a tenth either way.
@@ -32,7 +33,7 @@ const PUSHED_APART: Real = 10.0;
 
 /// Balls of this group touch all others, but not each other.
 const GHOSTS: InteractionGroups =
-    InteractionGroups::new(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
+    version::groups(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
 
 /// Replaces some bodies at every step, and changes others.
 struct Replacement {
@@ -73,12 +74,12 @@ impl Script for Replacement {
 
 impl Replacement {
     /// Removes a random ball, and returns its place and radius.
-    fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector<Real>, Real) {
+    fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector, Real) {
         let handle = self.balls.swap_remove(random.index(self.balls.len()));
         let body = &world.bodies[handle];
         let shape = world.colliders[body.colliders()[0]].shape();
         let radius = shape.as_ball().map_or(RADIUS[0], |ball| ball.radius);
-        let place = (*body.translation(), radius);
+        let place = (own(body.translation()), radius);
         world.remove(handle);
         place
     }
@@ -134,7 +135,7 @@ fn allow_overlap(cue: &mut Cue, mass: Real) {
     cue.supply(2.0 * mass, PUSHED_APART.powi(2) / 2.0);
 }
 
-fn ball(center: Vector<Real>, vertical: Real) -> RigidBodyBuilder {
+fn ball(center: Vector, vertical: Real) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic()
         .translation(center)
         .linvel(along(UP, vertical))

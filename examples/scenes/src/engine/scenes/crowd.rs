@@ -2,8 +2,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Cue, Random, Script, Stage, UP, World, cosine, cuboid, flavour, floating, sine,
-    vector,
+    Container, Cue, Random, Script, Stage, UP, Vector, World, cosine, cuboid, flavour, floating,
+    length, own, sine, vector,
 };
 
 /// Half the width of a walker.
@@ -29,7 +29,7 @@ const REACHED: Real = 1.5;
 
 /// Steers each walker to its goal, and finds it another one when it is there.
 struct Steering {
-    walkers: Vec<(RigidBodyHandle, Vector<Real>)>,
+    walkers: Vec<(RigidBodyHandle, Vector)>,
     half_width: Real,
 }
 
@@ -37,14 +37,14 @@ impl Script for Steering {
     fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
         for (walker, goal) in &mut self.walkers {
             let body = &world.bodies[*walker];
-            let velocity = *body.linvel();
-            let mut way = planar(&(*goal - body.translation()));
-            let distance = way.norm();
+            let velocity = own(body.linvel());
+            let mut way = planar(*goal - own(body.translation()));
+            let distance = length(way);
             if distance < REACHED {
                 *goal = somewhere(self.half_width, &mut cue.random);
             }
-            if velocity.norm() < STUCK {
-                way = aside(&way);
+            if length(velocity) < STUCK {
+                way = aside(way);
             }
             let wanted = way * (SPEED / distance.max(REACHED));
             let velocity = velocity + (wanted - velocity) * EAGERNESS;
@@ -54,24 +54,24 @@ impl Script for Steering {
 }
 
 /// A place on the plane.
-fn somewhere(half_width: Real, random: &mut Random) -> Vector<Real> {
-    planar(&vector(|_| random.range(-half_width, half_width)))
+fn somewhere(half_width: Real, random: &mut Random) -> Vector {
+    planar(vector(|_| random.range(-half_width, half_width)))
 }
 
 /// A vector in the plane, turned to the right by most of a right angle.
 ///
 /// Without it, walkers that meet head-on push each other forever, and the crowd becomes one jam.
-fn aside(way: &Vector<Real>) -> Vector<Real> {
+fn aside(way: Vector) -> Vector {
     let [first, second] = flavour::PLANE;
     let (sine, cosine) = (sine(1.2), cosine(1.2));
-    let mut turned = Vector::zeros();
+    let mut turned = Vector::default();
     turned[first] = cosine * way[first] + sine * way[second];
     turned[second] = cosine * way[second] - sine * way[first];
     turned
 }
 
 /// The part of a vector that is in the plane.
-fn planar(full: &Vector<Real>) -> Vector<Real> {
+fn planar(full: Vector) -> Vector {
     vector(|axis| {
         if flavour::PLANE.contains(&axis) {
             full[axis]
@@ -103,7 +103,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
 
     let walkers = (0..bodies)
         .map(|index| {
-            let mut place = Vector::zeros();
+            let mut place = Vector::default();
             for (axis, cell) in flavour::PLANE.into_iter().zip([index % side, index / side]) {
                 let jitter = random.range(-0.3, 0.3);
                 place[axis] = (cell as Real + 0.5) * SPACING - half_width + jitter;

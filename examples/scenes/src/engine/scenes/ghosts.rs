@@ -4,7 +4,7 @@
 //! makes nothing.
 
 use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, UP, floating, jitter};
+use super::{Container, Lattice, Random, Stage, UP, floating, jitter, version};
 
 /// The radius of every ball.
 const RADIUS: Real = 0.5;
@@ -17,7 +17,7 @@ const SPEED: Real = 0.5;
 
 /// What meets everything but its own kind.
 const GHOSTS: InteractionGroups =
-    InteractionGroups::new(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
+    version::groups(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let lattice = Lattice::heap(bodies, SPACING, 1.0);

@@ -5,7 +5,8 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Lattice, Random, Stage, UP, World, cube, falling, horizontal, jitter, log_range,
+    Container, Lattice, Random, Stage, UP, Vector, World, cube, falling, horizontal, jitter,
+    log_range,
 };
 
 /// The sizes of the last scene: most bodies are near the lower end.
@@ -55,7 +56,7 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
             0 => HILL[1],
             _ => log_range(random, HILL[0], HILL[1]),
         };
-        let mut center = Vector::zeros();
+        let mut center = Vector::default();
         for axis in horizontal() {
             center[axis] = random.range(-half_width, half_width);
         }
@@ -79,7 +80,7 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
 }
 
 /// Inserts a ball or a cube.
-fn insert_body(world: &mut World, index: usize, half: Real, center: Vector<Real>) {
+fn insert_body(world: &mut World, index: usize, half: Real, center: Vector) {
     let collider = match index % 2 {
         0 => ColliderBuilder::ball(half),
         _ => cube(half),

@@ -7,7 +7,7 @@ use super::script::{Cue, Script};
 use super::space::*;
 use super::stage::{Link, Stage};
 use super::world::World;
-use super::{flavour, rapier, vehicle};
+use super::{flavour, rapier, vehicle, version};
 use crate::SceneKind;
 use crate::random::Random;
 
@@ -60,5 +60,5 @@ fn falling() -> World {
 
 /// A world without gravity.
 fn floating() -> World {
-    World::new(rapier::math::Vector::zeros())
+    World::new(vector(|_| 0.0))
 }

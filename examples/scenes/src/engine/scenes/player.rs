@@ -7,8 +7,9 @@ use super::rapier::control::KinematicCharacterController;
 use super::rapier::prelude::*;
 use super::vehicle::Vehicle;
 use super::{
-    Container, Cue, GRAVITY, Lattice, Queries, Random, Script, Stage, UP, World, along, cosine,
-    falling, flavour, jitter, sine, vector,
+    Container, Cue, GRAVITY, Lattice, Point, Queries, Random, Script, Stage, UP, Vector, World,
+    along, cosine, direction, dot, falling, flavour, jitter, length_squared, own, sine, vector,
+    version,
 };
 
 /// Radii of balls differ by a tenth either way.
@@ -40,7 +41,7 @@ struct Play {
     body: RigidBodyHandle,
     shape: SharedShape,
     controller: KinematicCharacterController,
-    heading: Vector<Real>,
+    heading: Vector,
     /// How fast the character falls, downward.
     fall: Real,
     vehicle: Option<Vehicle>,
@@ -62,7 +63,7 @@ impl Script for Play {
     }
 
     fn rays(&self, world: &World) -> Vec<Ray> {
-        let eye = *world.bodies[self.body].translation();
+        let eye = own(world.bodies[self.body].translation());
         let directions = (0..RAYS).map(|index| {
             let angle = core::f64::consts::TAU as Real * index as Real / RAYS as Real;
             let mut direction = vector(|_| 0.0);
@@ -71,7 +72,7 @@ impl Script for Play {
             direction
         });
         // From just outside of the character, whom it would see otherwise.
-        let outside = |direction| (HALF + 2.0 * GIRTH) * direction;
+        let outside = |direction: Vector| direction * (HALF + 2.0 * GIRTH);
         directions
             .map(|direction| Ray::new(Point::from(eye + outside(direction)), direction))
             .collect()
@@ -105,28 +106,27 @@ impl Play {
         );
         // What is hit gets no more than the character's speed.
         let pushed = hits.len() as Real * MASS;
-        cue.supply(pushed, (wanted / dt).norm_squared());
+        cue.supply(pushed, length_squared(wanted / dt));
 
-        let next = place.translation.vector + movement.translation;
+        let next = version::origin(&place) + movement.translation;
         world.bodies[self.body].set_next_kinematic_translation(next);
         if movement.grounded {
             self.fall = 0.0;
         }
-        if movement.translation.dot(&self.heading) < STUCK * SPEED * dt {
+        if dot(movement.translation, self.heading) < STUCK * SPEED * dt {
             self.heading = any_heading(&mut cue.random);
         }
     }
 }
 
 /// A horizontal direction.
-fn any_heading(random: &mut Random) -> Vector<Real> {
+fn any_heading(random: &mut Random) -> Vector {
     let angle = random.range(0.0, core::f64::consts::TAU as Real);
-    let heading = vector(|axis| match axis {
+    direction(vector(|axis| match axis {
         0 => cosine(angle),
         UP => 0.0,
         _ => sine(angle),
-    });
-    heading.try_normalize(0.0).unwrap_or_else(|| along(0, 1.0))
+    }))
 }
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {

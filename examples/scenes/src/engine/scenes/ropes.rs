@@ -5,7 +5,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Lattice, Link, Random, Stage, UP, World, along, falling, flavour, jitter, vector,
+    Container, Lattice, Link, Point, Random, Stage, UP, Vector, World, along, falling, flavour,
+    jitter, vector,
 };
 
 /// The number of capsules in a rope.
@@ -66,14 +67,17 @@ fn insert_obstacles(world: &mut World, half_width: Real, random: &mut Random) {
 /// Inserts a rope that lies along the first axis from `start` on.
 fn insert_rope(
     stage: &mut Stage,
-    start: Vector<Real>,
+    start: Vector,
     segments: usize,
     hangs: bool,
     random: &mut Random,
 ) {
     let mut previous = hangs.then(|| {
         let hook = RigidBodyBuilder::fixed().translation(start);
-        (stage.world.bodies.insert(hook), Point::origin())
+        (
+            stage.world.bodies.insert(hook),
+            Point::from(Vector::default()),
+        )
     });
     for segment in 0..segments {
         let along_rope = (2 * segment + 1) as Real * HALF;
@@ -94,6 +98,7 @@ fn insert_rope(
             let joint = stage.world.impulse_joints.insert(before, body, pin, true);
             stage.links.push(Link {
                 joint,
+                bodies: [before, body],
                 length: 2.0 * HALF,
             });
         }

@@ -3,8 +3,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Lattice, Random, Stage, UP, along, cube, cuboid, falling, flavour, jitter, vector,
-    wide_high,
+    Container, Lattice, Point, Random, Stage, UP, along, cube, cuboid, falling, flavour, jitter,
+    vector, version, wide_high,
 };
 
 /// The distance between bodies at the start.
@@ -90,7 +90,7 @@ fn colliders(kind: usize, random: &mut Random) -> Vec<ColliderBuilder> {
 
 /// The convex hull of a few points around a ball.
 fn convex(random: &mut Random) -> ColliderBuilder {
-    let mut points: Vec<Point<Real>> = Vec::new();
+    let mut points: Vec<Point> = Vec::new();
     // The corners of a cross-polytope, so that the hull is never flat.
     for axis in 0..DIM {
         for side in [-0.6, 0.6] {
@@ -110,8 +110,8 @@ fn compound() -> ColliderBuilder {
         cuboid(half).build().shared_shape().clone()
     };
     ColliderBuilder::compound(vec![
-        (Isometry::from(along(0, 0.35)), bar(0)),
-        (Isometry::from(along(UP, 0.35)), bar(UP)),
+        (version::shifted(along(0, 0.35)), bar(0)),
+        (version::shifted(along(UP, 0.35)), bar(UP)),
     ])
 }
 
@@ -121,7 +121,7 @@ fn rounded() -> ColliderBuilder {
     ColliderBuilder::round_convex_hull(&points, 0.1).expect("a cuboid is convex")
 }
 
-fn cuboid_corners(half: Real) -> Vec<Point<Real>> {
+fn cuboid_corners(half: Real) -> Vec<Point> {
     (0..1 << DIM)
         .map(|corner: usize| {
             vector(|axis| if corner >> axis & 1 == 0 { -half } else { half }).into()

@@ -4,7 +4,9 @@
 //! left out, where a ball lies as cargo, so that a few pairs are worth something.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Lattice, Random, Stage, UP, along, cube, flavour, floating, jitter};
+use super::{
+    Container, Lattice, Random, Stage, UP, Vector, along, cube, flavour, floating, jitter,
+};
 
 /// Half the size of a cube.
 const HALF: Real = 0.5;
@@ -85,6 +87,6 @@ fn hold(hull: &Lattice, cells: usize) -> usize {
 }
 
 /// The middle of a hull, around which it turns.
-fn middle(hull: &Lattice) -> Vector<Real> {
+fn middle(hull: &Lattice) -> Vector {
     along(UP, hull.height() / 2.0)
 }

@@ -2,8 +2,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cube, cuboid, falling,
-    flavour, power, sine, vector, wide_high,
+    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, cube, cuboid,
+    falling, flavour, own, power, sine, vector, wide_high,
 };
 
 /// Half the size of a box.
@@ -27,7 +27,7 @@ const SWAY: Real = 0.06;
 /// A ball on its way.
 struct Mover {
     body: RigidBodyHandle,
-    place: Vector<Real>,
+    place: Vector,
     phase: Real,
     forward: bool,
 }
@@ -42,7 +42,7 @@ impl Script for Errands {
     fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
         let time = cue.step as Real * world.params.dt;
         for mover in &mut self.movers {
-            let translation = *world.bodies[mover.body].translation();
+            let translation = own(world.bodies[mover.body].translation());
             if translation[0].abs() > self.half_width {
                 mover.forward = translation[0] < 0.0;
             }
@@ -115,7 +115,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
 }
 
 /// Where a mover starts: between two rows of boxes, or in the plane, above a row of them.
-fn lane(index: usize, storeys: usize, lattice: &Lattice, random: &mut Random) -> Vector<Real> {
+fn lane(index: usize, storeys: usize, lattice: &Lattice, random: &mut Random) -> Vector {
     let storey = index % storeys;
     let ground = storey as Real * STOREY;
     let round = index / storeys;

@@ -5,7 +5,8 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, World, cube, floating, jitter, sine, vector,
+    Container, Cue, Lattice, Random, Script, Stage, Vector, World, cube, floating, jitter, sine,
+    vector,
 };
 
 /// Half the size of a body.
@@ -23,8 +24,8 @@ const CIRCLE: Real = 0.5;
 /// A body with its flight.
 struct Flyer {
     body: RigidBodyHandle,
-    home: Vector<Real>,
-    drift: Vector<Real>,
+    home: Vector,
+    drift: Vector,
     phase: Real,
 }
 

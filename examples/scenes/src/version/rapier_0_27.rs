@@ -1,0 +1,158 @@
+//! What the scenes need and Rapier 0.27 has in its own way: nalgebra's vectors, and a trait for broad phases.
+
+use super::engine::{QueryAccess, World};
+use super::rapier::math::{self, Isometry};
+use super::rapier::na::DMatrix;
+use super::rapier::prelude::*;
+
+pub(super) use super::rapier::geometry::BroadPhase;
+
+pub(super) type Vector = math::Vector<Real>;
+pub(super) type Point = math::Point<Real>;
+pub(super) type Pose = Isometry<Real>;
+
+/// There are no soft bodies yet.
+pub(super) type SoftBodySet = ();
+
+/// The pose of what is moved by this vector, and not turned.
+pub(super) fn shifted(by: Vector) -> Pose {
+    Pose::from(by)
+}
+
+/// The origin of a pose.
+pub(super) fn origin(pose: &Pose) -> Vector {
+    pose.translation.vector
+}
+
+/// The vector from the origin to a point.
+pub(super) fn coordinates(point: Point) -> Vector {
+    point.coords
+}
+
+/// Whether no part of a pose is infinite or NaN.
+pub(super) fn is_finite(pose: &Pose) -> bool {
+    let matrix = pose.to_homogeneous();
+    matrix.iter().all(|entry| entry.is_finite())
+}
+
+/// The heights of a square field with so many corners on each side.
+#[allow(dead_code)] // In the plane, a field has one row.
+pub(super) fn square(side: usize, mut height: impl FnMut() -> Real) -> DMatrix<Real> {
+    DMatrix::from_fn(side, side, |_, _| height())
+}
+
+/// The groups of a collider that meets another if each is a member of what the other meets.
+pub(super) const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter)
+}
+
+/// Whether the solver would see a contact of this pair.
+pub(super) fn touches(pair: &ContactPair) -> bool {
+    pair.has_any_active_contact
+}
+
+/// What a step takes for a broad phase.
+pub type AnyBroadPhase = dyn BroadPhase;
+
+/// A broad phase that can be stepped with.
+pub trait Steppable {
+    /// What a step takes.
+    fn for_step(&mut self) -> &mut AnyBroadPhase;
+}
+
+impl<B: BroadPhase + 'static> Steppable for B {
+    fn for_step(&mut self) -> &mut AnyBroadPhase {
+        self
+    }
+}
+
+/// Rapier's own broad phase, as one that can be wrapped.
+pub type OwnBroadPhase = DefaultBroadPhase;
+
+/// A broad phase where a step takes it.
+pub type Installed<B> = B;
+
+/// Puts a broad phase where a step takes it.
+pub fn install<B: BroadPhase>(broad_phase: B) -> Installed<B> {
+    broad_phase
+}
+
+/// Access to Rapier's own broad phase where it is wrapped.
+pub fn access_to_own() -> QueryAccess<OwnBroadPhase> {
+    QueryAccess::new(
+        OwnBroadPhase::as_query_pipeline,
+        OwnBroadPhase::as_query_pipeline_mut,
+    )
+}
+
+/// A broad phase that is stepped with alone, and how it is asked.
+pub(super) fn alone<B: BroadPhase>(
+    broad_phase: B,
+    access: Option<QueryAccess<B>>,
+) -> (B, Option<QueryAccess<B>>) {
+    (broad_phase, access)
+}
+
+/// What only a later version asks of a broad phase.
+macro_rules! when_boxes_are_handed_over {
+    ($($item:item)*) => {};
+}
+pub(super) use when_boxes_are_handed_over;
+
+/// Finds the contacts of these pairs in a copy of the world.
+pub(super) fn detect(
+    world: &World,
+    mut pairs: impl BroadPhase,
+    narrow_phase: &mut NarrowPhase,
+    bodies: &mut RigidBodySet,
+    colliders: &mut ColliderSet,
+    hooks: &dyn PhysicsHooks,
+) {
+    let distance = world.params.prediction_distance();
+    CollisionPipeline::new().step(
+        distance,
+        &mut pairs,
+        narrow_phase,
+        bodies,
+        colliders,
+        hooks,
+        &(),
+    );
+}
+
+impl World {
+    /// Advances the world by one time step.
+    pub fn step(
+        &mut self,
+        broad_phase: &mut AnyBroadPhase,
+        hooks: &dyn PhysicsHooks,
+        events: &dyn EventHandler,
+    ) {
+        self.pipeline.step(
+            &self.gravity,
+            &self.params,
+            &mut self.islands,
+            broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            &mut self.ccd_solver,
+            hooks,
+            events,
+        );
+    }
+
+    /// Removes a body with its colliders and joints.
+    pub fn remove(&mut self, handle: RigidBodyHandle) {
+        self.bodies.remove(
+            handle,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            true,
+        );
+    }
+}

@@ -1,0 +1,252 @@
+//! What the scenes need and Rapier 0.36 has in its own way: glam's vectors, soft bodies, and one type of broad phase, which
+//! an opened copy lets be [custom](CustomBroadPhase). It hands over the boxes of what a step has moved.
+
+use super::engine::{QueryAccess, World};
+use super::rapier::math;
+use super::rapier::parry::query::DefaultQueryDispatcher;
+use super::rapier::prelude::*;
+use std::marker::PhantomData;
+use std::ops::{Deref, DerefMut};
+use std::sync::LazyLock;
+
+pub(super) use super::rapier::dynamics::SoftBodySet;
+pub use super::rapier::geometry::CustomBroadPhase as BroadPhase;
+
+pub(super) type Vector = math::Vector;
+pub(super) type Point = math::Vector;
+pub(super) type Pose = math::Pose;
+
+/// The pose of what is moved by this vector, and not turned.
+pub(super) fn shifted(by: Vector) -> Pose {
+    Pose::from_translation(by)
+}
+
+/// The origin of a pose.
+pub(super) fn origin(pose: &Pose) -> Vector {
+    pose.translation
+}
+
+/// The vector from the origin to a point.
+pub(super) fn coordinates(point: Point) -> Vector {
+    point
+}
+
+/// Whether no part of a pose is infinite or NaN.
+pub(super) fn is_finite(pose: &Pose) -> bool {
+    pose.is_finite()
+}
+
+/// The heights of a square field with so many corners on each side.
+#[allow(dead_code)] // In the plane, a field has one row.
+pub(super) fn square(side: usize, mut height: impl FnMut() -> Real) -> Array2<Real> {
+    Array2::new(side, side, (0..side * side).map(|_| height()).collect())
+}
+
+/// The groups of a collider that meets another if each is a member of what the other meets.
+pub(super) const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter, InteractionTestMode::And)
+}
+
+/// Whether the solver would see a contact of this pair.
+pub(super) fn touches(pair: &ContactPair) -> bool {
+    pair.has_any_active_contact()
+}
+
+/// What a step takes for a broad phase.
+pub type AnyBroadPhase = DefaultBroadPhase;
+
+/// A broad phase that can be stepped with.
+pub trait Steppable {
+    /// What a step takes.
+    fn for_step(&mut self) -> &mut AnyBroadPhase;
+}
+
+impl Steppable for DefaultBroadPhase {
+    fn for_step(&mut self) -> &mut AnyBroadPhase {
+        self
+    }
+}
+
+/// Rapier's own broad phase, as one that can be wrapped.
+///
+/// The pipeline runs part of an update later, beside the solver if it has threads. Here the next update does it.
+#[derive(Clone, Default)]
+pub struct OwnBroadPhase(DefaultBroadPhase);
+
+impl OwnBroadPhase {
+    /// Rapier's own broad phase without colliders.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl BroadPhase for OwnBroadPhase {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.0
+            .update(params, colliders, bodies, modified, removed, events);
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        self.0.set_aabb(params, handle, aabb);
+    }
+
+    fn bvh(&self) -> &Bvh {
+        // What holds no bodies and no colliders is asked for nothing but the tree.
+        static NOTHING: LazyLock<(RigidBodySet, ColliderSet)> = LazyLock::new(Default::default);
+        let (bodies, colliders) = &*NOTHING;
+        let filter = QueryFilter::default();
+        let queries = self
+            .0
+            .as_query_pipeline(&DefaultQueryDispatcher, bodies, colliders, filter);
+        queries.bvh
+    }
+
+    fn clone_box(&self) -> Box<dyn BroadPhase> {
+        Box::new(self.clone())
+    }
+}
+
+/// A broad phase where a step takes it.
+pub struct Installed<B>(DefaultBroadPhase, PhantomData<B>);
+
+/// Puts a broad phase where a step takes it.
+pub fn install<B: BroadPhase>(broad_phase: B) -> Installed<B> {
+    Installed(DefaultBroadPhase::custom(broad_phase), PhantomData)
+}
+
+impl<B> Steppable for Installed<B> {
+    fn for_step(&mut self) -> &mut AnyBroadPhase {
+        &mut self.0
+    }
+}
+
+impl<B: BroadPhase> Deref for Installed<B> {
+    type Target = B;
+
+    fn deref(&self) -> &B {
+        self.0.custom_ref().expect("it was put there")
+    }
+}
+
+impl<B: BroadPhase> DerefMut for Installed<B> {
+    fn deref_mut(&mut self) -> &mut B {
+        self.0.custom_mut().expect("it was put there")
+    }
+}
+
+/// Access to Rapier's own broad phase where it is wrapped.
+pub fn access_to_own() -> QueryAccess<OwnBroadPhase> {
+    QueryAccess::new(
+        |own, dispatcher, bodies, colliders, filter| {
+            own.0
+                .as_query_pipeline(dispatcher, bodies, colliders, filter)
+        },
+        |own, dispatcher, bodies, colliders, filter| {
+            own.0
+                .as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
+        },
+    )
+}
+
+/// A broad phase that is stepped with alone, and how it is asked.
+pub(super) fn alone<B: BroadPhase>(
+    broad_phase: B,
+    access: Option<QueryAccess<B>>,
+) -> (DefaultBroadPhase, Option<QueryAccess<DefaultBroadPhase>>) {
+    let access = access.map(|_| {
+        QueryAccess::new(
+            DefaultBroadPhase::as_query_pipeline,
+            DefaultBroadPhase::as_query_pipeline_mut,
+        )
+    });
+    (DefaultBroadPhase::custom(broad_phase), access)
+}
+
+/// What this version asks of a broad phase beside updates.
+macro_rules! when_boxes_are_handed_over {
+    ($($item:item)*) => {
+        $($item)*
+
+        fn set_aabb(
+            &mut self,
+            params: &IntegrationParameters,
+            handle: ColliderHandle,
+            aabb: Aabb,
+        ) {
+            self.set_aabbs(params, &[(handle, aabb)]);
+        }
+
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            unimplemented!("what is observed is not copied")
+        }
+    };
+}
+pub(super) use when_boxes_are_handed_over;
+
+/// Finds the contacts of these pairs in a copy of the world.
+pub(super) fn detect(
+    world: &World,
+    pairs: impl BroadPhase,
+    narrow_phase: &mut NarrowPhase,
+    bodies: &mut RigidBodySet,
+    colliders: &mut ColliderSet,
+    hooks: &dyn PhysicsHooks,
+) {
+    CollisionPipeline::new().step(
+        world.params.prediction_distance(),
+        &mut world.islands.clone(),
+        &mut DefaultBroadPhase::custom(pairs),
+        narrow_phase,
+        bodies,
+        colliders,
+        hooks,
+        &(),
+    );
+}
+
+impl World {
+    /// Advances the world by one time step.
+    pub fn step(
+        &mut self,
+        broad_phase: &mut AnyBroadPhase,
+        hooks: &dyn PhysicsHooks,
+        events: &dyn EventHandler,
+    ) {
+        self.pipeline.step(
+            self.gravity,
+            &self.params,
+            &mut self.islands,
+            broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            &mut self.ccd_solver,
+            hooks,
+            events,
+        );
+    }
+
+    /// Removes a body with its colliders and joints.
+    pub fn remove(&mut self, handle: RigidBodyHandle) {
+        self.bodies.remove(
+            handle,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            true,
+        );
+    }
+}

@@ -1,0 +1,8 @@
+//! The tests of the scenes in `examples/scenes/tests`, on an opened Rapier 0.36.
+
+#[macro_use]
+#[path = "../../../examples/scenes/tests/suite/mod.rs"]
+mod suite;
+
+scene_tests!(dim2_0_36);
+scene_tests!(dim3_0_36);
