@@ -51,6 +51,10 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
 }
 
+/// How many updates a step has.
+#[cfg(test)]
+pub(super) const UPDATES: usize = 2;
+
 /// What a step takes for a broad phase.
 pub type AnyBroadPhase = dyn BroadPhase;
 

@@ -52,6 +52,10 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
 }
 
+/// How many updates a step has.
+#[cfg(test)]
+pub(super) const UPDATES: usize = 1;
+
 /// What a step takes for a broad phase.
 pub type AnyBroadPhase = DefaultBroadPhase;
 
@@ -77,6 +81,14 @@ impl OwnBroadPhase {
     /// Rapier's own broad phase without colliders.
     pub fn new() -> Self {
         Self::default()
+    }
+}
+
+impl Deref for OwnBroadPhase {
+    type Target = DefaultBroadPhase;
+
+    fn deref(&self) -> &DefaultBroadPhase {
+        &self.0
     }
 }
 

@@ -206,7 +206,9 @@ mod tests {
                 let filter = QueryFilter::only_fixed();
                 broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter)
             },
-            OwnBroadPhase::as_query_pipeline_mut,
+            |broad_phase, dispatcher, bodies, colliders, filter| {
+                broad_phase.as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
+            },
         );
         let candidate = Candidate::new(OwnBroadPhase::new).with_queries(blind);
         let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});

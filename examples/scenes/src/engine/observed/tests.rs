@@ -9,9 +9,12 @@ use super::{Observed, PairEvent, Tee, Timing};
 /// Balls in a row, of which neighbours overlap.
 fn row(count: usize) -> (World, Vec<ColliderHandle>) {
     let mut world = World::new(Vector::default());
-    let balls =
-        (0..count).map(|i| ColliderBuilder::ball(1.0).translation(along(0, 1.5 * i as Real)));
-    let handles = balls.map(|ball| world.colliders.insert(ball)).collect();
+    let handles = (0..count).map(|i| {
+        let body = RigidBodyBuilder::dynamic().translation(along(0, 1.5 * i as Real));
+        let body = world.insert(body, ColliderBuilder::ball(1.0));
+        world.bodies[body].colliders()[0]
+    });
+    let handles = handles.collect();
     (world, handles)
 }
 
@@ -43,13 +46,8 @@ fn what_was_asked_for_is_kept() {
     let first = all.timing();
     assert_eq!((first.last, first.worst), (first.total, first.total));
 
-    let World {
-        colliders,
-        islands,
-        bodies,
-        ..
-    } = &mut world;
-    colliders.remove(handles[0], islands, bodies, false);
+    let body = world.colliders[handles[0]].parent();
+    world.remove(body.expect("a body"));
     assert_eq!(update(&mut all, &world, &[], &handles[..1]), 0);
     assert_eq!(all.held().len(), 1);
 
