@@ -17,5 +17,5 @@ mod dimension;
 #[path = "adapter/rapier_0_36/mod.rs"]
 mod version;
 
-pub use crate::{Kernel, PairFilter, Stats};
+pub use crate::{Kernel, PairFilter, Stats, Work};
 pub use adapter::{Settings, UnisizeBroadPhase};

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::candidates::CandidatesSnapshot;
 use super::layers::LayersSnapshot;
-use super::{FilterKey, Horizon, PairTracker, absent, overlapping};
+use super::{FilterKey, Foresight, PairTracker, Spent, absent, overlapping};
 use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come.
@@ -21,7 +21,8 @@ use crate::{Aabb, Kernel, Real};
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     /// By slot.
     proxies: Vec<Option<Proxy<R, D, K>>>,
-    horizon: Horizon,
+    foresight: Foresight,
+    spent: Spent,
     full_runs: u64,
     candidates: CandidatesSnapshot,
     layers: LayersSnapshot<R, D>,
@@ -49,7 +50,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         };
         TrackerSnapshot {
             proxies: proxies.map(proxy).collect(),
-            horizon: self.horizon,
+            foresight: self.foresight,
+            spent: self.spent,
             full_runs: self.full_runs,
             candidates: self.candidates.snapshot(),
             layers: self.layers.snapshot(self.boxes.len()),
@@ -66,7 +68,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     ) -> Result<(), &'static str> {
         let TrackerSnapshot {
             proxies,
-            horizon,
+            foresight,
+            spent,
             full_runs,
             candidates,
             layers,
@@ -92,10 +95,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         self.previous.clone_from(&self.boxes);
         self.escaped.make_room(self.boxes.len());
-        if !horizon.is_sound() {
-            return Err("snapshot: the horizon is out of range (0 to 64 moves)");
+        if foresight.is_fixed() != self.foresight.is_fixed() || !foresight.is_sound() {
+            return Err("snapshot: the foresight is out of range (0 to 64 moves)");
         }
-        self.horizon = horizon;
+        self.foresight = foresight;
+        self.spent = spent;
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
