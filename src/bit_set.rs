@@ -38,6 +38,15 @@ impl BitSet {
         numbered.flat_map(|(i, &word)| ones(word).map(move |bit| 64 * i + bit))
     }
 
+    /// The numbers in the set, descending.
+    pub(crate) fn iter_backwards(&self) -> impl Iterator<Item = usize> + '_ {
+        let numbered = self.words.iter().enumerate().rev();
+        numbered.flat_map(|(i, &word)| {
+            let backwards = ones(word.reverse_bits());
+            backwards.map(move |bit| 64 * i + 63 - bit)
+        })
+    }
+
     /// Adds all numbers of a set of the same capacity.
     pub(crate) fn extend_from(&mut self, other: &Self) {
         for (word, more) in self.words.iter_mut().zip(&other.words) {
@@ -135,6 +144,7 @@ mod tests {
         lookup(usize::MAX);
         drop(lookup);
         assert!(set.iter().eq([0, 63, 64, 129]));
+        assert!(set.iter_backwards().eq([129, 64, 63, 0]));
         let mut both = BitSet::default();
         both.resize(130);
         both.insert(5);

@@ -134,7 +134,7 @@ pub use real::Real;
 #[cfg(feature = "_adapter")]
 pub use settings::Settings;
 #[cfg(feature = "_adapter")]
-pub use stats::Stats;
+pub use stats::{Stats, Work};
 pub use stopwatch::PhaseTimes;
 
 /// The example of the README, compiled and run.

@@ -9,6 +9,7 @@
 //! dynamics (Verlet 1967), made exact.
 
 mod candidates;
+mod foresight;
 mod horizon;
 mod layers;
 mod policy;
@@ -22,9 +23,10 @@ use std::fmt::Debug;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::{Lap, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK};
-use crate::{Aabb, Kernel, Real, Stats, parallel};
+use crate::{Aabb, Kernel, Real, Stats, Work, parallel};
 use candidates::{Candidates, Proxies};
-use horizon::{Horizon, mean_speed};
+use foresight::{Foresight, Spent};
+use horizon::mean_speed;
 use layers::{Layers, retain_from};
 use policy::{Extent, Known, Plan};
 
@@ -65,8 +67,11 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     settled: Vec<u32>,
     /// Those of them that have left their fat box, have none yet, or are gone.
     escaped: SlotSet,
-    horizon: Horizon,
-    fixed_foresight: Option<u16>,
+    foresight: Foresight,
+    /// What the last update took.
+    pub(crate) work: Work,
+    /// What all have cost since the last full run, that one among them.
+    spent: Spent,
     full_runs: u64,
     candidates: Candidates,
     layers: Layers<R, D>,
@@ -117,8 +122,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             moved: Vec::new(),
             settled: Vec::new(),
             escaped: SlotSet::default(),
-            horizon: Horizon::FIRST,
-            fixed_foresight: foresight,
+            foresight: Foresight::new(foresight),
+            work: Work::default(),
+            spent: Spent::default(),
             full_runs: 0,
             candidates: Candidates::default(),
             layers: Layers::new(kernel, layers),
@@ -256,7 +262,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         stats.pairs = self.candidates.held_count();
         stats.candidates = self.candidates.len();
         stats.delta = self.layers.delta();
-        stats.foresight = self.horizon.moves();
+        stats.foresight = u32::from(self.foresight.moves());
+        stats.work = self.work;
         stats.full_runs = self.full_runs;
         stats.classes = self.layers.classes();
         stats.strips = self.layers.strips();
@@ -284,7 +291,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 return;
             }
             Plan::Compare(extent) => {
-                self.layers.count_update();
+                self.work = Work::default();
                 self.found.clear();
                 self.compare(extent, lap, &mut report)
             }
@@ -292,8 +299,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 let lap = self.look_up(lap);
                 self.compare(extent, lap, &mut report)
             }
-            Plan::FullRun(horizon) => self.run_in_full(horizon, lap, &mut report),
+            Plan::FullRun(foresight) => {
+                self.spent = Spent::default();
+                self.run_in_full(foresight, lap, &mut report)
+            }
         };
+        self.spent.add(policy::price(&self.work, self.moved.len()));
         self.settle();
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
@@ -310,16 +321,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             lists: self.candidates.lists(),
             are_layers_used: self.layers.are_used(),
             base: self.layers.base(),
-            horizon: self.horizon,
-            fixed_foresight: self.fixed_foresight,
+            foresight: self.foresight,
+            spent: self.spent,
         }
     }
 
     /// Draws the fat boxes of the escaped anew and looks them up among all others.
     fn look_up(&mut self, lap: Lap) -> Lap {
+        let horizon = self.foresight.horizon();
         for &slot in self.escaped.slots() {
             let i = slot as usize;
-            self.fat_boxes[i] = self.horizon.fat_box(&self.boxes[i], &self.previous[i]);
+            self.fat_boxes[i] = horizon.fat_box(&self.boxes[i], &self.previous[i]);
         }
         self.stopwatch.lap(lap, |times| &mut times.difference);
         self.found.clear();
@@ -328,10 +340,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             fat_boxes,
             escaped,
             found,
+            work,
             stopwatch,
             ..
         } = self;
-        layers.find_escaped(fat_boxes, escaped, found, stopwatch);
+        *work = layers.find_escaped(fat_boxes, escaped, found, stopwatch);
         self.keep_those_that_may_meet()
     }
 
@@ -344,37 +357,45 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             former_keys: &self.former_keys,
         };
         let (moved, escaped) = (&self.moved, &self.escaped);
-        self.candidates
+        let comparing = self
+            .candidates
             .compare(extent, moved, escaped, &proxies, report);
+        self.work = Work {
+            compared: comparing.compared,
+            picked: comparing.picked,
+            walked: comparing.walked,
+            ..self.work
+        };
         self.candidates.extend(&self.found, &proxies, report);
-        if self.fixed_foresight.is_none() && self.are_too_many(self.candidates.len()) {
-            self.horizon.shorten();
+        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.len()) {
+            self.foresight.shorten();
             self.layers.forget();
         }
         lap
     }
 
-    /// Searches for all candidates, by fat boxes that are drawn for this horizon.
+    /// Searches for all candidates, by fat boxes that are drawn with this foresight.
     fn run_in_full(
         &mut self,
-        horizon: Horizon,
+        foresight: Foresight,
         lap: Lap,
         report: &mut impl FnMut(PairChange),
     ) -> Lap {
         self.full_runs += 1;
-        self.horizon = horizon;
+        self.foresight = foresight;
+        self.work = Work::default();
         self.draw_moved();
         self.found.clear();
         let count = self.candidates.len();
         self.found.reserve_exact(count + count / 8);
         let mut lap = self.search(lap);
-        while self.fixed_foresight.is_none() && self.are_too_many(self.found.len()) {
-            self.horizon.shorten();
+        while !self.foresight.is_fixed() && self.are_too_many(self.found.len()) {
+            self.foresight.shorten();
             self.draw_all();
             self.found = Vec::new();
             lap = self.search(lap);
             // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
-            if !self.horizon.is_any() {
+            if !self.foresight.is_any() {
                 break;
             }
         }
@@ -396,6 +417,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.lap(lap, |times| &mut times.difference);
         self.layers
             .find_all(&self.fat_boxes, &mut self.found, &mut self.stopwatch);
+        self.work.searched += self.boxes.len();
+        self.work.found += self.found.len();
         self.keep_those_that_may_meet()
     }
 
@@ -421,9 +444,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             boxes,
             previous,
             fat_boxes,
-            horizon,
+            foresight,
             ..
         } = self;
+        let horizon = foresight.horizon();
         if self.moved.len() < boxes.len() / COMPARE_ALL_FROM_ONE_IN {
             for &slot in &self.moved {
                 let i = slot as usize;
@@ -431,40 +455,49 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
             return;
         }
-        let boxes = boxes
-            .chunks(SLOTS_A_TASK)
-            .zip(previous.chunks(SLOTS_A_TASK));
-        let mut parts: Vec<_> = fat_boxes.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
-        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
-            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
+        let draw = |fat_boxes: &mut [Aabb<R, D>], boxes: &[_], previous: &[_]| {
+            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(previous)) {
                 // The others have not moved, or came back at once.
                 if now != before || !fat.contains(now) {
                     *fat = horizon.fat_box(now, before);
                 }
             }
+        };
+        if boxes.len() <= SLOTS_A_TASK {
+            return draw(fat_boxes, boxes, previous);
+        }
+        let boxes = boxes
+            .chunks(SLOTS_A_TASK)
+            .zip(previous.chunks(SLOTS_A_TASK));
+        let mut parts: Vec<_> = fat_boxes.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
+        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
+            draw(fat_boxes, boxes, previous);
         });
     }
 
     /// Draws all fat boxes.
     fn draw_all(&mut self) {
+        let horizon = self.foresight.horizon();
         let boxes = self.boxes.iter().zip(&self.previous);
         for (fat, (now, before)) in self.fat_boxes.iter_mut().zip(boxes) {
-            *fat = self.horizon.fat_box(now, before);
+            *fat = horizon.fat_box(now, before);
         }
     }
 
     /// Makes the present boxes the previous ones.
     fn settle(&mut self) {
-        if self.moved.len() > self.boxes.len() / COMPARE_ALL_FROM_ONE_IN {
+        if self.moved.len() <= self.boxes.len() / COMPARE_ALL_FROM_ONE_IN {
+            for &slot in &self.moved {
+                self.previous[slot as usize] = self.boxes[slot as usize];
+            }
+        } else if self.boxes.len() <= SLOTS_A_TASK {
+            self.previous.copy_from_slice(&self.boxes);
+        } else {
             let boxes = self.boxes.chunks(SLOTS_A_TASK);
             let mut parts: Vec<_> = self.previous.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
             parallel::for_each(&mut parts, |(previous, boxes)| {
                 previous.copy_from_slice(boxes)
             });
-        } else {
-            for &slot in &self.moved {
-                self.previous[slot as usize] = self.boxes[slot as usize];
-            }
         }
         std::mem::swap(&mut self.moved, &mut self.settled);
         self.moved.clear();

@@ -46,5 +46,5 @@ mod dimension;
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;
 
-pub use crate::{Kernel, PairFilter, Stats};
+pub use crate::{Kernel, PairFilter, Stats, Work};
 pub use adapter::{Settings, UnisizeBroadPhase};

@@ -22,5 +22,5 @@ mod version;
 #[path = "adapter/rapier_0_36/seam.rs"]
 mod seam;
 
-pub use crate::{Kernel, PairFilter, Stats};
+pub use crate::{Kernel, PairFilter, Stats, Work};
 pub use adapter::{Settings, UnisizeBroadPhase};

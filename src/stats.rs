@@ -41,10 +41,34 @@ pub struct Stats {
     /// Colliders whose box that update changed: new ones, those that had left their margin, and those that it had to
     /// refuse.
     pub moved: usize,
+    /// What it took to find out.
+    pub work: Work,
     /// Pairs that it reported as new.
     pub added: usize,
     /// Pairs that it reported as ended.
     pub deleted: usize,
     /// How long each phase of that update took; zeros unless [`Settings::timed`](crate::Settings::timed) asks for it.
     pub times: PhaseTimes,
+}
+
+/// The work of an update, counted in what takes time. How far ahead colliders are searched for is decided by it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+#[non_exhaustive]
+pub struct Work {
+    /// Pairs of boxes that were compared, in the order of memory.
+    pub compared: usize,
+    /// Pairs of which it was asked whether one of their boxes has changed.
+    pub picked: usize,
+    /// Boxes whose pairs were found by their own lists.
+    pub walked: usize,
+    /// Boxes that were looked up among all others.
+    pub looked_up: usize,
+    /// Boxes among which all pairs were searched for.
+    pub searched: usize,
+    /// Pairs that were found by either.
+    pub found: usize,
 }

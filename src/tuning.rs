@@ -74,40 +74,39 @@ pub(crate) mod update {
     /// moved are picked. Above: picking costs as much as comparing. Below: comparisons that cannot have turned.
     pub(crate) const COMPARE_ALL_FROM_ONE_IN: usize = 3;
 
-    /// Candidates. Walking the list of one proxy costs about as much as picking from this many: 20 to 50 ns of waiting for
-    /// memory against 0.7 ns each. Above: lists are left unused where few move. Below: lists are walked where picking is
-    /// faster.
-    pub(crate) const WALK_COST: usize = 32;
+    /// Slots. In worlds of no more, a full run compares each with each: choosing a grid and sorting into it takes longer, and so do
+    /// look-ups. Above: the number of comparisons is quadratic.
+    pub(crate) const COMPARE_ALL_UP_TO: usize = 16;
 
     /// Picks from all candidates. Making the lists costs about as much as this many. Above: the lists come late. Below: they
     /// are made, and dropped unused at the next full run.
     pub(crate) const LISTS_COST: u32 = 8;
 
-    /// Boxes of a full run. Looking one box up in the base layer costs about as much. Above: full runs where a look-up would
-    /// do. Below: tens of thousands are looked up one by one.
-    pub(crate) const LOOKUP_COST: usize = 6;
-
-    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer.
+    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer than the base layer.
     pub(crate) const DELTA_LOOKUP_COST: usize = 2;
 
-    /// A factor, and one proxy in this many. If this many times as many proxies leave their fat boxes in one update as
-    /// usual, and they are more than that part of all, there is a full run: fat boxes made at one time are left at one
-    /// time. Above: the wave is looked up box by box. Below: full runs for what was chance.
-    pub(crate) const WAVE: [u64; 2] = [8, 24];
+    /// A part of a full run. There is one if the look-ups of an update cost more by this than the mean of the updates since the
+    /// last one, itself included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
+    /// Below: full runs for what was chance.
+    pub(crate) const FULL_RUN_SLACK: u64 = 16;
 
     /// Boxes or pairs. With more, what only a full run needs is freed after it. Above: half of all memory lies unused in
     /// nine updates of ten. Below: small worlds allocate in every full run.
     pub(crate) const KEEP_SCRATCH_UP_TO: usize = 1 << 12;
 
-    /// Comparisons of a candidate. Searching for one box costs about as much. Above: fat boxes are longer than pays. Below:
-    /// full runs come too often. `tradeoff` draws the time over fixed foresights.
-    pub(crate) const SEARCH_COST: f64 = 16.0;
+    /// Candidates for each proxy and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
+    /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
+    pub(crate) const MOST_CANDIDATES: usize = 8;
+}
 
-    /// Moves. The longest foresight: sooner or later things turn.
-    pub(crate) const LONGEST_FORESIGHT: f64 = 64.0;
+/// How far ahead fat boxes are drawn. Shown by `cargo bench --bench prices`.
+#[cfg(feature = "_adapter")]
+pub(crate) mod foresight {
+    /// Moves, a power of 2. The longest foresight: sooner or later things turn.
+    pub(crate) const LONGEST: u16 = 64;
 
-    /// Moves. The foresight while nothing has moved yet.
-    pub(crate) const FIRST_FORESIGHT: f64 = 8.0;
+    /// Moves, a power of 2. The foresight while nothing has moved yet.
+    pub(crate) const FIRST: u16 = 8;
 
     /// A part of how far the fat box goes ahead: how far it goes to all sides. Above: more candidates. Below: crowds, whose
     /// members keep turning, leave their fat boxes a third more often.
@@ -116,27 +115,52 @@ pub(crate) mod update {
     /// A part of the box's size: the most that the skin may be.
     pub(crate) const WIDEST_SKIN: f64 = 0.25;
 
-    /// Box sizes a move, on average. Where things are faster there is no foresight: a fat box would be left at once.
+    /// Box sizes a move, on average. Where things are faster, foresight begins with none: a fat box would be left at once.
     pub(crate) const TOO_FAST: f64 = 0.5;
-
-    /// Full runs per update. Where searching costs more in spite of foresight, there is none for a while: for example,
-    /// where things collide all the time. Above: fat boxes that nothing stays in. Below: foresight is given up where it
-    /// pays.
-    pub(crate) const TOO_DEAR: f64 = 0.5;
-
-    /// Full runs without foresight before it is tried again: the first time, and at most. Each failure doubles the
-    /// number.
-    pub(crate) const PAUSES: [u32; 2] = [8, 128];
-
-    /// Candidates for each proxy and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
-    /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
-    pub(crate) const MOST_CANDIDATES: usize = 8;
-
-    /// What foresight is divided by when there are too many candidates, and below how many moves it is given up.
-    pub(crate) const SHORTENING: [f64; 2] = [4.0, 2.0];
 
     /// Proxies that are looked at to learn how fast things move. Below: a few outliers decide.
     pub(crate) const SPEED_SAMPLE: usize = 128;
+
+    /// Updates. What they cost is measured together, up to the next full run. Above: foresight follows a scene late. Below:
+    /// chance decides.
+    pub(crate) const TRIAL_UPDATES: u64 = 12;
+
+    /// A part of the price. Another foresight is better if it costs less by this. Above: what is better is not taken.
+    /// Below: chance decides.
+    pub(crate) const GAIN: f64 = 0.02;
+
+    /// Measurements between two trials, if those before have failed. Above: foresight follows a scene late. Below: trials of
+    /// what does not pay cost more than they find.
+    pub(crate) const MOST_REST: u32 = 32;
+
+    /// What foresight is divided by when there are too many candidates.
+    pub(crate) const SHORTENING: u16 = 4;
+}
+
+/// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the caches:
+/// fitted by `cargo bench --bench prices`. Only their ratios decide anything, and a factor of two in one of them costs a few per
+/// cent.
+#[cfg(feature = "_adapter")]
+pub(crate) mod prices {
+    /// Comparing the boxes of a candidate, in order. Above: foresight is too short. Below: it is too long.
+    pub(crate) const COMPARED: u64 = 35;
+
+    /// Asking of a candidate whether one of its proxies has moved.
+    pub(crate) const PICKED: u64 = 10;
+
+    /// Walking the list of a proxy: waiting for memory at each step. Above: lists are left unused where few move. Below: lists are
+    /// walked where picking is faster.
+    pub(crate) const WALKED: u64 = 500;
+
+    /// Looking a box up in a sorted layer. Above: full runs where a look-up would do. Below: tens of thousands are looked up one
+    /// by one.
+    pub(crate) const LOOKED_UP: u64 = 5500;
+
+    /// A box of a run: drawing, sorting and sweeping. Above: foresight is too long. Below: it is too short.
+    pub(crate) const SEARCHED: u64 = 450;
+
+    /// A candidate found: writing it down, and finding out whether it was held.
+    pub(crate) const FOUND: u64 = 350;
 }
 
 /// The tree for queries. Shown by `cargo bench --bench queries`, and by the example `compare` with `--rays 1`.

@@ -13,7 +13,7 @@ use super::policy::{Extent, Lists};
 use super::{FilterKey, PairChange};
 use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
-use crate::{Aabb, Real};
+use crate::{Aabb, Real, Work};
 use array::CandidateArray;
 pub(super) use array::Proxies;
 use lists::CandidateLists;
@@ -86,7 +86,7 @@ impl Candidates {
     /// are among them. Looks at all candidates, or at those of the `moved` only.
     ///
     /// Picking them out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are for very
-    /// few.
+    /// few. Returns what it took.
     pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         extent: Extent,
@@ -94,11 +94,16 @@ impl Candidates {
         escaped: &SlotSet,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
-    ) {
+    ) -> Work {
+        let mut work = Work::default();
         match extent {
-            Extent::All => self.compare_all(escaped, proxies, report),
+            Extent::All => {
+                self.compare_all(escaped, proxies, report);
+                work.compared = self.rows();
+            }
             Extent::Picked { lists_are_missed } => {
-                self.compare_picked(escaped, moved, proxies, report);
+                work.picked = self.rows();
+                work.compared = self.compare_picked(escaped, moved, proxies, report);
                 if lists_are_missed {
                     self.lists.miss();
                 }
@@ -109,8 +114,10 @@ impl Candidates {
                     self.lists.make(&self.array, proxies.now.len());
                 }
                 self.compare_listed(moved, escaped, proxies, report);
+                work.walked = moved.len();
             }
         }
+        work
     }
 
     fn compare_all<R: Real, const D: usize, K: FilterKey>(
@@ -121,25 +128,20 @@ impl Candidates {
     ) {
         let Self { array, rows, .. } = self;
         let mut is_changed = array.compact();
-        if escaped.len() > 0 {
-            array.pick(rows, |slot| escaped.contains(slot));
-            rows.iter()
-                .for_each(|row| array.retire(row, proxies, report));
-            is_changed |= array.compact();
-        }
+        is_changed |= array.compare_all(rows, escaped, proxies, report);
         if is_changed {
             self.lists.forget();
         }
-        array.compare_all(rows, proxies, report);
     }
 
+    /// Returns how many were picked.
     fn compare_picked<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         escaped: &SlotSet,
         moved: &[u32],
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
-    ) {
+    ) -> usize {
         let Self {
             array, slots, rows, ..
         } = self;
@@ -150,7 +152,9 @@ impl Candidates {
         let is_moved = slots.lookup();
         array.pick(rows, |slot| is_moved(slot as usize));
         drop(is_moved);
+        let mut count = 0;
         for row in rows.iter() {
+            count += 1;
             if array
                 .get(row)
                 .is_some_and(|pair| pair.iter().any(|&slot| escaped.contains(slot)))
@@ -161,6 +165,7 @@ impl Candidates {
             }
         }
         slots.clear_around(moved);
+        count
     }
 
     fn compare_listed<R: Real, const D: usize, K: FilterKey>(

@@ -16,8 +16,8 @@ mod snapshot;
 use super::policy::Base;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
-use crate::tuning::update::{DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
-use crate::{Aabb, BruteForce, GridSweep, Kernel, PairFinder, RankSweep, Real};
+use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
+use crate::{Aabb, BruteForce, GridSweep, Kernel, PairFinder, RankSweep, Real, Work};
 #[cfg(feature = "serde-serialize")]
 pub(super) use snapshot::LayersSnapshot;
 
@@ -44,18 +44,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
         matches!(self, Self::Grid(layers) if layers.are_used)
     }
 
-    /// What has been spent since the last full run, if the base layer is sorted.
+    /// The layers above the base layer, if that is sorted.
     pub(super) fn base(&self) -> Option<Base> {
         match self {
-            Self::Grid(layers) if layers.base.is_sorted => Some(layers.spent()),
+            Self::Grid(layers) if layers.base.is_sorted => Some(layers.above()),
             _ => None,
-        }
-    }
-
-    /// Counts an update in which nothing has escaped.
-    pub(super) fn count_update(&mut self) {
-        if let Self::Grid(layers) = self {
-            layers.updates += 1;
         }
     }
 
@@ -75,16 +68,17 @@ impl<R: Real, const D: usize> Layers<R, D> {
 
     /// Appends to `found` the overlapping pairs among the valid ones of `boxes` that involve one of the `escaped`,
     /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all). Only for a
-    /// kernel whose [base layer](Self::base) is sorted.
+    /// kernel whose [base layer](Self::base) is sorted. Returns what it took.
     pub(super) fn find_escaped(
         &mut self,
         boxes: &[Aabb<R, D>],
         escaped: &SlotSet,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
-        if let Self::Grid(layers) = self {
-            layers.find_escaped(boxes, escaped, found, stopwatch);
+    ) -> Work {
+        match self {
+            Self::Grid(layers) => layers.find_escaped(boxes, escaped, found, stopwatch),
+            Self::Rank(_) | Self::Brute(_) => Work::default(),
         }
     }
 
@@ -128,9 +122,6 @@ pub(crate) struct GridLayers<R, const D: usize> {
     base: Layer<R, D>,
     delta: Layer<R, D>,
     recent: GridSweep<R, D>,
-    /// The updates since the last full run, and how many proxies have escaped in them.
-    updates: u64,
-    escaped: u64,
     /// Scratch: the members of a run.
     members: Vec<u32>,
 }
@@ -154,8 +145,6 @@ impl<R, const D: usize> GridLayers<R, D> {
             base: Layer::default(),
             delta: Layer::default(),
             recent: GridSweep::default(),
-            updates: 0,
-            escaped: 0,
             members: Vec::new(),
         }
     }
@@ -211,11 +200,14 @@ impl<R: Real, const D: usize> Layer<R, D> {
 }
 
 impl<R: Real, const D: usize> GridLayers<R, D> {
-    fn spent(&self) -> Base {
+    fn above(&self) -> Base {
+        let recent = match self.delta.is_sorted {
+            true => self.delta.outdated.len(),
+            false => self.base.outdated.len(),
+        };
         Base {
-            updates: self.updates,
-            escaped: self.escaped,
             spent: self.base.spent,
+            recent,
         }
     }
 
@@ -225,7 +217,7 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         escaped: &SlotSet,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
+    ) -> Work {
         let Self {
             base,
             delta,
@@ -233,8 +225,6 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
             members,
             ..
         } = self;
-        self.updates += 1;
-        self.escaped += escaped.len() as u64;
         for layer in [&mut *base, &mut *delta] {
             layer.outdated.make_room(boxes.len());
             for &slot in escaped.slots() {
@@ -242,6 +232,10 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
             }
         }
         base.look_up(boxes, escaped, found, stopwatch);
+        let mut work = Work {
+            looked_up: escaped.len(),
+            ..Work::default()
+        };
 
         let is_due = !delta.is_sorted || delta.spent > base.outdated.len();
         let due = if is_due {
@@ -253,12 +247,14 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         let slots = due.slots().iter().copied();
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
         base.spent += due.len();
+        work.searched = due.len();
         let mut first = found.len();
         if is_due {
             delta.sort(boxes, members, found, stopwatch);
         } else {
             base.spent += DELTA_LOOKUP_COST * escaped.len();
             delta.spent += due.len();
+            work.looked_up += escaped.len();
             delta.look_up(boxes, escaped, found, stopwatch);
             first = found.len();
             recent.find_among(boxes, members, found, stopwatch);
@@ -266,6 +262,8 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         retain_from(found, first, |[a, b]| {
             escaped.contains(a) | escaped.contains(b)
         });
+        work.found = found.len();
+        work
     }
 
     fn find_all(
@@ -276,8 +274,14 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
     ) {
         self.delta.is_sorted = false;
         self.delta.outdated.clear();
-        self.updates = 0;
-        self.escaped = 0;
+        if boxes.len() <= COMPARE_ALL_UP_TO {
+            self.base.is_sorted = false;
+            self.base.outdated.clear();
+            let lap = stopwatch.start();
+            compare_all(boxes, found);
+            stopwatch.lap(lap, |times| &mut times.sweep);
+            return;
+        }
         collect_valid(boxes, &mut self.members);
         self.base.sort(boxes, &self.members, found, stopwatch);
         if boxes.len() > KEEP_SCRATCH_UP_TO {
@@ -331,6 +335,17 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
             .map(|pair| pair.map(|i| self.slots[i as usize]));
         found.extend(pairs);
         stopwatch.lap(lap, |times| &mut times.sweep);
+    }
+}
+
+/// Appends the overlapping pairs among the valid ones of few boxes, each compared with each.
+fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
+    for (b, second) in (0..).zip(boxes) {
+        // What is not valid overlaps nothing.
+        let overlapping = (0..b)
+            .zip(boxes)
+            .filter(|(_, first)| first.overlaps(second));
+        found.extend(overlapping.map(|(a, _)| [a, b]));
     }
 }
 

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::candidates::CandidatesSnapshot;
 use super::layers::LayersSnapshot;
-use super::{FilterKey, Horizon, PairTracker, absent, overlapping};
+use super::{FilterKey, Foresight, PairTracker, Spent, absent, overlapping};
 use crate::slot_set::SlotSet;
 use crate::{Aabb, Kernel, Real};
 
@@ -29,7 +29,8 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
     /// Those of them that have left their fat box, have none yet, or are gone.
     escaped: Vec<u32>,
-    horizon: Horizon,
+    foresight: Foresight,
+    spent: Spent,
     full_runs: u64,
     candidates: CandidatesSnapshot,
     layers: LayersSnapshot<R, D>,
@@ -68,7 +69,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             other_keys: other_keys.collect(),
             touched: touched.collect(),
             escaped: self.escaped.slots().to_vec(),
-            horizon: self.horizon,
+            foresight: self.foresight,
+            spent: self.spent,
             full_runs: self.full_runs,
             candidates: self.candidates.snapshot(),
             layers: self.layers.snapshot(self.boxes.len()),
@@ -88,7 +90,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             other_keys,
             touched,
             escaped,
-            horizon,
+            foresight,
+            spent,
             full_runs,
             candidates,
             layers,
@@ -121,10 +124,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 _ => return Err("snapshot: a filter key has no slot, or two"),
             }
         }
-        if !horizon.is_sound() {
-            return Err("snapshot: the horizon is out of range (0 to 64 moves)");
+        if foresight.is_fixed() != self.foresight.is_fixed() || !foresight.is_sound() {
+            return Err("snapshot: the foresight is out of range (0 to 64 moves)");
         }
-        self.horizon = horizon;
+        self.foresight = foresight;
+        self.spent = spent;
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);

@@ -228,8 +228,8 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
         assert!(tracker.candidates.len() <= most);
     }
     // Not by those that rest either, whose fat boxes may be from a time when there was foresight.
-    while tracker.horizon.is_any() {
-        tracker.horizon.shorten();
+    while tracker.foresight.is_any() {
+        tracker.foresight.shorten();
     }
     for fat in &mut tracker.fat_boxes[..100] {
         *fat = Aabb::new([-1e3; 2], [1e3; 2]);

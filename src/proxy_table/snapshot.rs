@@ -95,6 +95,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             refused: generations.iter().flatten().count() - proxies,
             ..stats
         };
+        table.tracker.work = stats.work;
         table.has_warned = has_warned;
         table.memos.resize(generations.len(), M::default());
         table.generations = generations;

@@ -10,12 +10,12 @@ use unisize_scenes::dim2::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [
-    0x2421c98cde08773c,
-    0x0c23b308357b26fb,
-    0x70fa33d94d16b069,
-    0xa3f1414af096e71d,
-    0x0fbf1a7ad05f5c05,
-    0xf36426f3e1660b34,
+    0x470795fb48856718,
+    0xd6164d58bc226b73,
+    0xef1941d963668511,
+    0x618d16bb68415165,
+    0x0bb44bf830240f75,
+    0x0022006aeccf9b30,
 ];
 
 /// By scene.

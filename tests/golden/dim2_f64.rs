@@ -10,12 +10,12 @@ use unisize_scenes::dim2_f64::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [
-    0xf05b43cee303800e,
-    0x8d093e932161383d,
-    0x70fa33d94d16b069,
-    0xa2c3c75be548ef49,
-    0x0fbf1a7ad05f5c05,
-    0x84d15bf54834548b,
+    0x8541d3077ccc43e6,
+    0x8740e64866bee38d,
+    0xfd883198de31b7b1,
+    0x526202b18c242af1,
+    0x40502de750fdd661,
+    0x54303ea0acd9d00b,
 ];
 
 /// By scene.

@@ -10,12 +10,12 @@ use unisize_scenes::dim3::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [
-    0x429ff125b9338df1,
-    0x654660bb6de8753c,
-    0x2aad8597e2bfa1fc,
-    0x7b0d320cab271d02,
-    0x1e895eb82ccd1eba,
-    0x758cbe6b3b743d56,
+    0x361fc98d18538aed,
+    0xfc4b0e8e52544f80,
+    0xdafe624b3c445db4,
+    0x651a0a4548fe8c6e,
+    0x856f8f2e705ac0de,
+    0x48b94592df4635e6,
 ];
 
 /// By scene.

@@ -10,12 +10,12 @@ use unisize_scenes::dim3_f64::{Observed, Scene};
 
 /// By replay.
 const REPLAYS: [u64; 6] = [
-    0x9232ff441a093e8e,
-    0x654660bb6de8753c,
-    0x2aad8597e2bfa1fc,
-    0x7b0d320cab271d02,
-    0x1e895eb82ccd1eba,
-    0x91a62b839bc3ba99,
+    0x52e617281998aa32,
+    0xfc4b0e8e52544f80,
+    0xdafe624b3c445db4,
+    0x24facf216e8359ba,
+    0x5106e6118ad96346,
+    0x31d01c4b949b23e9,
 ];
 
 /// By scene.

@@ -2,6 +2,7 @@
 
 use crate::bit_set::BitSet;
 use crate::pair_tracker::{FilterKey, PairChange};
+use crate::slot_set::SlotSet;
 use crate::{Aabb, Real};
 
 /// In place of a slot: the candidate is gone.
@@ -203,21 +204,49 @@ impl CandidateArray {
         });
     }
 
-    /// Brings all rows up to date with the present boxes. None may be a tombstone.
+    /// Brings all rows up to date with the present boxes, and removes those of the `escaped`. None may be a tombstone. Returns
+    /// whether rows have moved.
     pub(super) fn compare_all<R: Real, const D: usize, K: FilterKey>(
         &mut self,
-        turned: &mut BitSet,
+        changed: &mut BitSet,
+        escaped: &SlotSet,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
-    ) {
+    ) -> bool {
         debug_assert_eq!(self.tombstones, 0);
         let Self { pairs, held, .. } = self;
         // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has turned.
-        turned.ask(pairs.len(), |rows| {
-            let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-            gather(rows, |(&pair, &is_held)| proxies.overlap(pair) ^ is_held)
+        let has_turned = |(&pair, &is_held): (&[u32; 2], &bool)| proxies.overlap(pair) ^ is_held;
+        let has_escaped = |&[a, b]: &[u32; 2]| escaped.contains(a) | escaped.contains(b);
+        if escaped.len() == 0 {
+            changed.ask(pairs.len(), |rows| {
+                gather(pairs[rows.clone()].iter().zip(&held[rows]), has_turned)
+            });
+            changed.iter().for_each(|row| self.turn(row, report));
+            return false;
+        }
+        changed.ask(pairs.len(), |rows| {
+            gather(pairs[rows.clone()].iter().zip(&held[rows]), |row| {
+                has_turned(row) | has_escaped(row.0)
+            })
         });
-        turned.iter().for_each(|row| self.turn(row, report));
+        let rows = pairs.len();
+        for row in changed.iter() {
+            if has_escaped(&self.pairs[row]) {
+                self.retire(row, proxies, report);
+            } else {
+                self.turn(row, report);
+            }
+        }
+        // From the last one on, so that what takes the place of one that is gone stays.
+        for row in changed.iter_backwards() {
+            if self.pairs[row][0] == TOMBSTONE {
+                self.pairs.swap_remove(row);
+                self.held.swap_remove(row);
+            }
+        }
+        self.tombstones = 0;
+        self.pairs.len() < rows
     }
 
     /// Brings a row up to date with the present boxes.

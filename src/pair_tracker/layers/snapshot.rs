@@ -18,9 +18,6 @@ use crate::{Aabb, Real};
 pub(in crate::pair_tracker) struct LayersSnapshot<R, const D: usize> {
     base: LayerSnapshot<R, D>,
     delta: LayerSnapshot<R, D>,
-    /// These, and what was spent, count since the last full run, so 32 bits are enough.
-    updates: u32,
-    escaped: u32,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -29,6 +26,7 @@ struct LayerSnapshot<R, const D: usize> {
     is_sorted: bool,
     /// In the order in which they came, with the boxes that they had if they were members.
     outdated: Vec<(u32, Option<Aabb<R, D>>)>,
+    /// Since the last full run, so 32 bits are enough.
     spent: u32,
 }
 
@@ -43,8 +41,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
         LayersSnapshot {
             base: layers.base.snapshot(slots),
             delta: layers.delta.snapshot(slots),
-            updates: saturated(layers.updates),
-            escaped: saturated(layers.escaped),
         }
     }
 
@@ -57,15 +53,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let Self::Grid(layers) = self else {
             return Ok(());
         };
-        let LayersSnapshot {
-            base,
-            delta,
-            updates,
-            escaped,
-        } = snapshot;
-        layers.updates = u64::from(updates);
-        layers.escaped = u64::from(escaped);
-
+        let LayersSnapshot { base, delta } = snapshot;
         let members = base.restore(&mut layers.base, boxes)?;
         let mut slots = Vec::new();
         collect_valid(&members, &mut slots);

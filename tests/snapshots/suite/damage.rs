@@ -168,16 +168,17 @@ fn candidates_must_be_the_overlapping_fat_boxes() {
 }
 
 #[test]
-fn horizons_are_limited() {
+fn foresight_is_limited() {
     for (name, wrong) in [
-        ("moves", json!(1e9)),
-        ("moves", json!(-1.0)),
-        ("paused", json!(u32::MAX)),
-        ("next_pause", json!(u32::MAX)),
-        ("next_pause", json!(0)),
+        ("moves", json!(128)),
+        ("moves", json!(3)),
+        ("phase", json!({ "Tried": { "settled": 128 } })),
+        ("phase", json!("Fixed")),
+        ("settled_price", json!(-1.0)),
+        ("rest", json!(u32::MAX)),
     ] {
-        let said = complaint(|value| value["table"]["tracker"]["horizon"][name] = wrong.clone());
-        assert!(said.contains("horizon"), "{said}");
+        let said = complaint(|value| value["table"]["tracker"]["foresight"][name] = wrong.clone());
+        assert!(said.contains("foresight"), "{said}");
     }
 }
 
