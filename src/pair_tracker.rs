@@ -389,7 +389,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let count = self.candidates.len();
         self.found.reserve_exact(count + count / 8);
         let mut lap = self.search(lap);
-        while !self.foresight.is_fixed() && self.are_too_many(self.found.len()) {
+        while !self.foresight.is_fixed() && self.are_too_many_found() {
             self.foresight.shorten();
             self.draw_all();
             self.found = Vec::new();
@@ -436,6 +436,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     fn are_too_many(&self, candidates: usize) -> bool {
         policy::are_too_many(candidates, self.boxes.len(), self.candidates.held_count())
+    }
+
+    /// The same of those that were found, of which it is not known yet how many are held.
+    fn are_too_many_found(&self) -> bool {
+        let overlap =
+            |&&[a, b]: &&[u32; 2]| self.boxes[a as usize].overlaps(&self.boxes[b as usize]);
+        // They are hardly ever that many, so hardly ever compared here.
+        self.are_too_many(self.found.len()) && {
+            let held = self.found.iter().filter(overlap).count();
+            policy::are_too_many(self.found.len(), self.boxes.len(), held)
+        }
     }
 
     /// Draws the fat boxes of what has moved.

@@ -125,8 +125,8 @@ pub(crate) mod foresight {
     /// chance decides.
     pub(crate) const TRIAL_UPDATES: u64 = 12;
 
-    /// A part of the price. Another foresight is better if it costs less by this. Above: what is better is not taken.
-    /// Below: chance decides.
+    /// A part of the price. A longer foresight is better if it costs less by this, and a shorter one unless it costs more by this.
+    /// Above: what is better is not taken. Below: chance decides.
     pub(crate) const GAIN: f64 = 0.02;
 
     /// Measurements between two trials, if those before have failed. Above: foresight follows a scene late. Below: trials of

@@ -145,7 +145,7 @@ impl Foresight {
         let price = self.spent.all as f64 / self.spent.moved.max(1) as f64;
         self.spent = Spent::default();
         match self.phase {
-            Phase::Tried { settled } if price >= self.settled_price * (1.0 - GAIN) => {
+            Phase::Tried { settled } if price >= self.most_for_trial() => {
                 self.moves = settled;
                 self.fail();
             }
@@ -164,6 +164,13 @@ impl Foresight {
             }
         }
         self
+    }
+
+    /// Below what price a trial has paid. Of two that cost about the same, the shorter one is better, for it takes less memory; and
+    /// all that reach beyond the next box cost the same, where even shorter ones may cost less.
+    fn most_for_trial(&self) -> f64 {
+        let gain = if self.is_longer_next { -GAIN } else { GAIN };
+        self.settled_price * (1.0 + gain)
     }
 
     /// Tries the next horizon, if there is one.
@@ -405,13 +412,21 @@ mod tests {
 
     #[test]
     fn a_small_gain_is_no_gain() {
-        let gain = |price: u64| {
-            let trial = next(settled(8), 10_000);
+        let gain = |is_longer_next, price: u64| {
+            let settled = Foresight {
+                is_longer_next,
+                ..settled(8)
+            };
+            let trial = next(settled, 10_000);
             next(trial, price).phase
         };
         let least = (10_000.0 * (1.0 - GAIN)) as u64;
-        assert_eq!(gain(least), Phase::Settled);
-        assert_eq!(gain(least - 1), Phase::Tried { settled: 16 });
+        assert_eq!(gain(true, least), Phase::Settled);
+        assert_eq!(gain(true, least - 1), Phase::Tried { settled: 16 });
+        // And a small loss is no loss, if it looks less far ahead.
+        let most = (10_000.0 * (1.0 + GAIN)) as u64;
+        assert_eq!(gain(false, most), Phase::Settled);
+        assert_eq!(gain(false, most - 1), Phase::Tried { settled: 4 });
     }
 
     #[test]
@@ -529,6 +544,7 @@ mod tests {
         assert!(!priced(f64::NAN).is_sound() && !priced(-1.0).is_sound());
         let resting = |rest| Foresight { rest, ..settled(8) };
         assert!(resting(MOST_REST).is_sound() && !resting(MOST_REST + 1).is_sound());
+        assert!(Foresight::new(Some(LONGEST)).is_sound());
         let fixed = Foresight {
             moves: LONGEST + 1,
             ..Foresight::new(Some(5))

@@ -54,7 +54,7 @@ impl Horizon {
     }
 }
 
-/// How far slots have moved on each axis in box sizes, on average, by a sample; `None` if all are new or infinite.
+/// How far slots have moved on each axis in box sizes, on average, by a sample; `None` if all are new, infinite or still.
 pub(super) fn mean_speed<R: Real, const D: usize>(
     moved: &[u32],
     now: &[Aabb<R, D>],
@@ -73,7 +73,7 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
             }
         }
     }
-    (count > 0).then(|| sum / f64::from(count))
+    (sum > 0.0).then(|| sum / f64::from(count))
 }
 
 /// How far the centre has moved along an axis.
@@ -154,5 +154,7 @@ mod tests {
         let now = [at(0.0, 0.0)];
         let absent = [Aabb::new([f32::NAN; 2], [f32::NAN; 2])];
         assert_eq!(mean_speed(&[0], &now, &absent), None);
+        assert_eq!(mean_speed(&[0], &now, &now), None);
+        assert_eq!(mean_speed(&[0], &now, &[at(-0.5, 0.0)]), Some(0.25));
     }
 }
