@@ -171,8 +171,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for &handle in removed {
             self.remove(handle);
         }
-        self.forget_awaited(removed);
-        self.admit_awaited(source, margin);
+        self.admit_awaited(removed, source, margin);
         let mut reader = std::mem::take(&mut self.reader);
         reader.read(self, listed, source, margin);
         self.reader = reader;

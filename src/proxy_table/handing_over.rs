@@ -72,7 +72,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 break None;
             };
             let (slot, generation) = handle.into_raw_parts();
-            if generations.get(slot as usize) != Some(&Some(generation)) {
+            let is_known =
+                matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation);
+            if !is_known {
                 break Some((handle, aabb));
             }
             match Verdict::of(mover.held(slot), &aabb, margin) {
@@ -124,23 +126,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         });
     }
 
-    /// Forgets awaited colliders that have been removed in the meantime.
-    pub(super) fn forget_awaited<H: Handle>(&mut self, removed: &[H]) {
-        if !self.awaited.is_empty() && !removed.is_empty() {
-            let removed: BTreeSet<_> = removed
-                .iter()
-                .map(|handle| handle.into_raw_parts())
-                .collect();
-            self.awaited
-                .retain(|awaited| !removed.contains(&(awaited.slot, awaited.generation)));
-        }
-    }
-
-    /// Looks at the awaited colliders.
-    pub(super) fn admit_awaited<S>(&mut self, source: &S, margin: R)
+    /// Looks at the awaited colliders, except those that have been removed in the meantime.
+    pub(super) fn admit_awaited<S>(&mut self, removed: &[S::Handle], source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
+        if self.awaited.is_empty() {
+            return;
+        }
+        let removed: BTreeSet<_> = removed
+            .iter()
+            .map(|handle| handle.into_raw_parts())
+            .collect();
         for awaited in std::mem::take(&mut self.awaited) {
             let Awaited {
                 slot,
@@ -150,6 +147,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             if self.generations.get(slot as usize) == Some(&None) {
                 // The box was only there for queries.
                 self.tracker.refuse(slot);
+            }
+            if removed.contains(&(slot, generation)) {
+                continue;
             }
             let handle = S::Handle::from_raw_parts(slot, generation);
             self.admit(handle, margin, |memo| {

@@ -10,7 +10,7 @@ use crate::ops::Triple;
 pub(super) use super::rapier::math::Pose;
 
 pub(super) fn vector(triple: Triple) -> Vector {
-    Vector::from(std::array::from_fn(|i| triple[i]))
+    Vector::from(std::array::from_fn(|i| Real::from(triple[i])))
 }
 
 pub(super) fn translation(triple: Triple) -> Pose {
@@ -52,7 +52,7 @@ pub(super) fn hand_over(
     true
 }
 
-/// Checks that queries find all boxes.
+/// Checks that the leaves of queries are these boxes.
 pub(super) fn check_leaves(
     broad_phase: &UnisizeBroadPhase,
     boxes: impl Iterator<Item = (u32, Aabb)>,
@@ -64,9 +64,7 @@ pub(super) fn check_leaves(
     for (index, aabb) in boxes {
         let leaf = queries.bvh.leaf_node(index);
         let leaf = leaf.expect("there is a leaf for it").aabb();
-        let is_found =
-            (0..DIM).all(|k| leaf.mins[k] <= aabb.mins[k] && aabb.maxs[k] <= leaf.maxs[k]);
-        assert!(is_found, "{leaf:?} does not contain {aabb:?}");
+        assert_eq!(leaf, aabb, "the leaf {index} and its box");
     }
 }
 

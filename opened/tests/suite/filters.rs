@@ -1,0 +1,111 @@
+//! Filters that keep touching colliders from colliding, and events of those that do collide.
+
+use super::rapier::prelude::*;
+use super::snapshot::Event;
+use super::twins::at;
+use super::twins::{Twins, cube, cuboid, dynamic, fixed, unisize};
+use super::{PairFilter, Settings, UnisizeBroadPhase};
+
+/// Lets nothing with odd user data touch anything.
+struct OddIsThin;
+
+impl OddIsThin {
+    fn passes(context: &PairFilterContext<'_>) -> bool {
+        let colliders = [context.collider1, context.collider2];
+        colliders
+            .iter()
+            .all(|&handle| context.colliders[handle].user_data % 2 == 0)
+    }
+}
+
+impl PhysicsHooks for OddIsThin {
+    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
+        Self::passes(context).then(SolverFlags::default)
+    }
+
+    fn filter_intersection_pair(&self, context: &PairFilterContext<'_>) -> bool {
+        Self::passes(context)
+    }
+}
+
+#[test]
+fn physics_hooks() {
+    let mut twins = Twins::heavy();
+    twins.hooks = Box::new(OddIsThin);
+    let (_, floor) = twins.insert_floor();
+    let hooks = ActiveHooks::all();
+    let mut cubes = Vec::new();
+    for i in 0..6 {
+        let cube = cube().user_data(i).active_hooks(hooks).sensor(i >= 4);
+        cubes.push(twins.insert(dynamic(3.0 * i as Real, 0.7), cube).1);
+    }
+    let seen = twins.steps(20);
+    for (i, &cube) in cubes.iter().enumerate() {
+        assert_eq!(seen.touches(cube, floor), i < 4 && i % 2 == 0);
+        assert_eq!(seen.intersects(cube, floor), i == 4);
+    }
+    twins.change(cubes[1], |cube| cube.user_data = 0);
+    twins.change(cubes[0], |cube| cube.user_data = 1);
+    let seen = twins.steps(2);
+    assert!(seen.touches(cubes[1], floor) && !seen.touches(cubes[0], floor));
+}
+
+#[test]
+fn contact_force_events() {
+    let mut twins = Twins::heavy();
+    let (_, floor) = twins.insert_floor();
+    twins.insert(
+        dynamic(0.0, 3.0),
+        cube().contact_force_event_threshold(100.0),
+    );
+    twins.change(floor, |floor| {
+        floor.set_contact_force_event_threshold(Real::MAX)
+    });
+    let is_force = |event: &Event| matches!(event, Event::Force(..));
+    twins.step_until(|seen| seen.events.iter().any(is_force));
+    twins.steps(60);
+}
+
+/// Only an engine that loses none can hand each collider that has moved over to its filters.
+#[test]
+fn groups_decide_what_falls_through() {
+    for filter in [PairFilter::Off, PairFilter::Bodies, PairFilter::Groups] {
+        let settings = Settings::default().with_filter(filter);
+        let mut twins = Twins::with(UnisizeBroadPhase::with_settings(settings));
+        let (_, floor) = twins.insert_floor();
+        let groups = |bits| {
+            let bits = Group::from_bits_truncate(bits);
+            InteractionGroups::new(bits, bits, InteractionTestMode::And)
+        };
+        twins.change(floor, |floor| floor.set_collision_groups(groups(0b110)));
+        let cubes: Vec<_> = (0..8)
+            .map(|i| {
+                let cube = cube().collision_groups(groups(i));
+                twins.insert(dynamic(3.0 * i as Real, 1.0), cube).0
+            })
+            .collect();
+        let seen = twins.steps(120);
+        for (i, &cube) in cubes.iter().enumerate() {
+            assert_eq!(seen.height(cube) > 0.0, i & 0b110 != 0, "{filter:?} {i}");
+        }
+    }
+}
+
+/// Nothing is held that can have no effect, as in Rapier's own.
+#[test]
+fn a_map_has_no_pairs() {
+    let mut twins = Twins::heavy();
+    for i in 0..20 {
+        for j in 0..20 {
+            twins.insert(fixed(i as Real, -(j as Real)), cube());
+        }
+    }
+    let (ship, _) = twins.insert(dynamic(5.0, 30.0), cuboid([0.5; 3]));
+    for i in 1..10 {
+        twins.insert_part(ship, cube().translation(at(i as Real, 0.0)));
+    }
+    twins.steps(5);
+    let stats = unisize(&twins.ours).stats();
+    assert_eq!([stats.pairs, stats.candidates], [0, 0]);
+    assert_eq!(stats.proxies, 410);
+}

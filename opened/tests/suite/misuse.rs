@@ -1,0 +1,175 @@
+//! What a user may do wrong, or may not be sure about.
+
+use super::rapier::prelude::*;
+use super::twins::{Twins, at, cube, dynamic, unisize, world_with};
+use super::{Settings, UnisizeBroadPhase};
+
+/// A world in which balls bounce about.
+fn lively(broad_phase: UnisizeBroadPhase) -> PhysicsWorld {
+    let mut world = world_with(broad_phase);
+    world.insert_collider(
+        super::twins::cuboid([50.0, 1.0, 50.0]).translation(at(0.0, -1.0)),
+        None,
+    );
+    for i in 0..20 {
+        let ball = ColliderBuilder::ball(0.5).restitution(0.7);
+        world.insert(dynamic(3.0 * i as Real, 1.0 + 0.1 * i as Real), ball);
+    }
+    world
+}
+
+fn heights(world: &PhysicsWorld) -> Vec<Real> {
+    let bodies = world.bodies.iter();
+    bodies.map(|(_, body)| body.translation().y).collect()
+}
+
+#[test]
+fn a_snapshot_that_would_lose_it_is_an_error_that_says_what_to_do() {
+    let mut world = lively(UnisizeBroadPhase::new());
+    world.step();
+    for error in [
+        serde_json::to_string(&world).unwrap_err().to_string(),
+        serde_json::to_string(&world.broad_phase)
+            .unwrap_err()
+            .to_string(),
+    ] {
+        assert!(error.contains("custom_ref"), "{error}");
+    }
+    assert!(serde_json::to_string(&DefaultBroadPhase::new()).is_ok());
+}
+
+/// The world without it, and it by itself.
+#[test]
+fn a_snapshot_of_it_goes_on_as_it_was() {
+    let mut saved = lively(UnisizeBroadPhase::new());
+    for step in 0..120 {
+        saved.step();
+        if step % 40 != 20 {
+            continue;
+        }
+        // Boxes were handed over at the end of the step.
+        let ours = postcard::to_stdvec(unisize(&saved)).unwrap();
+        let custom = std::mem::take(&mut saved.broad_phase);
+        let rest = postcard::to_stdvec(&saved).unwrap();
+        saved.broad_phase = custom;
+
+        let mut restored: PhysicsWorld = postcard::from_bytes(&rest).unwrap();
+        let ours: UnisizeBroadPhase = postcard::from_bytes(&ours).unwrap();
+        ours.validate();
+        assert_eq!(ours.stats(), unisize(&saved).stats());
+        restored.broad_phase = DefaultBroadPhase::custom(ours);
+        let mut expected = saved.broad_phase.clone();
+        std::mem::swap(&mut expected, &mut saved.broad_phase);
+        for _ in 0..60 {
+            saved.step();
+            restored.step();
+            assert_eq!(heights(&saved), heights(&restored));
+            assert_eq!(unisize(&saved).stats(), unisize(&restored).stats());
+        }
+    }
+}
+
+#[test]
+fn a_clone_goes_its_own_way() {
+    let mut world = lively(UnisizeBroadPhase::new());
+    for _ in 0..10 {
+        world.step();
+    }
+    let clone = world.broad_phase.clone();
+    let ours: &UnisizeBroadPhase = clone.custom_ref().unwrap();
+    let before = ours.stats();
+    assert_eq!(before, unisize(&world).stats());
+    for _ in 0..60 {
+        world.step();
+    }
+    assert_eq!(ours.stats(), before);
+    assert_ne!(unisize(&world).stats(), before);
+    ours.validate();
+    // A world that goes on with the clone.
+    let mut other = lively(UnisizeBroadPhase::new());
+    for _ in 0..10 {
+        other.step();
+    }
+    other.broad_phase = clone;
+    for _ in 0..60 {
+        other.step();
+    }
+    assert_eq!(heights(&other), heights(&world));
+}
+
+#[test]
+fn two_worlds_with_one_broad_phase_each() {
+    let mut worlds = [0.01, 0.2].map(|margin| {
+        let settings = Settings::default().with_margin(margin);
+        lively(UnisizeBroadPhase::with_settings(settings))
+    });
+    let extra = worlds[1].insert(dynamic(-9.0, 0.5), cube()).0;
+    for step in 0..60 {
+        worlds[step % 2].step();
+        for world in &worlds {
+            unisize(world).validate();
+        }
+    }
+    let [first, second] = worlds.each_ref().map(|world| unisize(world).stats());
+    assert_eq!([first.proxies, second.proxies], [21, 22]);
+    assert_eq!([first.updates, second.updates], [30, 30]);
+    assert!(worlds[1].bodies.contains(extra));
+}
+
+#[test]
+fn it_is_found_by_its_own_type_only() {
+    #[derive(Clone)]
+    struct Other;
+
+    impl CustomBroadPhase for Other {
+        fn update(
+            &mut self,
+            _: &IntegrationParameters,
+            _: &ColliderSet,
+            _: &RigidBodySet,
+            _: &[ColliderHandle],
+            _: &[ColliderHandle],
+            _: &mut Vec<BroadPhasePairEvent>,
+        ) {
+        }
+
+        fn set_aabb(&mut self, _: &IntegrationParameters, _: ColliderHandle, _: Aabb) {}
+
+        fn bvh(&self) -> &Bvh {
+            unreachable!("nobody asks")
+        }
+
+        fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
+            Box::new(self.clone())
+        }
+    }
+
+    let mut ours = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
+    assert!(ours.custom_ref::<UnisizeBroadPhase>().is_some());
+    assert!(ours.custom_mut::<UnisizeBroadPhase>().is_some());
+    assert!(ours.custom_ref::<Other>().is_none());
+    assert!(ours.custom_mut::<Other>().is_none());
+    let mut theirs = DefaultBroadPhase::new();
+    assert!(theirs.custom_ref::<UnisizeBroadPhase>().is_none());
+    assert!(theirs.custom_mut::<UnisizeBroadPhase>().is_none());
+}
+
+/// Another one in the midst of a simulation knows no collider, as another one of Rapier's does not: those that are handed over
+/// it gets to know, and the others when they are listed.
+#[test]
+fn another_one_in_the_midst_of_a_simulation() {
+    let mut twins = Twins::heavy();
+    twins.insert_floor();
+    twins.insert(dynamic(0.0, 3.0), cube());
+    twins.steps(5);
+    twins.ours.broad_phase = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
+    twins.theirs.broad_phase = DefaultBroadPhase::new();
+    twins.steps(20);
+    twins.both(|world| {
+        for (_, collider) in world.colliders.iter_mut() {
+            collider.set_friction(0.4);
+            collider.set_shape(collider.shared_shape().clone());
+        }
+    });
+    twins.steps(120);
+}

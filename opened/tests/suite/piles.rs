@@ -1,0 +1,114 @@
+//! Piles: bodies that touch many others. The order of contacts matters to the solver, so each world goes its own way, and what
+//! its narrow phase knows is held to the boxes of all colliders.
+
+use std::collections::BTreeSet;
+
+use super::rapier::parry::query::contact;
+use super::rapier::prelude::*;
+use super::snapshot::{Pair, contacts, pair};
+use super::twins::{at, cube, cuboid, dynamic, triple, unisize, world_with};
+use super::{Settings, UnisizeBroadPhase};
+
+/// Pairs of colliders that penetrate each other by more than rounding errors, found without a broad phase.
+fn penetrating(world: &PhysicsWorld) -> BTreeSet<Pair> {
+    let all: Vec<_> = world.colliders.iter_enabled().collect();
+    let mut pairs = BTreeSet::new();
+    for (i, (a, first)) in all.iter().enumerate() {
+        for (b, second) in &all[i + 1..] {
+            let is_dynamic = [first, second].iter().any(|collider| {
+                let body = collider.parent().map(|body| &world.bodies[body]);
+                body.is_some_and(|body| body.is_dynamic())
+            });
+            let [one, other] = [first, second].map(|collider| collider.compute_aabb());
+            if is_dynamic && one.intersects(&other) {
+                let (one, other) = (first.position(), second.position());
+                let met = contact(one, first.shape(), other, second.shape(), 0.0);
+                if met.is_ok_and(|met| met.is_some_and(|met| met.dist < -1.0e-3)) {
+                    pairs.insert(pair(*a, *b));
+                }
+            }
+        }
+    }
+    pairs
+}
+
+/// Drops bodies into a box; all must come to rest inside, at a sound depth.
+fn settle(mut world: PhysicsWorld, collider: impl Fn(usize) -> ColliderBuilder) {
+    world.insert_collider(cuboid([50.0, 1.0, 50.0]).translation(at(0.0, -1.0)), None);
+    for side in [-1.0, 1.0] {
+        let wall = cuboid([0.5, 20.0, 20.0]).translation(at(4.0 * side, 15.0));
+        world.insert_collider(wall, None);
+    }
+    let mut bodies = Vec::new();
+    for row in 0..8 {
+        for column in 0..5 {
+            let (x, y) = (1.2 * column as Real - 2.4, 1.1 * row as Real + 0.6);
+            let body = dynamic(x + 0.03 * row as Real, y);
+            bodies.push(world.insert(body, collider(5 * row + column)).0);
+        }
+    }
+    let is_ours = world
+        .broad_phase
+        .custom_ref::<UnisizeBroadPhase>()
+        .is_some();
+    for step in 0..2000 {
+        // What the next step finds is where bodies are now.
+        let expected = if step % 7 == 0 {
+            penetrating(&world)
+        } else {
+            BTreeSet::new()
+        };
+        world.step();
+        let missed: Vec<_> = expected.difference(&contacts(&world)).copied().collect();
+        assert!(missed.is_empty(), "step {step} misses {missed:?}");
+        if is_ours {
+            unisize(&world).validate();
+        }
+        if bodies.iter().all(|&body| world.bodies[body].is_sleeping()) {
+            for &body in &bodies {
+                let place = world.bodies[body].translation();
+                assert!(place.y > 0.3 && place.y < 12.0 && place.x.abs() < 50.0);
+            }
+            return;
+        }
+    }
+    panic!("the pile does not come to rest");
+}
+
+#[test]
+fn cubes_come_to_rest() {
+    settle(world_with(UnisizeBroadPhase::new()), |_| cube());
+    settle(PhysicsWorld::default(), |_| cube());
+}
+
+#[test]
+fn all_sorts_come_to_rest_without_foresight() {
+    let settings = Settings::default().with_foresight(0);
+    let broad_phase = UnisizeBroadPhase::with_settings(settings);
+    settle(world_with(broad_phase), |i| match i % 3 {
+        0 => cuboid([0.5, 0.3, 0.4]),
+        1 => ColliderBuilder::capsule_x(0.3, 0.3),
+        _ => ColliderBuilder::ball(0.4),
+    });
+}
+
+/// Many bodies far apart, each on its own pile of two, so that nothing but the pairs decides what happens.
+#[test]
+fn many_small_piles() {
+    let mut twins = super::twins::Twins::heavy();
+    for i in 0..60 {
+        let place = triple([4.0 * (i % 10) as Real, 4.0 * (i / 10) as Real, 0.0]);
+        twins.insert(
+            RigidBodyBuilder::fixed().translation(place),
+            cuboid([0.8, 0.2, 0.8]),
+        );
+        let above = place + at(0.0, 0.9 + 0.01 * i as Real);
+        twins.insert(
+            RigidBodyBuilder::dynamic().translation(above),
+            ColliderBuilder::ball(0.3),
+        );
+    }
+    let seen = twins.steps(200);
+    assert_eq!(seen.contacts.len(), 60);
+    assert!(seen.asleep.len() > 60 / 2, "{} sleep", seen.asleep.len());
+}
