@@ -243,7 +243,7 @@ fn teleports() {
     let (body, _) = twins.insert(moving, ColliderBuilder::ball(0.3));
     let mut met = 0;
     for round in 0..40 {
-        let place = places[round * 7 % 10] + at(0.1, 0.5 + 0.1 * (round % 4) as Real);
+        let place = places[round * 7 % 10] + at(0.1, 0.35 + 0.02 * (round % 4) as Real);
         twins.change_body(body, |body| {
             body.set_translation(place, true);
             body.set_linvel(at(0.5, -1.0), true);

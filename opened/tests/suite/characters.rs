@@ -101,7 +101,7 @@ fn up_and_down_the_stairs() {
         let step = cuboid([3.5 - i, 0.1, 3.0]).translation(at(5.0, 0.1 + 0.2 * i));
         walk.twins.insert(fixed(0.0, 0.0), step);
     }
-    let highest = walk.ahead(240);
+    let highest = walk.ahead(320);
     assert!((0.6..0.7).contains(&highest), "it climbs to {highest}");
     let place = walk.place();
     assert!(place.x > 9.0 && place.y < 0.1, "it ends at {place}");

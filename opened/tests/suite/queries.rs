@@ -41,9 +41,10 @@ fn scattered(random: &mut Rand32) -> Twins {
 }
 
 /// Asks both worlds the same, and compares the answers.
+#[track_caller]
 fn same<T: PartialEq + Debug>(twins: &Twins, ask: impl Fn(&PhysicsWorld) -> T) -> T {
     let [ours, theirs] = [&twins.ours, &twins.theirs].map(ask);
-    assert_eq!(ours, theirs);
+    assert_eq!(format!("{ours:#?}"), format!("{theirs:#?}"));
     ours
 }
 
@@ -51,8 +52,36 @@ fn indices<T>(hits: impl Iterator<Item = (ColliderHandle, T)>) -> BTreeSet<u32> 
     hits.map(|(handle, _)| handle.into_raw_parts().0).collect()
 }
 
+/// The boxes of the leaves, by index.
+fn leaves(world: &PhysicsWorld) -> Vec<(u32, Option<Aabb>)> {
+    let scene = world.query_pipeline();
+    let colliders = world.colliders.iter().map(|(handle, _)| {
+        let index = handle.into_raw_parts().0;
+        (index, scene.bvh.leaf_node(index).map(|leaf| leaf.aabb()))
+    });
+    colliders.collect()
+}
+
+/// What may be in a region goes by the boxes of the leaves. In Rapier's own tree those that a step has set are larger than their
+/// ancestors until the next step, by the margin, so it may miss one of which only the margin is there.
+fn compare_regions(twins: &Twins, region: Aabb) -> usize {
+    let [ours, theirs] = [&twins.ours, &twins.theirs].map(|world| {
+        let scene = world.query_pipeline();
+        indices(scene.intersect_aabb_conservative(region))
+    });
+    let leaves = leaves(&twins.ours).into_iter();
+    let expected: BTreeSet<_> = leaves
+        .filter(|(_, leaf)| leaf.is_some_and(|leaf| leaf.intersects(&region)))
+        .map(|(index, _)| index)
+        .collect();
+    assert_eq!(ours, expected);
+    assert!(ours.is_superset(&theirs), "{ours:?} and {theirs:?}");
+    ours.len()
+}
+
 fn compare(twins: &Twins, random: &mut Rand32) -> usize {
     let mut hits = 0;
+    same(twins, leaves);
     for _ in 0..30 {
         let (from, to) = (within(random, 9.0), within(random, 1.0));
         let ray = Ray::new(from, to);
@@ -85,11 +114,7 @@ fn compare(twins: &Twins, random: &mut Rand32) -> usize {
         })
         .len();
         let region = Aabb::new(from, from + triple([1.5; 3]));
-        hits += same(twins, |world| {
-            let scene = world.query_pipeline();
-            indices(scene.intersect_aabb_conservative(region))
-        })
-        .len();
+        hits += compare_regions(twins, region);
         let cast = same(twins, |world| {
             let options = ShapeCastOptions::with_max_time_of_impact(50.0);
             let scene = world.query_pipeline();
