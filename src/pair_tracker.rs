@@ -44,6 +44,11 @@ pub(crate) enum PairChange {
 pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may be a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
+
+    /// Whether a proxy whose key was `former` and is this now gets a new box, without a margin.
+    fn renews_box(self, _former: Self) -> bool {
+        false
+    }
 }
 
 /// The proxies and the pairs they form.

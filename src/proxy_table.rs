@@ -232,8 +232,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         }
         self.memos[index] = memo;
+        let renews_box = key.renews_box(self.tracker.key(slot));
         self.tracker.set_key(slot, key);
-        match Verdict::of(&self.tracker.slot_box(slot), &aabb, margin) {
+        let held = self.tracker.slot_box(slot);
+        let verdict = match Verdict::of(&held, &aabb, margin) {
+            Verdict::Keep | Verdict::Renew(_) if renews_box => Verdict::Renew(aabb),
+            verdict => verdict,
+        };
+        match verdict {
             Verdict::Keep => {}
             Verdict::Renew(renewed) => {
                 self.tracker.place(slot, renewed);

@@ -2,6 +2,7 @@
 
 use super::rapier::dynamics::{RigidBody, RigidBodyType};
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups};
+use super::version;
 use crate::PairFilter;
 use crate::pair_tracker::FilterKey;
 
@@ -60,5 +61,10 @@ impl FilterKey for Key {
         let types_meet = |key: Self| key.collision_types.test(types[0], types[1]);
         let is_of_one_body = self.body == other.body && self.body != NOBODY;
         !is_of_one_body & (types_meet(self) | types_meet(other)) & self.groups.test(other.groups)
+    }
+
+    fn renews_box(self, former: Self) -> bool {
+        let decisive = |key: Self| (key.body, key.body_type, key.groups);
+        version::REINSERTS && decisive(self) != decisive(former)
     }
 }

@@ -16,6 +16,9 @@ pub(super) use super::rapier::math::Vector;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
 
+/// Whether a collider of other groups, or of another body, is a new leaf of Rapier's own tree, whose box has no margin.
+pub(super) const REINSERTS: bool = true;
+
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Groups;
 
