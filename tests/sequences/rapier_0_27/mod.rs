@@ -12,6 +12,9 @@ mod pipelines;
 
 pub(super) type Pose = Isometry<Real>;
 
+/// Whether a collider of other groups, or of another body, gets a new box.
+pub(super) const REINSERTS: bool = false;
+
 pub(super) fn vector(triple: Triple) -> Vector<Real> {
     Vector::from_fn(|i, _| Real::from(triple[i]))
 }

@@ -9,6 +9,9 @@ use crate::ops::Triple;
 
 pub(super) use super::rapier::math::Pose;
 
+/// Whether a collider of other groups, or of another body, gets a new box.
+pub(super) const REINSERTS: bool = true;
+
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from(std::array::from_fn(|i| Real::from(triple[i])))
 }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
+use super::version;
 use unisize::PairFilter;
 
 /// Two colliders, by index and generation, the smaller index first.
@@ -171,18 +172,20 @@ impl Model {
         }
     }
 
-    /// Updates a collider's box: as it is if there was none, else with a margin and only once the collider has
-    /// left the last one.
+    /// Updates a collider's box: as it is if there was none, or if it is [another leaf](Self::is_another_leaf); else with a
+    /// margin and only once the collider has left the last one.
     fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real, key: Key) {
         let (index, generation) = handle.into_raw_parts();
         let known = self.proxies.get(&index).map(|proxy| proxy.generation);
         if let Some(stale) = known.filter(|&known| known != generation) {
             self.forget(ColliderHandle::from_raw_parts(index, stale));
         }
-        let last = self.proxies.get(&index).and_then(|proxy| proxy.aabb);
-        let aabb = match last {
+        let known = self.proxies.get(&index);
+        let is_another_leaf = known.is_some_and(|proxy| self.is_another_leaf(proxy.key, key));
+        let aabb = match known.and_then(|proxy| proxy.aabb) {
             _ if !is_sound(&aabb) => None,
             None => Some(aabb),
+            Some(_) if is_another_leaf => Some(aabb),
             Some(last) if contains(&last, &aabb) => Some(last),
             Some(_) => Some(aabb.loosened(margin)),
         };
@@ -192,6 +195,14 @@ impl Model {
             key,
         };
         self.proxies.insert(index, proxy);
+    }
+
+    /// Whether a collider that has changed like this is taken out of Rapier's own tree and put in anew.
+    fn is_another_leaf(&self, before: Key, now: Key) -> bool {
+        let body = |key: Key| (key.body.map(|body| body.into_raw_parts().0), key.body_type);
+        let is_other_body = self.filter != PairFilter::Off && body(before) != body(now);
+        let is_other_group = self.filter == PairFilter::Groups && before.groups != now.groups;
+        version::REINSERTS && (is_other_body || is_other_group)
     }
 
     fn overlapping_pairs(&self) -> BTreeSet<Pair> {
