@@ -112,3 +112,30 @@ fn many_small_piles() {
     assert_eq!(seen.contacts.len(), 60);
     assert!(seen.asleep.len() > 60 / 2, "{} sleep", seen.asleep.len());
 }
+
+/// So many that ours uses its threads, if it has any: what flies about is seen by sensors alone, so no order matters.
+#[test]
+fn a_swarm() {
+    let mut random = oorandom::Rand32::new(3);
+    let mut twins = super::twins::Twins::weightless();
+    let side = if DIM == 2 { 160.0 } else { 60.0 };
+    for i in 0..20_000 {
+        let mut vector = |length: Real| {
+            triple(std::array::from_fn(|_| {
+                length * (random.rand_float() - 0.5) as Real
+            }))
+        };
+        let body = RigidBodyBuilder::kinematic_velocity_based()
+            .translation(vector(side))
+            .linvel(vector(20.0));
+        let types = ActiveCollisionTypes::all();
+        let ball = ColliderBuilder::ball(0.5).active_collision_types(types);
+        let ball = ball.sensor(i % 100 != 0);
+        twins.both(|world| world.insert(body.clone(), ball.clone()));
+    }
+    let mut seen = 0;
+    for _ in 0..4 {
+        seen += twins.step().intersections.len();
+    }
+    assert!(seen > 1_000, "{seen}");
+}
