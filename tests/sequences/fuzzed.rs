@@ -6,7 +6,9 @@
 
 use arbitrary::{Result, Unstructured};
 
-use crate::flavours::{dim2, dim2_0_36, dim2_f64, dim3, dim3_0_36, dim3_f64};
+use crate::flavours::{
+    dim2, dim2_0_36, dim2_f64, dim2_f64_0_36, dim3, dim3_0_36, dim3_f64, dim3_f64_0_36,
+};
 use crate::ops::{
     BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List,
     MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple,
@@ -29,14 +31,16 @@ pub(crate) fn play(bytes: &[u8]) {
     let Ok((way, sequence)) = bytes.way_and_sequence() else {
         return;
     };
-    let kernel = way / 6;
-    match way % 6 {
+    let kernel = way / 8;
+    match way % 8 {
         0 => dim2::play(&sequence, kernel),
         1 => dim3::play(&sequence, kernel),
         2 => dim2_f64::play(&sequence, kernel),
         3 => dim3_f64::play(&sequence, kernel),
         4 => dim2_0_36::play(&sequence, kernel),
-        _ => dim3_0_36::play(&sequence, kernel),
+        5 => dim3_0_36::play(&sequence, kernel),
+        6 => dim2_f64_0_36::play(&sequence, kernel),
+        _ => dim3_f64_0_36::play(&sequence, kernel),
     }
 }
 
@@ -45,7 +49,7 @@ struct Bytes<'a>(Unstructured<'a>);
 impl Bytes<'_> {
     /// Which flavour and kernel to play with, and what.
     fn way_and_sequence(&mut self) -> Result<(usize, Sequence)> {
-        let way = self.0.int_in_range(0..=17)?;
+        let way = self.0.int_in_range(0..=23)?;
         let mut sequence = Sequence {
             length_unit: self.one_of(&LENGTH_UNITS)?,
             margin: self.one_of(&MARGINS)?,
@@ -215,7 +219,7 @@ impl Bytes<'_> {
     }
 
     fn parent(&mut self) -> Result<Parent> {
-        Ok(match self.0.int_in_range(0..=17)? {
+        Ok(match self.0.int_in_range(0..=23)? {
             0 | 1 => Parent::None,
             2..=4 => Parent::New(self.body_kind()?),
             _ => Parent::Existing(self.pick()?),
