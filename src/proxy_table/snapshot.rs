@@ -62,7 +62,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if table.tracker.slots() != generations.len() {
             return Err("snapshot: the generations are not as many as the slots");
         }
-        if !gathered.is_begun && !(awaited.is_empty() && table.tracker.touched().is_empty()) {
+        let is_touched = !(awaited.is_empty() && table.tracker.touched().is_empty());
+        if is_touched && !gathered.is_begun {
             return Err("snapshot: boxes were handed over for no update");
         }
         if gathered.listed.max(gathered.moved) > u32::MAX as usize {

@@ -250,3 +250,98 @@ fn boxes_that_rapier_would_panic_at_have_no_loosening() {
     broad_phase.validate();
     assert_eq!(broad_phase.stats().proxies, handles.len());
 }
+
+/// Two balls that touch, of which one has been moved on, and one that the broad phase does not know yet.
+#[cfg(feature = "serde-serialize")]
+fn with_boxes_handed_over() -> (ColliderSet, UnisizeBroadPhase) {
+    let mut colliders = ColliderSet::new();
+    let ball = || ColliderBuilder::ball(0.5).active_collision_types(ActiveCollisionTypes::all());
+    let handles = [0.0, 0.9, 9.0].map(|x| colliders.insert(ball().translation(Vector::X * x)));
+    let (mut ours, params) = (UnisizeBroadPhase::new(), IntegrationParameters::default());
+    let mut events = Vec::new();
+    let bodies = RigidBodySet::new();
+    ours.update(
+        &params,
+        &colliders,
+        &bodies,
+        &handles[..2],
+        &[],
+        &mut events,
+    );
+    colliders[handles[1]].set_translation(Vector::X * 8.5);
+    let boxes = [handles[1], handles[2]].map(|handle| {
+        let aabb = colliders[handle].compute_broad_phase_aabb(&params, &bodies);
+        (handle, aabb)
+    });
+    ours.set_aabbs(&params, &boxes);
+    (colliders, ours)
+}
+
+#[cfg(feature = "serde-serialize")]
+#[test]
+fn boxes_handed_over_are_part_of_a_snapshot() {
+    let (colliders, ours) = with_boxes_handed_over();
+    let bytes = postcard::to_stdvec(&ours).unwrap();
+    let restored: UnisizeBroadPhase = postcard::from_bytes(&bytes).unwrap();
+    assert_eq!(restored.stats(), ours.stats());
+    for mut broad_phase in [ours.clone(), ours, restored] {
+        broad_phase.validate();
+        assert_eq!(broad_phase.stats().pairs, 1);
+        let (params, bodies) = (IntegrationParameters::default(), RigidBodySet::new());
+        let mut events = Vec::new();
+        broad_phase.update(&params, &colliders, &bodies, &[], &[], &mut events);
+        broad_phase.validate();
+        let stats = broad_phase.stats();
+        assert_eq!([stats.listed, stats.moved, stats.proxies], [2, 2, 3]);
+        assert_eq!([stats.added, stats.deleted, events.len()], [1, 1, 2]);
+    }
+}
+
+#[cfg(feature = "serde-serialize")]
+#[test]
+fn boxes_handed_over_in_a_snapshot_must_make_sense() {
+    use serde_json::{Value, json};
+    let (_, ours) = with_boxes_handed_over();
+    let value = serde_json::to_value(&ours).unwrap();
+    let complaint = |change: &dyn Fn(&mut Value)| {
+        let mut damaged = value.clone();
+        change(&mut damaged["table"]);
+        assert_ne!(damaged["table"], value["table"], "nothing was changed");
+        let outcome = serde_json::from_value::<UnisizeBroadPhase>(damaged);
+        outcome.expect_err("it is accepted").to_string()
+    };
+    type Change = fn(&mut Value);
+    let damages: [(&str, Change); 9] = [
+        ("for no update", |table| {
+            table["gathered"]["is_begun"] = json!(false)
+        }),
+        ("can be counted", |table| {
+            table["gathered"]["listed"] = json!(1_u64 << 40)
+        }),
+        ("no collider", |table| table["awaited"] = json!([])),
+        ("out of range", |table| {
+            table["tracker"]["touched"][0][0] = json!(77)
+        }),
+        ("not valid", |table| {
+            let aabb = &mut table["tracker"]["touched"][0][1];
+            aabb["mins"][0] = json!(99.0);
+        }),
+        ("not touched", |table| {
+            table["tracker"]["escaped"] = json!([0, 1, 2])
+        }),
+        ("escapes twice", |table| {
+            table["tracker"]["escaped"] = json!([1, 2, 1])
+        }),
+        ("not among the escaped", |table| {
+            table["tracker"]["escaped"] = json!([2])
+        }),
+        ("filter key", |table| {
+            let key = table["tracker"]["proxies"][0]["key"].clone();
+            table["tracker"]["other_keys"] = json!([[0, key]]);
+        }),
+    ];
+    for (part, change) in damages {
+        let said = complaint(&change);
+        assert!(said.contains(part), "{said}");
+    }
+}
