@@ -8,6 +8,9 @@ const COLLIDERS: usize = 500;
 /// Less than any tree of this many colliders takes.
 const LEAST: usize = 16 * COLLIDERS;
 
+/// More than the test harness itself takes or frees on its other threads meanwhile, and much less than a tree.
+const NOISE: usize = LEAST / 8;
+
 /// One source for both dimensions.
 macro_rules! check {
     ($rapier:ident) => {{
@@ -51,7 +54,11 @@ macro_rules! check {
                 update(&mut broad_phase, &colliders);
             }
             query(&broad_phase, &colliders);
-            assert_eq!(live_bytes(), with_tree);
+            let live = live_bytes();
+            assert!(
+                live.abs_diff(with_tree) < NOISE,
+                "{live} after {with_tree} bytes"
+            );
 
             // It is kept when boxes change, and takes no more room but for Parry's scratch memory.
             let most = with_tree + 2 * (with_tree - bare);
