@@ -8,9 +8,6 @@ const COLLIDERS: usize = 500;
 /// Less than any tree of this many colliders takes.
 const LEAST: usize = 16 * COLLIDERS;
 
-/// More than the test harness itself takes or frees on its other threads meanwhile, and much less than a tree.
-const NOISE: usize = LEAST / 8;
-
 /// One source for both dimensions.
 macro_rules! check {
     ($rapier:ident) => {{
@@ -49,16 +46,16 @@ macro_rules! check {
             let with_tree = live_bytes();
             assert!(with_tree > bare + LEAST, "{with_tree} after {bare} bytes");
 
-            // Nothing has left its margin.
-            for _ in 0..100 {
-                update(&mut broad_phase, &colliders);
-            }
-            query(&broad_phase, &colliders);
-            let live = live_bytes();
-            assert!(
-                live.abs_diff(with_tree) < NOISE,
-                "{live} after {with_tree} bytes"
-            );
+            // Nothing has left its margin. The harness's other threads may free a name meanwhile, but not every time.
+            let is_steady = (0..8).any(|_| {
+                let before = live_bytes();
+                for _ in 0..100 {
+                    update(&mut broad_phase, &colliders);
+                }
+                query(&broad_phase, &colliders);
+                live_bytes() == before
+            });
+            assert!(is_steady, "{with_tree} bytes at first");
 
             // It is kept when boxes change, and takes no more room but for Parry's scratch memory.
             let most = with_tree + 2 * (with_tree - bare);
