@@ -131,6 +131,34 @@ pub use self::custom::CustomBroadPhase;
         change: Change::Replace("            bvh: self.bvh(),\n"),
     },
     Edit {
+        file: "src/dynamics/ccd/ccd_solver.rs",
+        purpose: "fast bodies that sweep against a list of fixed colliders do not ask for the tree",
+        find: "        {
+            let query_pipeline = broad_phase.as_query_pipeline(
+                narrow_phase.query_dispatcher(),
+                bodies,
+                colliders,
+                QueryFilter::default(),
+            );
+            let (bvh, dispatcher) = (query_pipeline.bvh, query_pipeline.dispatcher);
+",
+        times: 1,
+        change: Change::Replace(
+            "        {
+            let dispatcher = narrow_phase.query_dispatcher();
+",
+        ),
+    },
+    Edit {
+        file: "src/dynamics/ccd/ccd_solver.rs",
+        purpose: "and those that sweep against everything ask for it then",
+        find: "                None => CcdTargets::FullBvh(bvh),\n",
+        times: 1,
+        change: Change::Replace(
+            "                None => CcdTargets::FullBvh(broad_phase.bvh()),\n",
+        ),
+    },
+    Edit {
         file: "src/pipeline/physics_world.rs",
         purpose: "queries go through its tree",
         find: "        let bvh = &self.broad_phase.tree;\n",

@@ -27,3 +27,26 @@ mod dim3 {
     mod suite;
     mod vehicles;
 }
+
+#[path = "dim2"]
+mod dim2_f64 {
+    use flavour::{floors, hinge, soft_body, spin};
+    use rapier2d_f64 as rapier;
+    use unisize::rapier2d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+
+    mod flavour;
+    #[path = "../suite/mod.rs"]
+    mod suite;
+}
+
+#[path = "dim3"]
+mod dim3_f64 {
+    use flavour::{floors, hinge, soft_body, spin};
+    use rapier3d_f64 as rapier;
+    use unisize::rapier3d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+
+    mod flavour;
+    #[path = "../suite/mod.rs"]
+    mod suite;
+    mod vehicles;
+}
