@@ -12,6 +12,11 @@ pub(crate) use radix_sort::{RadixSort, SortKey};
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
 pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
+/// Whether coordinates of this type are sorted by keys of 32 bits; otherwise by keys of 64.
+pub(crate) const fn has_narrow_keys<R>() -> bool {
+    size_of::<R>() == size_of::<u32>()
+}
+
 /// Refuses more boxes than there are numbers for their endpoints.
 pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
     if count > MAX_BOXES {

@@ -11,7 +11,7 @@ mod tests;
 
 use core::marker::PhantomData;
 
-use crate::endpoints::{Endpoints, SortKey, check_count};
+use crate::endpoints::{Endpoints, SortKey, check_count, has_narrow_keys};
 use crate::pair_finder::{check_boxes, ordered};
 use crate::parallel;
 use crate::stopwatch::Stopwatch;
@@ -106,7 +106,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             stopwatch,
             ..
         } = self;
-        if size_of::<R>() == size_of::<u32>() {
+        if has_narrow_keys::<R>() {
             sweep.find_pairs(narrow, boxes, pairs, stopwatch);
         } else {
             sweep.find_pairs(wide, boxes, pairs, stopwatch);

@@ -14,7 +14,6 @@ mod sealed {
         type Lanes: Lanes<Self>;
 
         const ZERO: Self;
-        const ONE: Self;
         const INFINITY: Self;
         const NEG_INFINITY: Self;
         /// The greatest finite number.
@@ -73,7 +72,6 @@ macro_rules! impl_real {
             type Lanes = $lanes;
 
             const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
             const INFINITY: Self = $real::INFINITY;
             const NEG_INFINITY: Self = $real::NEG_INFINITY;
             const MAX: Self = $real::MAX;

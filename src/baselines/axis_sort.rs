@@ -1,6 +1,6 @@
 //! The order of the endpoints of one axis, for boxes of either scalar.
 
-use crate::endpoints::Endpoints;
+use crate::endpoints::{Endpoints, has_narrow_keys};
 use crate::{Aabb, Real};
 
 /// Sorts endpoints. All of it is scratch memory.
@@ -23,7 +23,7 @@ impl AxisSort {
         axis: usize,
         order: &mut Vec<u32>,
     ) {
-        if size_of::<R>() == size_of::<u32>() {
+        if has_narrow_keys::<R>() {
             self.narrow.sort(boxes, axis, order);
         } else {
             self.wide.sort(boxes, axis, order);

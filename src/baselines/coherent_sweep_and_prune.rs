@@ -2,7 +2,7 @@
 
 use super::active_list::ActiveList;
 use super::coherent_order::CoherentOrder;
-use crate::endpoints::check_count;
+use crate::endpoints::{check_count, has_narrow_keys};
 use crate::pair_finder::check_boxes;
 use crate::{Aabb, InvalidBox, PairFinder, Real};
 
@@ -42,7 +42,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for CoherentSweepAndPrune<R, D> {
         pairs.clear();
         check_count(boxes.len())?;
         check_boxes(boxes)?;
-        if size_of::<R>() == size_of::<u32>() {
+        if has_narrow_keys::<R>() {
             self.active.sweep(self.narrow.update(boxes), boxes, pairs);
         } else {
             self.active.sweep(self.wide.update(boxes), boxes, pairs);
