@@ -1,7 +1,7 @@
 //! A set of small numbers: one bit each.
 
 use crate::parallel;
-use crate::tuning::update::THREADS_FROM;
+use crate::tuning::update::{ITEMS_A_TASK, THREADS_FROM};
 
 /// A set of numbers below a capacity. Its memory is kept when it is cleared.
 #[derive(Clone, Debug, Default)]
@@ -90,7 +90,7 @@ impl BitSet {
             let numbered = self.words.iter_mut().enumerate();
             return numbered.for_each(|(i, word)| answer(i, word));
         }
-        const WORDS_A_TASK: usize = THREADS_FROM / 64 / 4;
+        const WORDS_A_TASK: usize = ITEMS_A_TASK / 64;
         let mut tasks: Vec<_> = self.words.chunks_mut(WORDS_A_TASK).enumerate().collect();
         parallel::for_each(&mut tasks, |(task, words)| {
             let numbered = (*task * WORDS_A_TASK..).zip(words.iter_mut());

@@ -1,5 +1,6 @@
 //! The fast kernel: sorted tubes, swept eight boxes at a time.
 
+mod ghosts;
 mod grid;
 mod lookup;
 mod order;
@@ -11,7 +12,7 @@ mod tubes;
 
 use crate::pair_finder::check_boxes;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{ONE_TUBE_UP_TO, STRIP_WIDENINGS, THREADS_FROM};
+use crate::tuning::kernel::{ONE_TUBE_UP_TO, OUTSIZE_UP_TO_EIGHTHS, STRIP_WIDENINGS, THREADS_FROM};
 use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
 use slab::Slab;
@@ -64,6 +65,14 @@ pub struct GridSweep<R, const D: usize> {
     stopwatch: Stopwatch,
 }
 
+/// Refuses more boxes than there are numbers for their entries.
+fn check_count(count: usize) -> Result<(), InvalidBox> {
+    if count > MAX_BOXES {
+        return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
+    }
+    Ok(())
+}
+
 /// The boxes of one size class, sorted into tubes.
 #[derive(Clone, Debug)]
 struct Class<R, const D: usize> {
@@ -105,9 +114,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
     ) -> Result<(), InvalidBox> {
         pairs.clear();
-        if boxes.len() > MAX_BOXES {
-            return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
-        }
+        check_count(boxes.len())?;
         self.stopwatch.times = PhaseTimes::default();
         let lap = self.stopwatch.start();
         check_boxes(boxes)?;
@@ -116,10 +123,10 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         everyone.extend(0..boxes.len() as u32);
         let mut stopwatch = std::mem::take(&mut self.stopwatch);
         stopwatch.lap(lap, |times| &mut times.read);
-        self.find_among(boxes, &everyone, pairs, &mut stopwatch);
+        let run = self.find_among(boxes, &everyone, pairs, &mut stopwatch);
         self.stopwatch = stopwatch;
         self.everyone = everyone;
-        Ok(())
+        run
     }
 }
 
@@ -149,20 +156,25 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
     /// order of the members for [`look_up`](Self::look_up).
+    ///
+    /// # Errors
+    /// [`InvalidBoxReason::TooMany`] if there are more members than entries can be numbered for; then no pair is found,
+    /// and no order remembered.
     pub(crate) fn find_among(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
+    ) -> Result<(), InvalidBox> {
         const { assert!(D > 0, "boxes have at least one axis") };
+        self.class_count = 0;
+        check_count(members.len())?;
         let slab_count = match self.slab_count {
             Some(count) => count,
             None if members.len() < THREADS_FROM => 1,
             None => parallel::threads(),
         };
-        self.class_count = 0;
         let mut lap = stopwatch.start();
         loop {
             let index = self.class_count;
@@ -178,7 +190,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             class.sweep(pairs);
             lap = stopwatch.lap(lap, |times| &mut times.sweep);
             if class.outsize.is_empty() {
-                break;
+                return Ok(());
             }
             class.prepare_lookup();
             let mut emitter = Emitter::new(pairs);
@@ -264,7 +276,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             for widening in STRIP_WIDENINGS {
                 self.grid = Grid::choose(boxes, members, widening);
                 self.build_slabs(boxes, members, slab_count);
-                if self.outsize.len() <= members.len() / 8 * 7 {
+                if self.outsize.len() <= members.len() / 8 * OUTSIZE_UP_TO_EIGHTHS {
                     return;
                 }
             }

@@ -1,5 +1,7 @@
 //! A set of slots that remembers the order in which they were inserted.
 
+use crate::tuning::update::CLEAR_ALL_FROM_ONE_IN;
+
 /// A set of slots, as a list and as flags: each operation takes constant time, except that iterating and clearing take
 /// time in proportion to its members.
 ///
@@ -40,7 +42,7 @@ impl SlotSet {
     }
 
     pub(crate) fn clear(&mut self) {
-        if self.slots.len() > self.is_member.len() / 4 {
+        if self.slots.len() > self.is_member.len() / CLEAR_ALL_FROM_ONE_IN {
             self.is_member.fill(false);
         } else {
             for &slot in &self.slots {

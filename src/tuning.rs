@@ -1,18 +1,36 @@
-//! The numbers of policy: what decides speed and nothing else. (Sizes of buffers and batches stand where they are used.)
+//! The numbers of policy: what decides speed and nothing else. Those of the kernels that are there to be studied and compared
+//! with, and sizes of buffers and batches, stand where they are used.
 //!
-//! No answer depends on them: the tests hold with any value. Each has its unit, what goes wrong above and below, and the
-//! command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a factor of two to either side
-//! costs a few per cent, which is why none is a setting.
+//! No set of pairs depends on them; their order does, and so do the golden hashes and a few unit tests. Each has its unit, what
+//! goes wrong above and below, and the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a
+//! factor of two to either side costs a few per cent, which is why none is a setting.
 
-/// Sorting and sweeping: the kernels. Shown by `cargo bench --bench kernels` and `--bench phases`.
+/// Sorting and sweeping: the kernels. Shown by `cargo bench --bench kernels` and
+/// `cargo bench --features rapier2d,rapier3d --bench phases`.
 pub(crate) mod kernel {
     /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
     /// choosing a grid takes longer than the sweep.
     pub(crate) const ONE_TUBE_UP_TO: usize = 24;
 
-    /// Boxes, a range. One box in eight is looked at to choose the grid, within this range. Above: tens of microseconds a
-    /// run. Below: a pattern in the order of the boxes misleads.
+    /// One box in this many is looked at to choose the grid, within the range of [`GRID_SAMPLE`]. Above: a few boxes decide.
+    /// Below: choosing the grid for a few hundred boxes takes as long as for thousands.
+    pub(crate) const GRID_SAMPLE_ONE_IN: usize = 8;
+
+    /// Boxes, a range. At least and at most so many are looked at to choose the grid. Above: tens of microseconds a run.
+    /// Below: a pattern in the order of the boxes misleads.
     pub(crate) const GRID_SAMPLE: [usize; 2] = [16, 128];
+
+    /// A share of the boxes. The size that this share does not exceed is taken for the size of all. Above: a few large boxes
+    /// make the strips too wide. Below: more boxes are on a border, or too large for the grid.
+    pub(crate) const GRID_SIZE_QUANTILE: f64 = 0.75;
+
+    /// Shares of the boxes. The grid is laid over what lies between these two. Nearer 0 and 1: a few boxes far out make the
+    /// strips too wide. Nearer the middle: more boxes lie outside, in the first and in the last strip.
+    pub(crate) const GRID_PLACE_QUANTILES: [f64; 2] = [0.02, 0.98];
+
+    /// A part of the grid's length. The grid goes on by this at both ends, for boxes outside of the sample. Above: more empty
+    /// tubes. Below: what lies outside crowds in the first and in the last strip.
+    pub(crate) const GRID_MARGIN: f64 = 0.25;
 
     /// Box sizes, with one and with two cut axes: the width of a strip. Above: more candidates a box. Below: more boxes on a
     /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
@@ -21,6 +39,22 @@ pub(crate) mod kernel {
     /// Candidates a box. Strips are narrowed where boxes lie so densely that a window would hold more: one step of the sweep
     /// decides eight. Above: two steps a box. Below: more ghosts.
     pub(crate) const CANDIDATES_A_BOX: f64 = 8.0;
+
+    /// How many times narrower strips become, at most, where boxes lie densely. Above: most boxes are on a border. Below: windows
+    /// hold more than one step decides.
+    pub(crate) const NARROWED_UP_TO: f64 = 4.0;
+
+    /// Boxes a tube, where boxes have no size to choose the width of the strips by. Above: more candidates a box. Below:
+    /// tubes of a few points, each of which costs more than it saves.
+    pub(crate) const POINTS_A_TUBE: f64 = 16.0;
+
+    /// Eighths of the boxes. If more are too large for a grid, a wider one is tried. Above: many classes of a few boxes each.
+    /// Below: mixed sizes end in one tube.
+    pub(crate) const OUTSIZE_UP_TO_EIGHTHS: usize = 7;
+
+    /// Tubes. The table may have this many more than there are boxes. Above: few boxes clear a table of many tubes. Below:
+    /// small worlds are sorted, which takes longer.
+    pub(crate) const SPARE_TUBES: u64 = 64;
 
     /// Factors on the width of the strips, tried in turn where most boxes are too large for the grid that was chosen. Fewer:
     /// mixed sizes end in one tube. More: each try is a pass over the boxes.
@@ -42,15 +76,16 @@ pub(crate) mod kernel {
     /// Boxes. Fewer are not worth a second thread. Below: the threads wait for each other longer than they work.
     pub(crate) const THREADS_FROM: usize = 1 << 13;
 
-    /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads.
+    /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads. Above: the second thread idles. Below:
+    /// waking it takes longer than the sort.
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
 
     /// Boxes that are looked at to cut the tubes into slabs of equal work. Below: one thread gets more than its share.
     pub(crate) const SLAB_SAMPLE: usize = 2048;
 }
 
-/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --bench update`, and over whole worlds by the
-/// examples `compare` and `tradeoff`.
+/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --features rapier2d,rapier3d --bench update`, and over
+/// whole worlds by the examples `compare` and `tradeoff`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod update {
     /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches
@@ -67,11 +102,19 @@ pub(crate) mod update {
     /// the boxes of a new world in any order, and asks before its first update, does not find them all.
     pub(crate) const ROOM_AHEAD: usize = 1 << 16;
 
+    /// Items that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
+    pub(crate) const ITEMS_A_TASK: usize = THREADS_FROM / 4;
+
+    /// Parts for each thread that reads. Above: handing out costs more. Below: threads wait for the one whose part is the
+    /// slowest.
+    pub(crate) const PARTS_A_THREAD: usize = 4;
+
     /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
     pub(crate) const SLOTS_A_TASK: usize = 1 << 14;
 
-    /// One proxy in this many. If more have moved, all candidates are compared, in order; if fewer, only those of what has
-    /// moved are picked. Above: picking costs as much as comparing. Below: comparisons that cannot have turned.
+    /// One slot in this many. If more were touched, all slots are gone through and all candidates compared, in order; if fewer,
+    /// only the touched ones are, and their candidates picked. Above: all candidates are compared though few can have turned.
+    /// Below: picking costs as much as comparing.
     pub(crate) const COMPARE_ALL_FROM_ONE_IN: usize = 3;
 
     /// Slots. In worlds of no more, a full run compares each with each: choosing a grid and sorting into it takes longer, and so do
@@ -82,11 +125,12 @@ pub(crate) mod update {
     /// are made, and dropped unused at the next full run.
     pub(crate) const LISTS_COST: u32 = 8;
 
-    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer than the base layer.
+    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer than the base layer. Above: full runs
+    /// come too early. Below: they come too late.
     pub(crate) const DELTA_LOOKUP_COST: usize = 2;
 
-    /// A part of a full run. There is one if the look-ups of an update cost more by this than the mean of the updates since the
-    /// last one, itself included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
+    /// A part of a full run. There is one if the look-ups of an update cost more by this than the mean of all updates since the
+    /// last full run, that run included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
     /// Below: full runs for what was chance.
     pub(crate) const FULL_RUN_SLACK: u64 = 16;
 
@@ -94,31 +138,49 @@ pub(crate) mod update {
     /// nine updates of ten. Below: small worlds allocate in every full run.
     pub(crate) const KEEP_SCRATCH_UP_TO: usize = 1 << 12;
 
-    /// Candidates for each proxy and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
+    /// One row of the candidates in this many. Once more are tombstones, they are removed. Above: rows are moved, and lists made
+    /// again, for a few tombstones. Below: comparing goes through rows that are gone.
+    pub(crate) const SPARSE_FROM_ONE_IN: usize = 2;
+
+    /// One slot in this many. A set of more slots is cleared by overwriting all flags. Above: flags of slots that are not in the
+    /// set are written. Below: slots of the set are visited one by one, in any order.
+    pub(crate) const CLEAR_ALL_FROM_ONE_IN: usize = 4;
+
+    /// One candidate in this many. A full run makes room for so many more than there are. Above: the list of what was found grows
+    /// in the midst of the run, and is copied. Below: memory.
+    pub(crate) const FOUND_SPARE_ONE_IN: usize = 8;
+
+    /// Candidates for each slot and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
     /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
     pub(crate) const MOST_CANDIDATES: usize = 8;
 }
 
-/// How far ahead fat boxes are drawn. Shown by `cargo bench --bench prices`.
+/// How far ahead fat boxes are drawn. Shown by `cargo bench --features rapier2d,rapier3d --bench prices`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod foresight {
     /// Moves, a power of 2. The longest foresight: sooner or later things turn.
     pub(crate) const LONGEST: u16 = 64;
 
-    /// Moves, a power of 2. The foresight while nothing has moved yet.
+    /// Moves, a power of 2. The foresight while nothing has moved yet. Above: more candidates until the speed is known. Below:
+    /// what moves first soon leaves its fat box again.
     pub(crate) const FIRST: u16 = 8;
 
     /// A part of how far the fat box goes ahead: how far it goes to all sides. Above: more candidates. Below: crowds, whose
     /// members keep turning, leave their fat boxes a third more often.
     pub(crate) const SKIN: f64 = 0.125;
 
-    /// A part of the box's size: the most that the skin may be.
+    /// A part of the box's size: the most that the skin may be. Above: more candidates where things are fast. Below: fast things
+    /// that turn leave their fat boxes.
     pub(crate) const WIDEST_SKIN: f64 = 0.25;
 
     /// Box sizes a move, on average. Where things are faster, foresight begins with none: a fat box would be left at once.
     pub(crate) const TOO_FAST: f64 = 0.5;
 
-    /// Proxies that are looked at to learn how fast things move. Below: a few outliers decide.
+    /// Pairs for each slot. The first guess takes scenes for at least this dense. Above: sparse scenes look less far ahead.
+    /// Below: a scene without pairs looks as far ahead as possible, however fast it is.
+    pub(crate) const LEAST_PAIRS: f64 = 0.1;
+
+    /// Proxies that are looked at to learn how fast things move. Above: time. Below: a few outliers decide.
     pub(crate) const SPEED_SAMPLE: usize = 128;
 
     /// Updates. What they cost is measured together, up to the next full run. Above: foresight follows a scene late. Below:
@@ -133,19 +195,21 @@ pub(crate) mod foresight {
     /// what does not pay cost more than they find.
     pub(crate) const MOST_REST: u32 = 32;
 
-    /// What foresight is divided by when there are too many candidates.
+    /// What foresight is divided by when there are too many candidates. Above: foresight that would pay is lost. Below: several
+    /// searches until there are few enough.
     pub(crate) const SHORTENING: u16 = 4;
 }
 
-/// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the caches:
-/// fitted by `cargo bench --bench prices`. Only their ratios decide anything, and a factor of two in one of them costs a few per
-/// cent.
+/// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
+/// caches: fitted by `cargo bench --features rapier2d,rapier3d --bench prices`. Only their ratios decide anything, and a factor
+/// of two in one of them costs a few per cent.
 #[cfg(feature = "_adapter")]
 pub(crate) mod prices {
     /// Comparing the boxes of a candidate, in order. Above: foresight is too short. Below: it is too long.
     pub(crate) const COMPARED: u64 = 35;
 
-    /// Asking of a candidate whether one of its proxies has moved.
+    /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
+    /// lists are left unused where few move.
     pub(crate) const PICKED: u64 = 10;
 
     /// Walking the list of a proxy: waiting for memory at each step. Above: lists are left unused where few move. Below: lists are
@@ -159,7 +223,8 @@ pub(crate) mod prices {
     /// A box of a run: drawing, sorting and sweeping. Above: foresight is too long. Below: it is too short.
     pub(crate) const SEARCHED: u64 = 450;
 
-    /// A candidate found: writing it down, and finding out whether it was held.
+    /// A candidate found: writing it down, and finding out whether it was held. Above: tens of thousands of boxes are looked up
+    /// one by one. Below: full runs where look-ups would do.
     pub(crate) const FOUND: u64 = 350;
 }
 

@@ -5,7 +5,10 @@
 //! coordinate, and that alone makes the sweep exact: two overlapping boxes both reach the strip that holds the larger of
 //! their two `mins`. So origin and width may be guessed from a sample, and the guess may be wrong.
 
-use crate::tuning::kernel::{BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_SAMPLE};
+use crate::tuning::kernel::{
+    BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
+    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, POINTS_A_TUBE,
+};
 use crate::{Aabb, Real};
 
 /// One axis, cut into strips.
@@ -19,8 +22,8 @@ pub(super) struct Strips<R> {
 
 impl<R: Real> Strips<R> {
     /// The strip of a coordinate. Non-decreasing as long as `origin` is finite and `per_length` not negative:
-    /// subtraction, multiplication and truncation round monotonically, and zero times infinity, where it occurs, counts
-    /// as strip 0 between negative and positive ones.
+    /// subtraction, multiplication and truncation round monotonically. 0 · ∞ is NaN and becomes strip 0: negative
+    /// offsets are in strip 0 too, positive ones in the last.
     #[inline(always)]
     pub(super) fn strip(&self, coordinate: R) -> u32 {
         ((coordinate - self.origin) * self.per_length)
@@ -98,22 +101,23 @@ impl<R: Real> Grid<R> {
         let sample: Vec<_> = scattered(members.len())
             .map(|i| &boxes[members[i] as usize])
             .collect();
-        let axes: [Extent; 3] = core::array::from_fn(|k| Extent::of(&sample, k.min(D - 1)));
+        let axes: [AxisSample; 3] = core::array::from_fn(|k| AxisSample::of(&sample, k.min(D - 1)));
 
         // Boxes per unit of volume times the volume of a row of boxes: candidates per box, if strips were one box wide.
         // Only an upper bound is wanted, so a flat axis counts as one box thick.
-        let share =
-            |Extent { size, spread, .. }: &Extent| if size < spread { size / spread } else { 1.0 };
+        let share = |AxisSample { size, spread, .. }: &AxisSample| {
+            if size < spread { size / spread } else { 1.0 }
+        };
         let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
         let affordable = root(CANDIDATES_A_BOX / density, cuts);
-        let width_in_boxes = affordable.clamp(widest / 4.0, widest) * widening;
+        let width_in_boxes = affordable.clamp(widest / NARROWED_UP_TO, widest) * widening;
 
         let mut grid = Self::default();
         for cut in 0..cuts {
-            let Extent { size, low, spread } = axes[cut + 1];
+            let AxisSample { size, low, spread } = axes[cut + 1];
             // Points have no size: aim at some points per tube.
-            let least = spread / root(n / 16.0, cuts).max(1.0);
+            let least = spread / root(n / POINTS_A_TUBE, cuts).max(1.0);
             let width = if size > 0.0 {
                 size * width_in_boxes
             } else {
@@ -122,7 +126,11 @@ impl<R: Real> Grid<R> {
             // Strip numbers are 32-bit; leave room for what lies outside of the sample.
             let width = width.max(spread / f64::from(1 << 28));
             let width = if width > 0.0 { width } else { 1.0 };
-            grid.axes[cut] = Strips::new(low - spread / 4.0, width, spread * 1.5);
+            grid.axes[cut] = Strips::new(
+                low - spread * GRID_MARGIN,
+                width,
+                spread * (1.0 + 2.0 * GRID_MARGIN),
+            );
         }
         grid
     }
@@ -137,7 +145,9 @@ fn root(x: f64, cuts: usize) -> f64 {
 /// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but irregularly spaced, so
 /// that a pattern in the order of the boxes does not mislead.
 pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
-    let count = (n / 8).clamp(GRID_SAMPLE[0], GRID_SAMPLE[1]).min(n);
+    let count = (n / GRID_SAMPLE_ONE_IN)
+        .clamp(GRID_SAMPLE[0], GRID_SAMPLE[1])
+        .min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| i * n / count);
@@ -157,8 +167,8 @@ pub(super) const fn cut_axes<const D: usize>() -> usize {
 }
 
 /// What a sample tells about one axis. Robust: a few boxes far out or far larger change nothing.
-struct Extent {
-    /// The size that three boxes in four do not exceed.
+struct AxisSample {
+    /// The size that most boxes do not exceed.
     size: f64,
     /// The least coordinate of `mins`, except for a few.
     low: f64,
@@ -166,7 +176,7 @@ struct Extent {
     spread: f64,
 }
 
-impl Extent {
+impl AxisSample {
     fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize) -> Self {
         let quantile = |numbers: &mut [f64], q: f64| {
             if numbers.is_empty() {
@@ -183,9 +193,9 @@ impl Extent {
             .map(|[min, _]| min)
             .filter(|x| x.is_finite())
             .collect();
-        let (low, high) = (quantile(&mut mins, 0.02), quantile(&mut mins, 0.98));
+        let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         Self {
-            size: quantile(&mut sizes, 0.75),
+            size: quantile(&mut sizes, GRID_SIZE_QUANTILE),
             low,
             spread: high - low,
         }

@@ -7,9 +7,10 @@
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
 //! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
 
+use super::ghosts::ghost_axes;
 use super::grid::{Grid, TubeSpan};
 use super::sweep::Emitter;
-use super::tubes::{NOWHERE, Tube, Tubes, ghost_axes};
+use super::tubes::{NOWHERE, Tube, Tubes};
 use crate::tuning::kernel::TABLE_LOOKUPS_UP_TO;
 use crate::{Aabb, Real};
 

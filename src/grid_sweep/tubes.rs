@@ -6,13 +6,12 @@
 
 use std::ops::Range;
 
-use super::grid::{Grid, TubeSpan};
+use super::ghosts::{Ghost, MAX_GHOSTS, for_each_tube, write_ghosts};
+use super::grid::Grid;
 use super::order::Order;
 use crate::lanes::LANES;
+use crate::tuning::kernel::SPARE_TUBES;
 use crate::{Aabb, Real};
-
-/// On this cut axis the entry is a ghost.
-const GHOST: [u8; 2] = [1, 2];
 
 /// The entries of one tube are `start..end`; the sentinel is at `end`.
 #[derive(Clone, Copy, Debug)]
@@ -27,16 +26,16 @@ pub(super) struct Tube {
 #[derive(Clone, Debug)]
 pub(super) struct Tubes<R, const D: usize> {
     pub(super) tubes: Vec<Tube>,
-    /// The tubes of the grid that are dealt with here: all, or those of one slab. By number, row after row.
+    /// The numbers, row after row, of the tubes that are dealt with here: all tubes of the grid, or one slab.
     pub(super) range: Range<u32>,
-    /// For each of them its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than the number of
-    /// boxes.
+    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than the number
+    /// of boxes.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
     /// The index of the box of an entry.
     pub(super) owners: Vec<u32>,
-    /// On which cut axes an entry is a ghost: bits of [`GHOST`].
+    /// On which cut axes an entry is a ghost: see [`Ghost::axes`].
     pub(super) ghosts: Vec<u8>,
     /// The running maximum of `maxs[0]` in each tube, by entry; empty unless boxes are looked up.
     pub(super) running_maxs: Vec<R>,
@@ -58,19 +57,6 @@ struct Home {
     tube: u32,
     owner: u32,
 }
-
-/// A ghost on its way into a tube.
-#[derive(Clone, Copy, Debug, Default)]
-struct Ghost {
-    /// Its place in the table of tubes.
-    tube: u32,
-    owner: u32,
-    /// Bits of [`GHOST`].
-    axes: u8,
-}
-
-/// A box that is at most two strips wide spans at most three tubes besides its own.
-const MAX_GHOSTS: usize = 3;
 
 /// The position of a tube without entries.
 pub(super) const NOWHERE: u32 = u32::MAX;
@@ -124,7 +110,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     /// Whether the grid is small enough for [`build_by_table`](Self::build_by_table) to be the faster way.
     pub(super) fn fits_table(grid: &Grid<R>, members: usize) -> bool {
         // The table must not cost more than the boxes do.
-        grid.tube_count() <= (members as u64 + 64).min(1 << 30)
+        grid.tube_count() <= (members as u64 + SPARE_TUBES).min(1 << 30)
     }
 
     /// Enters the members, indices of boxes, into those tubes of the grid whose numbers are in `range`. Outsize ones
@@ -359,46 +345,4 @@ fn resize_exact<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
     list.truncate(len);
     list.reserve_exact(len - list.len());
     list.resize(len, filler);
-}
-
-/// Calls `enter` with each tube that a box spans and the axes on which it is a ghost there.
-fn for_each_tube(span: &TubeSpan, mut enter: impl FnMut([u32; 2], u8)) {
-    let TubeSpan { first, last } = *span;
-    for row in first[0]..=last[0] {
-        for column in first[1]..=last[1] {
-            enter([row, column], ghost_axes([row, column], first));
-        }
-    }
-}
-
-/// Writes the ghosts of a box that is at most two strips wide, those in the first `tube_count` tubes, to the front of
-/// `list`, and returns their number. Entries past the count are unspecified.
-#[inline(always)]
-fn write_ghosts<const D: usize>(
-    span: &TubeSpan,
-    owner: u32,
-    tube_of: impl Fn([u32; 2]) -> u32,
-    tube_count: u32,
-    list: &mut [Ghost; MAX_GHOSTS],
-) -> usize {
-    let TubeSpan { first, last } = *span;
-    let [is_row, is_column] = [0, 1].map(|cut| last[cut] > first[cut]);
-    let mut count = 0;
-    let mut write = |strips: [u32; 2], axes: u8, exists: bool| {
-        let tube = tube_of(strips);
-        list[count] = Ghost { tube, owner, axes };
-        count += usize::from(exists & (tube < tube_count));
-    };
-    write([last[0], first[1]], GHOST[0], is_row);
-    if D > 2 {
-        write([first[0], last[1]], GHOST[1], is_column);
-        write(last, GHOST[0] | GHOST[1], is_row & is_column);
-    }
-    count
-}
-
-/// On which cut axes a box whose `mins` lie in the tube `home` is a ghost in `tube`: bits of [`GHOST`].
-#[inline(always)]
-pub(super) fn ghost_axes(tube: [u32; 2], home: [u32; 2]) -> u8 {
-    (GHOST[0] * u8::from(tube[0] > home[0])) | (GHOST[1] * u8::from(tube[1] > home[1]))
 }
