@@ -28,6 +28,10 @@ pub struct Aabb<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Aabb<R, D> {
+    /// In place of a box where there is none: all NaN, so it is not valid and overlaps nothing.
+    #[cfg(feature = "_adapter")]
+    pub(crate) const ABSENT: Self = Self::new([R::NAN; D], [R::NAN; D]);
+
     /// The box between two corners.
     #[inline]
     pub const fn new(mins: [R; D], maxs: [R; D]) -> Self {

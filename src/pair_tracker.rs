@@ -9,26 +9,28 @@
 //! dynamics (Verlet 1967), made exact.
 
 mod candidates;
+mod drawing;
 mod foresight;
 mod horizon;
 mod layers;
+mod mover;
 mod policy;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 #[cfg(test)]
 mod tests;
+mod update;
+mod validation;
 
 use std::fmt::Debug;
 
 use crate::slot_set::SlotSet;
-use crate::stopwatch::{Lap, Stopwatch};
-use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK};
-use crate::{Aabb, Kernel, Real, Stats, Work, parallel};
-use candidates::{Candidates, Proxies};
+use crate::stopwatch::Stopwatch;
+use crate::{Aabb, Kernel, Real, Stats, Work};
+use candidates::Candidates;
 use foresight::{Foresight, Spent};
-use horizon::mean_speed;
 use layers::{Layers, retain_from};
-use policy::{Extent, Known, Plan};
+use mover::Mover;
 
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
@@ -45,7 +47,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may be a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
 
-    /// Whether a proxy whose key was `former` and is this now gets a new box, without a margin.
+    /// Whether a proxy whose key has changed from `former` to this one gets a new box, without a margin.
     fn renews_box(self, _former: Self) -> bool {
         false
     }
@@ -66,16 +68,16 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     former_keys: Vec<(u32, K)>,
     /// Whether a slot has had another key than the default one, with which all may meet.
     are_filtered: bool,
-    /// Slots that were touched since the last `finish`; some may occur more than once.
-    moved: Vec<u32>,
-    /// Those that were touched before it, since the one before.
-    settled: Vec<u32>,
-    /// Those of them that have left their fat box, have none yet, or are gone.
+    /// Slots touched since the last `finish`; may repeat.
+    touched: Vec<u32>,
+    /// The same for the update before.
+    last_touched: Vec<u32>,
+    /// Those of `touched` that have left their fat box, have none yet, or are gone.
     escaped: SlotSet,
     foresight: Foresight,
     /// What the last update took.
     pub(crate) work: Work,
-    /// What all have cost since the last full run, that one among them.
+    /// What all updates since the last full run have cost, that run included.
     spent: Spent,
     full_runs: u64,
     candidates: Candidates,
@@ -83,34 +85,6 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     /// Scratch: the candidates found by the kernel.
     found: Vec<[u32; 2]>,
     pub(crate) stopwatch: Stopwatch,
-}
-
-/// Places and moves proxies in slots for which there is room.
-pub(crate) struct Mover<'a, R, const D: usize> {
-    boxes: &'a mut [Aabb<R, D>],
-    fat_boxes: &'a [Aabb<R, D>],
-    moved: &'a mut Vec<u32>,
-    escaped: &'a mut SlotSet,
-}
-
-impl<R: Real, const D: usize> Mover<'_, R, D> {
-    /// The box under a slot; all NaN if there is no proxy.
-    #[inline(always)]
-    pub(crate) fn held(&self, slot: u32) -> &Aabb<R, D> {
-        &self.boxes[slot as usize]
-    }
-
-    /// Places or moves the proxy of a slot. `aabb` must be valid.
-    #[inline(always)]
-    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
-        debug_assert!(aabb.is_valid());
-        let index = slot as usize;
-        self.boxes[index] = aabb;
-        self.moved.push(slot);
-        if !self.fat_boxes[index].contains(&aabb) {
-            self.escaped.insert(slot);
-        }
-    }
 }
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -124,8 +98,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             keys: Vec::new(),
             are_filtered: false,
             former_keys: Vec::new(),
-            moved: Vec::new(),
-            settled: Vec::new(),
+            touched: Vec::new(),
+            last_touched: Vec::new(),
             escaped: SlotSet::default(),
             foresight: Foresight::new(foresight),
             work: Work::default(),
@@ -146,7 +120,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// The box under this slot; all NaN if there is no proxy.
     pub(crate) fn slot_box(&self, slot: u32) -> Aabb<R, D> {
         let aabb = self.boxes.get(slot as usize).copied();
-        aabb.unwrap_or(absent())
+        aabb.unwrap_or(Aabb::ABSENT)
     }
 
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
@@ -159,7 +133,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         Mover {
             boxes: &mut self.boxes,
             fat_boxes: &self.fat_boxes,
-            moved: &mut self.moved,
+            touched: &mut self.touched,
             escaped: &mut self.escaped,
         }
     }
@@ -177,7 +151,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             self.former_keys.push((slot, former));
         }
         if self.boxes[index].is_valid() {
-            self.moved.push(slot);
+            self.touched.push(slot);
             self.escaped.insert(slot);
         }
     }
@@ -193,9 +167,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         (&mut self.boxes, &self.fat_boxes, &self.keys)
     }
 
-    /// Takes note of proxies that were moved, and of those of them that have left their fat box.
+    /// Takes note of proxies that were moved in place, and of the ones among `moved` that have left their fat box.
     pub(crate) fn note(&mut self, moved: &[u32], escaped: &[u32]) {
-        self.moved.extend_from_slice(moved);
+        self.touched.extend_from_slice(moved);
         for &slot in escaped {
             self.escaped.insert(slot);
         }
@@ -211,7 +185,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn make_room(&mut self, slots: usize) {
         if slots > self.boxes.len() {
             for boxes in [&mut self.boxes, &mut self.previous, &mut self.fat_boxes] {
-                boxes.resize(slots, absent());
+                boxes.resize(slots, Aabb::ABSENT);
             }
             self.keys.resize(slots, K::default());
             self.escaped.make_room(slots);
@@ -223,8 +197,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn refuse(&mut self, slot: u32) {
         let index = slot as usize;
         if index < self.boxes.len() {
-            self.boxes[index] = absent();
-            self.moved.push(slot);
+            self.boxes[index] = Aabb::ABSENT;
+            self.touched.push(slot);
             self.escaped.insert(slot);
         }
     }
@@ -232,14 +206,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Removes a proxy; its pairs end without an event.
     pub(crate) fn remove(&mut self, slot: u32) {
         if let Some(previous) = self.previous.get_mut(slot as usize) {
-            *previous = absent();
+            *previous = Aabb::ABSENT;
             self.refuse(slot);
         }
     }
 
-    /// The slots whose proxies were placed, refused or removed since the last `finish`; some may occur more than once.
+    /// The slots whose proxies were placed, refused or removed since the last `finish`; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
-        &self.moved
+        &self.touched
     }
 
     /// The boxes by slot; all NaN where there is no proxy.
@@ -247,9 +221,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         &self.boxes
     }
 
-    /// The slots whose boxes the last update has changed or taken away; some may occur more than once.
-    pub(crate) fn settled(&self) -> &[u32] {
-        &self.settled
+    /// The slots that were touched before the last `finish`; may repeat.
+    pub(crate) fn last_touched(&self) -> &[u32] {
+        &self.last_touched
     }
 
     /// The held pairs, by slots, smaller first.
@@ -266,316 +240,13 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.held_count();
         stats.candidates = self.candidates.len();
-        stats.delta = self.layers.delta();
+        stats.above_base = self.layers.slots_above_base();
         stats.foresight = u32::from(self.foresight.moves());
         stats.work = self.work;
         stats.full_runs = self.full_runs;
         stats.classes = self.layers.classes();
         stats.strips = self.layers.strips();
     }
-
-    /// Brings the pairs up to date and reports what has changed since the last call.
-    ///
-    /// Costs nothing when nothing was touched. Otherwise the candidates of what has moved are compared, or all of
-    /// them in order if that is most of them. What has left its fat box is looked up in about **O(log n)** each, and if
-    /// that is much, there is a run of the kernel over all proxies.
-    pub(crate) fn finish(&mut self, mut report: impl FnMut(PairChange)) {
-        let lap = self.stopwatch.start();
-        if !self.moved.is_empty() {
-            self.candidates.compact_if_sparse();
-            // Stable: of several keys that a slot has had in this update, the first one is kept.
-            self.former_keys.sort_by_key(|&(slot, _)| slot);
-            self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
-        }
-        let plan = Plan::of::<D>(&self.known(), || {
-            mean_speed(&self.moved, &self.boxes, &self.previous)
-        });
-        let lap = match plan {
-            Plan::Nothing => {
-                self.settled.clear();
-                return;
-            }
-            Plan::Compare(extent) => {
-                self.work = Work::default();
-                self.found.clear();
-                self.compare(extent, lap, &mut report)
-            }
-            Plan::LookUp(extent) => {
-                let lap = self.look_up(lap);
-                self.compare(extent, lap, &mut report)
-            }
-            Plan::FullRun(foresight) => {
-                self.spent = Spent::default();
-                self.run_in_full(foresight, lap, &mut report)
-            }
-        };
-        self.spent.add(policy::price(&self.work, self.moved.len()));
-        self.settle();
-        self.stopwatch.lap(lap, |times| &mut times.difference);
-    }
-
-    /// What decides the plan.
-    fn known(&self) -> Known {
-        Known {
-            slots: self.boxes.len(),
-            moved: self.moved.len(),
-            escaped: self.escaped.len(),
-            candidates: self.candidates.len(),
-            held: self.candidates.held_count(),
-            rows: self.candidates.rows(),
-            lists: self.candidates.lists(),
-            are_layers_used: self.layers.are_used(),
-            base: self.layers.base(),
-            foresight: self.foresight,
-            spent: self.spent,
-        }
-    }
-
-    /// Draws the fat boxes of the escaped anew and looks them up among all others.
-    fn look_up(&mut self, lap: Lap) -> Lap {
-        let horizon = self.foresight.horizon();
-        for &slot in self.escaped.slots() {
-            let i = slot as usize;
-            self.fat_boxes[i] = horizon.fat_box(&self.boxes[i], &self.previous[i]);
-        }
-        self.stopwatch.lap(lap, |times| &mut times.difference);
-        self.found.clear();
-        let Self {
-            layers,
-            fat_boxes,
-            escaped,
-            found,
-            work,
-            stopwatch,
-            ..
-        } = self;
-        *work = layers.find_escaped(fat_boxes, escaped, found, stopwatch);
-        self.keep_those_that_may_meet()
-    }
-
-    /// Compares candidates, retires those of the escaped, and takes in those that were found for them.
-    fn compare(&mut self, extent: Extent, lap: Lap, report: &mut impl FnMut(PairChange)) -> Lap {
-        let proxies = Proxies {
-            now: &self.boxes,
-            before: &self.previous,
-            keys: &self.keys,
-            former_keys: &self.former_keys,
-        };
-        let (moved, escaped) = (&self.moved, &self.escaped);
-        let comparing = self
-            .candidates
-            .compare(extent, moved, escaped, &proxies, report);
-        self.work = Work {
-            compared: comparing.compared,
-            picked: comparing.picked,
-            walked: comparing.walked,
-            ..self.work
-        };
-        self.candidates.extend(&self.found, &proxies, report);
-        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.len()) {
-            self.foresight.shorten();
-            self.layers.forget();
-        }
-        lap
-    }
-
-    /// Searches for all candidates, by fat boxes that are drawn with this foresight.
-    fn run_in_full(
-        &mut self,
-        foresight: Foresight,
-        lap: Lap,
-        report: &mut impl FnMut(PairChange),
-    ) -> Lap {
-        self.full_runs += 1;
-        self.foresight = foresight;
-        self.work = Work::default();
-        self.draw_moved();
-        self.found.clear();
-        let count = self.candidates.len();
-        self.found.reserve_exact(count + count / 8);
-        let mut lap = self.search(lap);
-        while !self.foresight.is_fixed() && self.are_too_many_found() {
-            self.foresight.shorten();
-            self.draw_all();
-            self.found = Vec::new();
-            lap = self.search(lap);
-            // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
-            if !self.foresight.is_any() {
-                break;
-            }
-        }
-        let proxies = Proxies {
-            now: &self.boxes,
-            before: &self.previous,
-            keys: &self.keys,
-            former_keys: &self.former_keys,
-        };
-        self.candidates.replace(&mut self.found, &proxies, report);
-        if self.found.capacity() > KEEP_SCRATCH_UP_TO {
-            self.found = Vec::new();
-        }
-        lap
-    }
-
-    /// Appends the overlapping pairs among all fat boxes to what was found.
-    fn search(&mut self, lap: Lap) -> Lap {
-        self.stopwatch.lap(lap, |times| &mut times.difference);
-        self.layers
-            .find_all(&self.fat_boxes, &mut self.found, &mut self.stopwatch);
-        self.work.searched += self.boxes.len();
-        self.work.found += self.found.len();
-        self.keep_those_that_may_meet()
-    }
-
-    /// Drops the pairs found that may not meet.
-    fn keep_those_that_may_meet(&mut self) -> Lap {
-        let lap = self.stopwatch.start();
-        if self.are_filtered {
-            let keys = &self.keys;
-            retain_from(&mut self.found, 0, |[a, b]| {
-                keys[a as usize].may_meet(keys[b as usize])
-            });
-        }
-        lap
-    }
-
-    fn are_too_many(&self, candidates: usize) -> bool {
-        policy::are_too_many(candidates, self.boxes.len(), self.candidates.held_count())
-    }
-
-    /// The same of those that were found, of which it is not known yet how many are held.
-    fn are_too_many_found(&self) -> bool {
-        let overlap =
-            |&&[a, b]: &&[u32; 2]| self.boxes[a as usize].overlaps(&self.boxes[b as usize]);
-        // They are hardly ever that many, so hardly ever compared here.
-        self.are_too_many(self.found.len()) && {
-            let held = self.found.iter().filter(overlap).count();
-            policy::are_too_many(self.found.len(), self.boxes.len(), held)
-        }
-    }
-
-    /// Draws the fat boxes of what has moved.
-    fn draw_moved(&mut self) {
-        let Self {
-            boxes,
-            previous,
-            fat_boxes,
-            foresight,
-            ..
-        } = self;
-        let horizon = foresight.horizon();
-        if self.moved.len() < boxes.len() / COMPARE_ALL_FROM_ONE_IN {
-            for &slot in &self.moved {
-                let i = slot as usize;
-                fat_boxes[i] = horizon.fat_box(&boxes[i], &previous[i]);
-            }
-            return;
-        }
-        let draw = |fat_boxes: &mut [Aabb<R, D>], boxes: &[_], previous: &[_]| {
-            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(previous)) {
-                // The others have not moved, or came back at once.
-                if now != before || !fat.contains(now) {
-                    *fat = horizon.fat_box(now, before);
-                }
-            }
-        };
-        if boxes.len() <= SLOTS_A_TASK {
-            return draw(fat_boxes, boxes, previous);
-        }
-        let boxes = boxes
-            .chunks(SLOTS_A_TASK)
-            .zip(previous.chunks(SLOTS_A_TASK));
-        let mut parts: Vec<_> = fat_boxes.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
-        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
-            draw(fat_boxes, boxes, previous);
-        });
-    }
-
-    /// Draws all fat boxes.
-    fn draw_all(&mut self) {
-        let horizon = self.foresight.horizon();
-        let boxes = self.boxes.iter().zip(&self.previous);
-        for (fat, (now, before)) in self.fat_boxes.iter_mut().zip(boxes) {
-            *fat = horizon.fat_box(now, before);
-        }
-    }
-
-    /// Makes the present boxes the previous ones.
-    fn settle(&mut self) {
-        if self.moved.len() <= self.boxes.len() / COMPARE_ALL_FROM_ONE_IN {
-            for &slot in &self.moved {
-                self.previous[slot as usize] = self.boxes[slot as usize];
-            }
-        } else if self.boxes.len() <= SLOTS_A_TASK {
-            self.previous.copy_from_slice(&self.boxes);
-        } else {
-            let boxes = self.boxes.chunks(SLOTS_A_TASK);
-            let mut parts: Vec<_> = self.previous.chunks_mut(SLOTS_A_TASK).zip(boxes).collect();
-            parallel::for_each(&mut parts, |(previous, boxes)| {
-                previous.copy_from_slice(boxes)
-            });
-        }
-        std::mem::swap(&mut self.moved, &mut self.settled);
-        self.moved.clear();
-        self.escaped.clear();
-        self.former_keys.clear();
-    }
-
-    /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full run of a
-    /// kernel, and everything else that is kept is consistent.
-    pub(crate) fn validate(&self, kernel: Kernel) {
-        let Self {
-            boxes,
-            previous,
-            fat_boxes,
-            keys,
-            ..
-        } = self;
-        assert_eq!(boxes.len(), previous.len());
-        assert_eq!(boxes.len(), fat_boxes.len());
-        assert_eq!(boxes.len(), keys.len());
-        assert!(self.former_keys.is_empty());
-        for (slot, (before, fat)) in previous.iter().zip(fat_boxes).enumerate() {
-            let is_sound = fat.contains(before) || !(before.is_valid() || fat.is_valid());
-            assert!(is_sound, "the box of slot {slot} is not in its fat box");
-        }
-        let mut moved = SlotSet::default();
-        moved.make_room(boxes.len());
-        self.moved.iter().for_each(|&slot| moved.insert(slot));
-        for slot in 0..boxes.len() as u32 {
-            let i = slot as usize;
-            let is_settled =
-                boxes[i] == previous[i] || !(boxes[i].is_valid() || previous[i].is_valid());
-            assert!(
-                is_settled || moved.contains(slot),
-                "the box of slot {slot} is not settled"
-            );
-            assert!(
-                is_settled || fat_boxes[i].contains(&boxes[i]) || self.escaped.contains(slot),
-                "slot {slot} has escaped unnoticed"
-            );
-        }
-        let is_moved = |&slot: &u32| moved.contains(slot);
-        assert!(self.escaped.slots().iter().all(is_moved));
-        self.candidates.validate(previous);
-        let check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
-            let mut expected = overlapping(kernel, boxes, keys);
-            kept.sort_unstable();
-            expected.sort_unstable();
-            assert!(kept == expected, "{what} are not the overlapping ones");
-        };
-        check(self.pairs().collect(), previous, "the held pairs");
-        check(
-            self.candidates.iter().collect(),
-            fat_boxes,
-            "the candidates",
-        );
-    }
-}
-
-/// The box of a slot without a proxy.
-fn absent<R: Real, const D: usize>() -> Aabb<R, D> {
-    Aabb::new([R::NAN; D], [R::NAN; D])
 }
 
 /// The overlapping pairs among the valid ones of `boxes` that may meet, by a fresh kernel.

@@ -120,9 +120,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.touched()
     }
 
-    /// The slots whose boxes the last update has renewed or taken away; some may occur more than once.
-    pub(crate) fn renewed(&self) -> &[u32] {
-        self.tracker.settled()
+    /// The slots whose boxes the last update has renewed or taken away; may repeat.
+    pub(crate) fn last_touched(&self) -> &[u32] {
+        self.tracker.last_touched()
     }
 
     /// The held pairs, by slots, smaller first.

@@ -15,14 +15,14 @@ pub struct Stats {
     /// Colliders that have a proxy.
     pub proxies: usize,
     /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves once it is
-    /// sound again.
+    /// valid again.
     pub refused: usize,
-    /// Slots above the base layer: those whose proxy is new, gone, or has moved otherwise than foreseen since the last
-    /// full run of the kernel.
-    pub delta: usize,
+    /// Slots whose proxy is new, gone, or has moved otherwise than foreseen since the last full run of the kernel: they are
+    /// in the layers above the base.
+    pub above_base: usize,
     /// Pairs held.
     pub pairs: usize,
-    /// Pairs that are watched: those held, and those that may soon be held.
+    /// Pairs that are watched, because they are held or may soon be.
     pub candidates: usize,
     /// How far ahead colliders are searched for, in multiples of their last move; 0 where looking ahead does not pay.
     pub foresight: u32,
@@ -38,10 +38,9 @@ pub struct Stats {
     pub updates: u64,
     /// Colliders that the last such update was given, modified and removed.
     pub listed: usize,
-    /// Colliders whose box that update changed: new ones, those that had left their margin, and those that it had to
-    /// refuse.
+    /// Colliders whose box that update changed: they were new, had left their margin, or were refused.
     pub moved: usize,
-    /// What it took to find out.
+    /// What the update took.
     pub work: Work,
     /// Pairs that it reported as new.
     pub added: usize,

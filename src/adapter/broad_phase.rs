@@ -157,7 +157,7 @@ impl UnisizeBroadPhase {
                     BroadPhasePairEvent::DeletePair(pair)
                 }
             });
-        let (renewed, slots) = (self.table.renewed(), self.table.boxes().len());
-        self.query_tree.note(renewed, slots);
+        let (touched, slots) = (self.table.last_touched(), self.table.boxes().len());
+        self.query_tree.note(touched, slots);
     }
 }

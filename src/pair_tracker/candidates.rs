@@ -1,22 +1,24 @@
 //! The candidates: pairs of proxies whose fat boxes overlap.
 //!
-//! When many proxies have moved, all candidates are compared, in order; when few have, theirs are picked by a bit for
-//! each slot; when very few have, theirs are found by lists. The lists are made once they would have been useful a
-//! number of times, and kept up to date until all candidates are replaced.
+//! When most proxies were touched, all candidates are compared, in order; when few were, their candidates are picked by a bit
+//! for each slot; when very few were, by lists. The lists are made once they would have been useful a number of times, and
+//! kept up to date until all candidates are replaced.
 
 mod array;
 mod lists;
+mod proxies;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 
-use super::policy::{Extent, Lists};
+use super::policy::Extent;
 use super::{FilterKey, PairChange};
 use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
 use crate::{Aabb, Real, Work};
 use array::CandidateArray;
-pub(super) use array::Proxies;
 use lists::CandidateLists;
+pub(super) use lists::ListState;
+pub(super) use proxies::Proxies;
 #[cfg(feature = "serde-serialize")]
 pub(super) use snapshot::CandidatesSnapshot;
 
@@ -55,7 +57,7 @@ impl Candidates {
     }
 
     /// Whether there are lists, or how often they were missed.
-    pub(super) fn lists(&self) -> Lists {
+    pub(super) fn lists(&self) -> ListState {
         self.lists.state()
     }
 
@@ -82,15 +84,15 @@ impl Candidates {
         self.lists.extend(&self.array, first, proxies.now.len());
     }
 
-    /// Brings the candidates of the `moved` up to date with the present boxes, and retires those of the `escaped`, which
-    /// are among them. Looks at all candidates, or at those of the `moved` only.
+    /// Brings the candidates of the `touched` up to date with the present boxes, and retires those of the `escaped`, which
+    /// must be among the `touched`. Looks at all candidates, or at those of the `touched` only. Returns what it took.
     ///
-    /// Picking them out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are for very
-    /// few. Returns what it took.
+    /// Picking a few candidates out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are
+    /// for very few.
     pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         extent: Extent,
-        moved: &[u32],
+        touched: &[u32],
         escaped: &SlotSet,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
@@ -103,7 +105,7 @@ impl Candidates {
             }
             Extent::Picked { lists_are_missed } => {
                 work.picked = self.rows();
-                work.compared = self.compare_picked(escaped, moved, proxies, report);
+                work.compared = self.compare_picked(escaped, touched, proxies, report);
                 if lists_are_missed {
                     self.lists.miss();
                 }
@@ -113,8 +115,8 @@ impl Candidates {
                     self.compact();
                     self.lists.make(&self.array, proxies.now.len());
                 }
-                self.compare_listed(moved, escaped, proxies, report);
-                work.walked = moved.len();
+                self.compare_listed(touched, escaped, proxies, report);
+                work.walked = touched.len();
             }
         }
         work
@@ -138,7 +140,7 @@ impl Candidates {
     fn compare_picked<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         escaped: &SlotSet,
-        moved: &[u32],
+        touched: &[u32],
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) -> usize {
@@ -146,12 +148,12 @@ impl Candidates {
             array, slots, rows, ..
         } = self;
         slots.resize(proxies.now.len());
-        for &slot in moved {
+        for &slot in touched {
             slots.insert(slot as usize);
         }
-        let is_moved = slots.lookup();
-        array.pick(rows, |slot| is_moved(slot as usize));
-        drop(is_moved);
+        let is_touched = slots.lookup();
+        array.pick(rows, |slot| is_touched(slot as usize));
+        drop(is_touched);
         let mut count = 0;
         for row in rows.iter() {
             count += 1;
@@ -164,13 +166,13 @@ impl Candidates {
                 array.compare(row, proxies, report);
             }
         }
-        slots.clear_around(moved);
+        slots.clear_around(touched);
         count
     }
 
     fn compare_listed<R: Real, const D: usize, K: FilterKey>(
         &mut self,
-        moved: &[u32],
+        touched: &[u32],
         escaped: &SlotSet,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
@@ -179,7 +181,7 @@ impl Candidates {
         for &slot in escaped.slots() {
             lists.take(slot, |row| array.retire(row, proxies, report));
         }
-        for &slot in moved {
+        for &slot in touched {
             lists.walk(slot, |row| {
                 array.compare(row, proxies, report);
                 array.get(row).is_some()

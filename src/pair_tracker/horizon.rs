@@ -114,9 +114,8 @@ mod tests {
 
     #[test]
     fn it_is_the_box_of_one_that_is_new() {
-        let absent = Aabb::new([f32::NAN; 2], [f32::NAN; 2]);
         assert_eq!(
-            Horizon::new(8).fat_box(&at(0.0, 0.0), &absent),
+            Horizon::new(8).fat_box(&at(0.0, 0.0), &Aabb::ABSENT),
             at(0.0, 0.0)
         );
     }
@@ -152,8 +151,7 @@ mod tests {
     #[test]
     fn what_is_new_says_nothing() {
         let now = [at(0.0, 0.0)];
-        let absent = [Aabb::new([f32::NAN; 2], [f32::NAN; 2])];
-        assert_eq!(mean_speed(&[0], &now, &absent), None);
+        assert_eq!(mean_speed(&[0], &now, &[Aabb::ABSENT]), None);
         assert_eq!(mean_speed(&[0], &now, &now), None);
         assert_eq!(mean_speed(&[0], &now, &[at(-0.5, 0.0)]), Some(0.25));
     }

@@ -2,22 +2,21 @@
 //!
 //! When few proxies leave their fat boxes, sorting all of them again for each update would be a waste. So there are three
 //! layers. The *base* is in the order that the last full run left behind. The *delta* is of all that have escaped since
-//! then, in the order of the last run over those. And what is *recent* has escaped since that; it is small and has no
-//! order. An update looks the escaped up in the first two, and runs the kernel on the third alone. Entries of one layer
+//! then, in the order of the last run over the delta. And what is *recent* has escaped since that run; it is small and has
+//! no order. An update looks the escaped up in the first two, and runs the kernel on the third alone. Entries of one layer
 //! whose proxies have since escaped are outdated and passed over.
 //!
-//! A layer is sorted anew, and takes in all that follow, once the following ones have cost as much as that. So the time
-//! is never more than about twice what it would be if the best moment were known beforehand. Kernels that cannot look
+//! A layer is sorted anew, and takes in all layers above it, once those have cost as much as sorting would. So the time is
+//! never more than about twice what it would be if the best moment were known beforehand. Kernels that cannot look
 //! boxes up have no layers.
 
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 
-use super::policy::Base;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
-use crate::{Aabb, BruteForce, GridSweep, Kernel, PairFinder, RankSweep, Real, Work};
+use crate::{Aabb, BruteForce, GridSweep, InvalidBox, Kernel, PairFinder, RankSweep, Real, Work};
 #[cfg(feature = "serde-serialize")]
 pub(super) use snapshot::LayersSnapshot;
 
@@ -44,15 +43,15 @@ impl<R: Real, const D: usize> Layers<R, D> {
         matches!(self, Self::Grid(layers) if layers.are_used)
     }
 
-    /// The layers above the base layer, if that is sorted.
-    pub(super) fn base(&self) -> Option<Base> {
+    /// What is above the base layer, if the base layer is sorted.
+    pub(super) fn above_base(&self) -> Option<AboveBase> {
         match self {
-            Self::Grid(layers) if layers.base.is_sorted => Some(layers.above()),
+            Self::Grid(layers) if layers.base.is_sorted => Some(layers.above_base()),
             _ => None,
         }
     }
 
-    /// Appends to `found` the overlapping pairs among the valid ones of `boxes`.
+    /// Appends to `found` the overlapping pairs among the valid boxes.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -66,9 +65,9 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Appends to `found` the overlapping pairs among the valid ones of `boxes` that involve one of the `escaped`,
-    /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all). Only for a
-    /// kernel whose [base layer](Self::base) is sorted. Returns what it took.
+    /// Appends to `found` the overlapping pairs among the valid boxes that involve one of the `escaped`,
+    /// which must be all that have changed since the last call of this or of [`find_all`](Self::find_all). The base layer
+    /// must be [sorted](Self::above_base). Returns what it took.
     pub(super) fn find_escaped(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -105,13 +104,22 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// How many slots are above the base layer.
-    pub(crate) fn delta(&self) -> usize {
+    /// How many slots are above the base layer: in the delta layer or recent.
+    pub(crate) fn slots_above_base(&self) -> usize {
         match self {
             Self::Grid(layers) => layers.base.outdated.len(),
             Self::Rank(_) | Self::Brute(_) => 0,
         }
     }
+}
+
+/// The layers above the base, which the last full run has sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct AboveBase {
+    /// What they have cost since the last full run, in boxes of a run.
+    pub(super) spent: usize,
+    /// How many slots are recent.
+    pub(super) recent: usize,
 }
 
 /// The three layers.
@@ -173,10 +181,11 @@ impl<R: Real, const D: usize> Layer<R, D> {
         self.outdated.clear();
         self.spent = 0;
         self.is_sorted = true;
-        self.order.find_among(boxes, members, found, stopwatch);
+        let run = self.order.find_among(boxes, members, found, stopwatch);
+        run.unwrap_or_else(log_too_many);
     }
 
-    /// Appends the pairs of the valid ones among the escaped with those members that are not outdated. All the escaped
+    /// Appends the pairs of the escaped that have a valid box with the members that are not outdated. All the escaped
     /// must be outdated.
     fn look_up(
         &mut self,
@@ -200,12 +209,12 @@ impl<R: Real, const D: usize> Layer<R, D> {
 }
 
 impl<R: Real, const D: usize> GridLayers<R, D> {
-    fn above(&self) -> Base {
+    fn above_base(&self) -> AboveBase {
         let recent = match self.delta.is_sorted {
             true => self.delta.outdated.len(),
             false => self.base.outdated.len(),
         };
-        Base {
+        AboveBase {
             spent: self.base.spent,
             recent,
         }
@@ -257,7 +266,8 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
             work.looked_up += escaped.len();
             delta.look_up(boxes, escaped, found, stopwatch);
             first = found.len();
-            recent.find_among(boxes, members, found, stopwatch);
+            let run = recent.find_among(boxes, members, found, stopwatch);
+            run.unwrap_or_else(log_too_many);
         }
         retain_from(found, first, |[a, b]| {
             escaped.contains(a) | escaped.contains(b)
@@ -324,10 +334,8 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
         self.boxes.clear();
         self.boxes
             .extend(self.slots.iter().map(|&slot| boxes[slot as usize]));
-        if let Err(error) = self.kernel.find_pairs(&self.boxes, &mut self.pairs) {
-            // All boxes are valid, so there are more than the kernel takes.
-            log::error!("no pairs are found: {error}");
-        }
+        let run = self.kernel.find_pairs(&self.boxes, &mut self.pairs);
+        run.unwrap_or_else(log_too_many);
         // The slots ascend, so the smaller of a pair stays the smaller.
         let pairs = self
             .pairs
@@ -336,6 +344,13 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
         found.extend(pairs);
         stopwatch.lap(lap, |times| &mut times.sweep);
     }
+}
+
+/// Says why a run has found no pairs.
+#[cold]
+fn log_too_many(error: InvalidBox) {
+    // All boxes are valid, so there are more than the kernel takes.
+    log::error!("no pairs are found: {error}");
 }
 
 /// Appends the overlapping pairs among the valid ones of few boxes, each compared with each.
@@ -349,14 +364,14 @@ fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u
     }
 }
 
-/// Replaces `slots` by those of the valid boxes, ascending.
+/// Replaces `slots` by the slots that have a valid box, ascending.
 fn collect_valid<R: Real, const D: usize>(boxes: &[Aabb<R, D>], slots: &mut Vec<u32>) {
     slots.clear();
     let numbered = (0..).zip(boxes);
     slots.extend(numbered.filter(|(_, b)| b.is_valid()).map(|(slot, _)| slot));
 }
 
-/// Keeps the pairs before `first`, and of the others those that meet the condition, without a branch.
+/// Drops the pairs from `first` on that do not meet the condition, without a branch.
 #[inline(always)]
 pub(super) fn retain_from(
     pairs: &mut Vec<[u32; 2]>,

@@ -3,14 +3,14 @@
 //! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order
 //! of the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
 //! the one that was written does. Between two updates boxes may have been handed over, so what has been touched since the
-//! last one is written too. What can be derived from it is not written but made anew: which candidates are held,
+//! last update is written too. What follows from this is not written but made anew: which candidates are held,
 //! lists, sorted layers. What is read is checked, so a tracker that was read is always consistent.
 
 use serde::{Deserialize, Serialize};
 
-use super::candidates::CandidatesSnapshot;
+use super::candidates::{Candidates, CandidatesSnapshot};
 use super::layers::LayersSnapshot;
-use super::{FilterKey, Foresight, PairTracker, Spent, absent, overlapping};
+use super::{FilterKey, Foresight, PairTracker, Spent, overlapping};
 use crate::slot_set::SlotSet;
 use crate::{Aabb, Kernel, Real};
 
@@ -25,9 +25,9 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     proxies: Vec<Option<Proxy<R, D, K>>>,
     /// The keys of slots without a proxy, except default ones: a box that is handed over does not bring its key.
     other_keys: Vec<(u32, K)>,
-    /// The slots that were touched since, with the boxes that they have now.
+    /// The slots touched since the last `finish`, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
-    /// Those of them that have left their fat box, have none yet, or are gone.
+    /// Those of `touched` that have left their fat box, have none yet, or are gone.
     escaped: Vec<u32>,
     foresight: Foresight,
     spent: Spent,
@@ -61,7 +61,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
             .map(|(slot, (_, &key))| (slot, key));
         let touched = self
-            .moved
+            .touched
             .iter()
             .map(|&slot| (slot, self.get(slot).copied()));
         TrackerSnapshot {
@@ -101,7 +101,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         for proxy in proxies {
             let [aabb, fat] = match &proxy {
-                None => [absent(); 2],
+                None => [Aabb::ABSENT; 2],
                 Some(Proxy { aabb, .. }) if !aabb.is_valid() => {
                     return Err("snapshot: a box is not valid");
                 }
@@ -121,18 +121,25 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.previous.get(slot as usize),
             ) {
                 (Some(known), Some(before)) if !before.is_valid() => *known = key,
-                _ => return Err("snapshot: a filter key has no slot, or two"),
+                _ => {
+                    return Err(
+                        "snapshot: a spare filter key names a slot that is out of range or has a proxy",
+                    );
+                }
             }
         }
-        if foresight.is_fixed() != self.foresight.is_fixed() || !foresight.is_sound() {
-            return Err("snapshot: the foresight is out of range (0 to 64 moves)");
+        if !foresight.suits(self.foresight) {
+            return Err("snapshot: the foresight does not match the settings");
+        }
+        if !foresight.can_occur() {
+            return Err("snapshot: the foresight is not a state that can occur");
         }
         self.foresight = foresight;
         self.spent = spent;
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
-        self.candidates = candidates.restore(&self.previous, found)?;
+        self.candidates = Candidates::restored(candidates, &self.previous, found)?;
         self.layers.restore(layers, &self.fat_boxes)?;
         self.restore_touched(touched, &escaped)
     }
@@ -145,19 +152,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     ) -> Result<(), &'static str> {
         self.boxes.clone_from(&self.previous);
         self.escaped.make_room(self.boxes.len());
-        let mut moved = SlotSet::default();
-        moved.make_room(self.boxes.len());
+        let mut is_touched = SlotSet::default();
+        is_touched.make_room(self.boxes.len());
         for &(slot, aabb) in &touched {
             let held = self.boxes.get_mut(slot as usize);
-            *held.ok_or("snapshot: a touched slot is out of range")? = aabb.unwrap_or(absent());
+            *held.ok_or("snapshot: a touched slot is out of range")? = aabb.unwrap_or(Aabb::ABSENT);
             if aabb.is_some_and(|aabb| !aabb.is_valid()) {
                 return Err("snapshot: a box that was handed over is not valid");
             }
-            moved.insert(slot);
-            self.moved.push(slot);
+            is_touched.insert(slot);
+            self.touched.push(slot);
         }
         for &slot in escaped {
-            if !moved.contains(slot) || self.escaped.contains(slot) {
+            if !is_touched.contains(slot) || self.escaped.contains(slot) {
                 return Err("snapshot: an escaped slot was not touched, or escapes twice");
             }
             self.escaped.insert(slot);
@@ -166,7 +173,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             let [aabb, fat] = [&self.boxes, &self.fat_boxes].map(|boxes| &boxes[slot as usize]);
             fat.contains(aabb) || self.escaped.contains(slot)
         };
-        if !self.moved.iter().all(is_noticed) {
+        if !self.touched.iter().all(is_noticed) {
             return Err("snapshot: a box has left its fat box and is not among the escaped");
         }
         Ok(())

@@ -264,25 +264,25 @@ fn few_movers_are_looked_up_and_many_are_not() {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(|_| ());
-    assert_eq!(tracker.layers.delta(), 0);
+    assert_eq!(tracker.layers.slots_above_base(), 0);
     for slot in 0..10 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(|_| ());
-    assert_eq!(tracker.layers.delta(), 10);
+    assert_eq!(tracker.layers.slots_above_base(), 10);
     for slot in 20..80 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
     tracker.finish(|_| ());
-    assert_eq!(tracker.layers.delta(), 0);
+    assert_eq!(tracker.layers.slots_above_base(), 0);
     // One mover at a time: the delta layer fills up, until a full run is due.
     let mut most = 0;
     for slot in (0..100).cycle().take(300) {
         tracker.place(slot, random_box(&mut random, 10.0));
         tracker.finish(|_| ());
-        most = most.max(tracker.layers.delta());
+        most = most.max(tracker.layers.slots_above_base());
     }
-    assert!((2..50).contains(&most), "{most} were in the delta layer");
+    assert!((2..50).contains(&most), "{most} were above the base");
 }
 
 #[test]

@@ -1,73 +1,14 @@
 //! The array of candidates, with a tombstone in place of each that is gone.
 
+use super::proxies::{Proxies, overlap};
 use crate::bit_set::BitSet;
 use crate::pair_tracker::{FilterKey, PairChange};
 use crate::slot_set::SlotSet;
+use crate::tuning::update::SPARSE_FROM_ONE_IN;
 use crate::{Aabb, Real};
 
 /// In place of a slot: the candidate is gone.
 const TOMBSTONE: u32 = u32::MAX;
-
-/// What decides which candidates are held: boxes and filter keys, the present ones, and those at the end of the last
-/// update.
-pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
-    pub(in crate::pair_tracker) now: &'a [Aabb<R, D>],
-    pub(in crate::pair_tracker) before: &'a [Aabb<R, D>],
-    pub(in crate::pair_tracker) keys: &'a [K],
-    /// The former keys of slots whose key has changed, ascending.
-    pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
-}
-
-impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
-    #[inline(always)]
-    fn overlap(&self, pair: [u32; 2]) -> bool {
-        overlap(self.now, pair)
-    }
-
-    /// Whether a pair that may meet now was held before. It was if and only if its boxes overlapped and it might meet then,
-    /// because kernels are exact.
-    #[inline(always)]
-    fn was_held(&self, pair: [u32; 2]) -> bool {
-        // Keys hardly ever change, so this branch is foreseen, and there is none on boxes.
-        let overlapped = overlap(self.before, pair);
-        if self.former_keys.is_empty() {
-            overlapped
-        } else {
-            overlapped && self.might_meet(pair)
-        }
-    }
-
-    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet, for then
-    /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
-    #[inline(always)]
-    fn end(&self, pair: [u32; 2]) -> bool {
-        let overlapped = overlap(self.before, pair);
-        if self.former_keys.is_empty() {
-            !self.overlap(pair) & overlapped
-        } else {
-            !(self.overlap(pair) && self.may_meet(pair)) && overlapped
-        }
-    }
-
-    fn may_meet(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|slot| self.keys[slot as usize]);
-        a.may_meet(b)
-    }
-
-    #[cold]
-    fn might_meet(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|slot| {
-            let former = self.former_keys.binary_search_by_key(&slot, |key| key.0);
-            former.map_or(self.keys[slot as usize], |i| self.former_keys[i].1)
-        });
-        a.may_meet(b)
-    }
-}
-
-#[inline(always)]
-fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
-    boxes[a as usize].overlaps(&boxes[b as usize])
-}
 
 /// The candidates by rows, and whether each is held.
 #[derive(Clone, Debug, Default)]
@@ -122,7 +63,7 @@ impl CandidateArray {
     }
 
     pub(super) fn is_sparse(&self) -> bool {
-        self.tombstones > self.pairs.len() / 2
+        self.tombstones > self.pairs.len() / SPARSE_FROM_ONE_IN
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -150,7 +91,7 @@ impl CandidateArray {
         } = self;
         answers.ask(pairs.len(), |rows| {
             let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-            gather(rows, |(&pair, &is_held)| is_held && proxies.end(pair))
+            gather(rows, |(&pair, &is_held)| is_held && proxies.has_ended(pair))
         });
         let ended = answers.iter();
         ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
@@ -189,7 +130,7 @@ impl CandidateArray {
             words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
         );
         self.held_count += answers.iter().count();
-        // Most of those that are held were held before.
+        // Most pairs that are held were held before.
         for i in answers.iter() {
             if !proxies.was_held(found[i]) {
                 report(PairChange::Added(found[i]));
@@ -197,15 +138,15 @@ impl CandidateArray {
         }
     }
 
-    /// Makes `rows` the rows with a picked slot. Rows of tombstones may be among them.
+    /// Makes `rows` the rows with a picked slot, and possibly some tombstones.
     pub(super) fn pick(&self, rows: &mut BitSet, is_picked: impl Fn(u32) -> bool + Sync + Send) {
         rows.ask(self.pairs.len(), |range| {
             gather(&self.pairs[range], |&[a, b]| is_picked(a) | is_picked(b))
         });
     }
 
-    /// Brings all rows up to date with the present boxes, and removes those of the `escaped`. None may be a tombstone. Returns
-    /// whether rows have moved.
+    /// Brings all rows up to date with the present boxes, and removes the rows of the `escaped`. No row may be a tombstone.
+    /// Returns whether rows have moved.
     pub(super) fn compare_all<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         changed: &mut BitSet,
@@ -238,7 +179,7 @@ impl CandidateArray {
                 self.turn(row, report);
             }
         }
-        // From the last one on, so that what takes the place of one that is gone stays.
+        // Backwards, so that the row `swap_remove` moves in has already been checked.
         for row in changed.iter_backwards() {
             if self.pairs[row][0] == TOMBSTONE {
                 self.pairs.swap_remove(row);
@@ -291,7 +232,7 @@ impl CandidateArray {
         self.tombstones += 1;
         if std::mem::take(&mut self.held[row]) {
             self.held_count -= 1;
-            if proxies.end(pair) {
+            if proxies.has_ended(pair) {
                 report(PairChange::Deleted(pair));
             }
         }

@@ -1,10 +1,34 @@
 //! Lists through the array of candidates: for each slot, the rows in which it occurs.
 
 use super::array::CandidateArray;
-use crate::pair_tracker::policy::Lists;
+#[cfg(feature = "serde-serialize")]
+use crate::tuning::update::LISTS_COST;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
+
+/// Whether there are lists of the candidates of each slot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+pub(in crate::pair_tracker) struct ListState {
+    pub(in crate::pair_tracker) are_made: bool,
+    /// How often they would have been useful while there were none.
+    pub(in crate::pair_tracker) missed: u32,
+}
+
+impl ListState {
+    /// The most rows that 32-bit links can tell apart.
+    pub(in crate::pair_tracker) const MOST_ROWS: usize = 1 << 30;
+
+    /// Whether there can be such a state, with this many rows.
+    #[cfg(feature = "serde-serialize")]
+    pub(in crate::pair_tracker) fn can_occur(self, rows: usize) -> bool {
+        self.missed <= LISTS_COST && (!self.are_made || rows <= Self::MOST_ROWS)
+    }
+}
 
 /// For each slot a list of its rows.
 ///
@@ -12,7 +36,7 @@ const END: u32 = u32::MAX;
 /// each walk takes those out of its own list.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CandidateLists {
-    state: Lists,
+    state: ListState,
     /// By slot, the first link.
     heads: Vec<u32>,
     /// By row, the link that follows for each of its two slots.
@@ -20,7 +44,7 @@ pub(super) struct CandidateLists {
 }
 
 impl CandidateLists {
-    pub(super) fn state(&self) -> Lists {
+    pub(super) fn state(&self) -> ListState {
         self.state
     }
 
@@ -31,7 +55,7 @@ impl CandidateLists {
 
     /// Lets them go out of date, until they are made again.
     pub(super) fn forget(&mut self) {
-        self.state = Lists::default();
+        self.state = ListState::default();
     }
 
     /// Makes the lists of this many slots.
@@ -44,7 +68,7 @@ impl CandidateLists {
 
     /// Makes the lists if there were any, and goes on counting how often they are missed.
     #[cfg(feature = "serde-serialize")]
-    pub(super) fn restore(&mut self, state: Lists, array: &CandidateArray, slots: usize) {
+    pub(super) fn restore(&mut self, state: ListState, array: &CandidateArray, slots: usize) {
         if state.are_made {
             self.make(array, slots);
         }
@@ -53,7 +77,7 @@ impl CandidateLists {
 
     /// Takes in the rows from `first` on, if there are lists.
     pub(super) fn extend(&mut self, array: &CandidateArray, first: usize, slots: usize) {
-        if array.rows() > Lists::MOST_ROWS {
+        if array.rows() > ListState::MOST_ROWS {
             self.forget();
         }
         if !self.state.are_made {
@@ -75,7 +99,7 @@ impl CandidateLists {
         }
     }
 
-    /// Calls `visit` with each row in which a slot occurs, tombstones among them, and empties its list.
+    /// Calls `visit` with each row in the list of a slot, tombstones included, and empties the list.
     pub(super) fn take(&mut self, slot: u32, mut visit: impl FnMut(usize)) {
         let Some(head) = self.heads.get_mut(slot as usize) else {
             return;
@@ -88,7 +112,7 @@ impl CandidateLists {
         }
     }
 
-    /// Calls `visit` with each row in which a slot occurs, and takes out of its list those for which it returns false.
+    /// Calls `visit` with each row in the list of a slot, and takes a row out of the list if `visit` returns false.
     pub(super) fn walk(&mut self, slot: u32, mut visit: impl FnMut(usize) -> bool) {
         let Some(&head) = self.heads.get(slot as usize) else {
             return;

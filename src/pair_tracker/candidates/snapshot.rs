@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::array::CandidateArray;
-use super::{Candidates, Lists};
+use super::{Candidates, ListState};
 use crate::{Aabb, Real};
 
 /// The candidates in their order, and whether there are lists of them.
@@ -11,7 +11,7 @@ use crate::{Aabb, Real};
 pub(in crate::pair_tracker) struct CandidatesSnapshot {
     /// By row; `None` for tombstones, whose number decides when they are removed.
     pairs: Vec<Option<[u32; 2]>>,
-    lists: Lists,
+    lists: ListState,
 }
 
 impl Candidates {
@@ -21,31 +21,33 @@ impl Candidates {
             lists: self.lists(),
         }
     }
-}
 
-impl CandidatesSnapshot {
-    /// The candidates of these boxes, which must be those that were `found`, in any order.
-    pub(in crate::pair_tracker) fn restore<R: Real, const D: usize>(
-        self,
+    /// The candidates of these boxes. They must be the pairs that were `found`, in any order.
+    ///
+    /// # Errors
+    /// What is wrong, if no candidates can have been written like this.
+    pub(in crate::pair_tracker) fn restored<R: Real, const D: usize>(
+        snapshot: CandidatesSnapshot,
         boxes: &[Aabb<R, D>],
         mut found: Vec<[u32; 2]>,
-    ) -> Result<Candidates, &'static str> {
-        let mut kept: Vec<_> = self.pairs.iter().flatten().copied().collect();
+    ) -> Result<Self, &'static str> {
+        let CandidatesSnapshot { pairs, lists } = snapshot;
+        let mut kept: Vec<_> = pairs.iter().flatten().copied().collect();
         kept.sort_unstable();
         found.sort_unstable();
         if kept != found {
             return Err("snapshot: the candidates are not the pairs of overlapping fat boxes");
         }
-        if !self.lists.are_sound(self.pairs.len()) {
+        if !lists.can_occur(pairs.len()) {
             return Err("snapshot: the lists of candidates are out of range");
         }
-        let mut candidates = Candidates {
-            array: CandidateArray::new(self.pairs.into_iter(), boxes),
-            ..Candidates::default()
+        let mut candidates = Self {
+            array: CandidateArray::new(pairs.into_iter(), boxes),
+            ..Self::default()
         };
         candidates
             .lists
-            .restore(self.lists, &candidates.array, boxes.len());
+            .restore(lists, &candidates.array, boxes.len());
         Ok(candidates)
     }
 }

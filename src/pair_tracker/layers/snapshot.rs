@@ -1,13 +1,12 @@
 //! Layers as they are written and read by serde.
 //!
-//! The order of a layer is that of a run of the kernel over its members, so it is enough to know these: the slots that
-//! have not escaped since, with their present fat boxes, and those outdated ones that were members, with the fat boxes
-//! that they had.
+//! The order of a layer is that of a run of the kernel over its members, so it is enough to know the members: slots that
+//! have not escaped since, with their present fat boxes, and outdated slots that were members, with the fat boxes that they
+//! had.
 
 use serde::{Deserialize, Serialize};
 
-use super::{GridLayers, Layer, Layers, collect_valid};
-use crate::pair_tracker::absent;
+use super::{GridLayers, Layer, Layers, collect_valid, log_too_many};
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::{Aabb, Real};
@@ -54,12 +53,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
             return Ok(());
         };
         let LayersSnapshot { base, delta } = snapshot;
-        let members = base.restore(&mut layers.base, boxes)?;
+        let members = layers.base.restore(base, boxes)?;
         let mut slots = Vec::new();
         collect_valid(&members, &mut slots);
         layers.base.order_again(&members, &slots);
 
-        let members = delta.restore(&mut layers.delta, boxes)?;
+        let members = layers.delta.restore(delta, boxes)?;
         let outdated = &layers.base.outdated;
         let mut later = layers.delta.outdated.slots().iter();
         if !later.all(|&slot| outdated.contains(slot)) {
@@ -78,7 +77,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         let outdated = self.outdated.slots();
         let mut members = Vec::new();
         if self.is_sorted && !outdated.is_empty() {
-            members.resize(slots, absent());
+            members.resize(slots, Aabb::ABSENT);
             for (slot, aabb) in self.order.members() {
                 members[slot as usize] = aabb;
             }
@@ -88,36 +87,25 @@ impl<R: Real, const D: usize> Layer<R, D> {
         LayerSnapshot {
             is_sorted: self.is_sorted,
             outdated: outdated.iter().map(|&slot| (slot, member(slot))).collect(),
-            spent: saturated(self.spent as u64),
+            spent: u32::try_from(self.spent).unwrap_or(u32::MAX),
         }
     }
 
-    /// Sorts the members as they were sorted before.
-    fn order_again(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
-        if self.is_sorted {
-            let mut stopwatch = Stopwatch::default();
-            self.order
-                .find_among(boxes, members, &mut Vec::new(), &mut stopwatch);
-        }
-    }
-}
-
-impl<R: Real, const D: usize> LayerSnapshot<R, D> {
-    /// Makes this the layer, except for its order, and returns the boxes to sort it by.
+    /// Goes on from where another layer was, except for its order, and returns the boxes to sort it by.
     fn restore(
-        self,
-        layer: &mut Layer<R, D>,
+        &mut self,
+        snapshot: LayerSnapshot<R, D>,
         boxes: &[Aabb<R, D>],
     ) -> Result<Vec<Aabb<R, D>>, &'static str> {
         let mut members = boxes.to_vec();
         let mut outdated = SlotSet::default();
         outdated.make_room(boxes.len());
-        let count = self.outdated.len();
-        for (slot, aabb) in self.outdated {
+        let count = snapshot.outdated.len();
+        for (slot, aabb) in snapshot.outdated {
             let member = members.get_mut(slot as usize);
             let member = member.ok_or("snapshot: a slot of a layer is out of range")?;
             outdated.insert(slot);
-            *member = aabb.unwrap_or(absent());
+            *member = aabb.unwrap_or(Aabb::ABSENT);
             if aabb.is_some_and(|aabb| !aabb.is_valid()) {
                 return Err("snapshot: a box of a layer is not valid");
             }
@@ -125,13 +113,20 @@ impl<R: Real, const D: usize> LayerSnapshot<R, D> {
         if outdated.slots().len() < count {
             return Err("snapshot: a slot is outdated twice");
         }
-        layer.is_sorted = self.is_sorted;
-        layer.outdated = outdated;
-        layer.spent = self.spent as usize;
+        self.is_sorted = snapshot.is_sorted;
+        self.outdated = outdated;
+        self.spent = snapshot.spent as usize;
         Ok(members)
     }
-}
 
-fn saturated(count: u64) -> u32 {
-    u32::try_from(count).unwrap_or(u32::MAX)
+    /// Sorts the members as they were sorted before.
+    fn order_again(&mut self, boxes: &[Aabb<R, D>], members: &[u32]) {
+        if self.is_sorted {
+            let mut stopwatch = Stopwatch::default();
+            let run = self
+                .order
+                .find_among(boxes, members, &mut Vec::new(), &mut stopwatch);
+            run.unwrap_or_else(log_too_many);
+        }
+    }
 }

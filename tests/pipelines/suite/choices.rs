@@ -96,7 +96,7 @@ fn few_movers_are_a_layer_unless_there_are_to_be_none() {
         let mut plane = Plane::new(Settings::default().with_foresight(0).with_layers(layers));
         plane.advance(100);
         let stats = plane.broad_phase.stats();
-        (stats.full_runs, stats.delta)
+        (stats.full_runs, stats.above_base)
     };
     assert_eq!(outcome_with(true), (1, 25));
     assert_eq!(outcome_with(false), (2, 0));

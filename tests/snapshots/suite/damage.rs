@@ -108,9 +108,9 @@ fn proxy(value: &mut Value) -> &mut Value {
 
 #[test]
 fn lengths_must_agree() {
-    let fewer = complaint(|value| drop(list(&mut value["table"]["generations"]).pop()));
+    let fewer = complaint(|value| drop(list(&mut value["table"]["tracker"]["proxies"]).pop()));
     assert!(fewer.contains("generations"), "{fewer}");
-    let more = complaint(|value| list(&mut value["table"]["tracker"]["proxies"]).push(Value::Null));
+    let more = complaint(|value| list(&mut value["table"]["generations"]).push(json!(7)));
     assert!(more.contains("generations"), "{more}");
 }
 
@@ -173,13 +173,48 @@ fn foresight_is_limited() {
         ("moves", json!(128)),
         ("moves", json!(3)),
         ("phase", json!({ "Tried": { "settled": 128 } })),
-        ("phase", json!("Fixed")),
         ("settled_price", json!(-1.0)),
         ("rest", json!(u32::MAX)),
     ] {
         let said = complaint(|value| value["table"]["tracker"]["foresight"][name] = wrong.clone());
-        assert!(said.contains("foresight"), "{said}");
+        assert!(said.contains("not a state that can occur"), "{said}");
     }
+}
+
+#[test]
+fn foresight_is_that_of_the_settings() {
+    let fixed = |value: &mut Value, moves: u16| {
+        value["table"]["tracker"]["foresight"]["phase"] = json!("Fixed");
+        value["table"]["tracker"]["foresight"]["moves"] = json!(moves);
+    };
+    for said in [
+        complaint(|value| fixed(value, 5)),
+        complaint(|value| value["settings"]["foresight"] = json!(5)),
+        complaint(|value| {
+            value["settings"]["foresight"] = json!(5);
+            fixed(value, 7);
+        }),
+    ] {
+        assert!(said.contains("does not match the settings"), "{said}");
+    }
+}
+
+#[test]
+fn counters_may_be_any_number() {
+    let (crowd, broad_phase) = crowd();
+    let mut value = serde_json::to_value(&broad_phase).unwrap();
+    value["table"]["tracker"]["full_runs"] = json!(u64::MAX);
+    value["table"]["stats"]["updates"] = json!(u64::MAX);
+    let before = serde_json::from_value::<UnisizeBroadPhase>(value).unwrap();
+    assert_eq!(before.stats().full_runs, u64::MAX);
+    let mut after = before.clone();
+    let mut moved = crowd.clone();
+    while after.stats().full_runs == u64::MAX {
+        moved.advance(1);
+        moved.update(&mut after);
+    }
+    assert_eq!(after.stats().full_runs, 0);
+    go_on(crowd, before);
 }
 
 #[test]
@@ -212,7 +247,7 @@ fn layers_must_fit() {
 fn another_format_is_named() {
     let other = complaint(|value| value["format"] = json!(1));
     assert!(
-        other.contains("format 1") && other.contains("reads format 3"),
+        other.contains("format 1") && other.contains("reads format 4"),
         "{other}"
     );
     // Before anything is read that the other version may have otherwise.

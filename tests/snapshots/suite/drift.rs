@@ -16,7 +16,7 @@ fn drift(kernel: Kernel, count: usize, speed: Real) {
     let mut crowd = Crowd::new(count, side as Real, speed);
     let mut ours = UnisizeBroadPhase::with_settings(settings);
     let mut twin = UnisizeBroadPhase::with_settings(settings);
-    let (mut pairs, mut delta) = (0, 0);
+    let (mut pairs, mut above_base) = (0, 0);
     for update in 0..20 * STRIDES.len() {
         if update % APART == 1 {
             let bytes = postcard::to_stdvec(&ours).expect("it can be written");
@@ -29,12 +29,12 @@ fn drift(kernel: Kernel, count: usize, speed: Real) {
         assert!(crowd.update(&mut twin) == expected, "update {update}");
         assert_eq!(ours.stats(), twin.stats());
         pairs += ours.stats().pairs;
-        delta = delta.max(ours.stats().delta);
+        above_base = above_base.max(ours.stats().above_base);
         crowd.advance(STRIDES[update / 20]);
     }
     assert!(pairs > 100 * count, "{pairs} pairs");
     assert!(ours.stats().refused > 0);
-    assert!(delta > count / 20 || kernel != Kernel::GridSweep);
+    assert!(above_base > count / 20 || kernel != Kernel::GridSweep);
 }
 
 #[test]

@@ -128,8 +128,8 @@ impl<S: Show> Stage for Live<S> {
                     "by the last update",
                 ),
                 Fact::new(
-                    "delta layer",
-                    thousands(stats.delta),
+                    "above the base",
+                    thousands(stats.above_base),
                     "boxes that are new, gone, or outside their fat box since the last search for all pairs",
                 ),
                 Fact::new(

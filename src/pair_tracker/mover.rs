@@ -1,0 +1,34 @@
+//! Places and moves many proxies, one after the other.
+//!
+//! A mover borrows only what a move writes, so the caller goes on reading the rest of its tables.
+
+use crate::slot_set::SlotSet;
+use crate::{Aabb, Real};
+
+/// Places and moves proxies in slots for which there is room.
+pub(crate) struct Mover<'a, R, const D: usize> {
+    pub(super) boxes: &'a mut [Aabb<R, D>],
+    pub(super) fat_boxes: &'a [Aabb<R, D>],
+    pub(super) touched: &'a mut Vec<u32>,
+    pub(super) escaped: &'a mut SlotSet,
+}
+
+impl<R: Real, const D: usize> Mover<'_, R, D> {
+    /// The box under a slot; all NaN if there is no proxy.
+    #[inline(always)]
+    pub(crate) fn held(&self, slot: u32) -> &Aabb<R, D> {
+        &self.boxes[slot as usize]
+    }
+
+    /// Places or moves the proxy of a slot. `aabb` must be valid.
+    #[inline(always)]
+    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
+        debug_assert!(aabb.is_valid());
+        let index = slot as usize;
+        self.boxes[index] = aabb;
+        self.touched.push(slot);
+        if !self.fat_boxes[index].contains(&aabb) {
+            self.escaped.insert(slot);
+        }
+    }
+}
