@@ -55,9 +55,11 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     tracker: PairTracker<R, D, K>,
     /// The generation of the collider in each slot; `None` where there is none.
     generations: Vec<Option<u32>>,
+    /// The highest slot that ever had a known collider, plus 1. There may be more slots, for boxes that were handed over.
+    known_slots: usize,
     /// What is remembered of the collider in each slot, as many as generations.
     memos: Vec<M>,
-    /// Colliders as of now, of which one whose slot has no box is refused; the rest as of the last update.
+    /// `proxies` and `refused` are current (a known collider without a box is refused); the rest is as of the last update.
     stats: Stats,
     has_warned: bool,
     gathered: Gathered,
@@ -94,6 +96,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         Self {
             tracker,
             generations: Vec::new(),
+            known_slots: 0,
             memos: Vec::new(),
             stats: Stats::default(),
             has_warned: false,
@@ -115,7 +118,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.boxes()
     }
 
-    /// The slots whose boxes have been handed over since the last update, or were taken away; some may occur more than once.
+    /// The slots whose boxes have been handed over or taken away since the last update; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
         self.tracker.touched()
     }
@@ -130,19 +133,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.pairs()
     }
 
-    /// The handles of two slots whose colliders are known, as those of held pairs are.
+    /// The handles of two slots whose colliders must be known. The slots of a held pair always are.
     pub(crate) fn handles<H: Handle>(&self, pair: [u32; 2]) -> [H; 2] {
         handles(&self.generations, pair)
     }
 
-    /// The slot of a handle, if its collider is the one that is known there.
+    /// The slot of a handle, if it is known to have the handle's collider.
     pub(crate) fn slot_of(&self, handle: impl Handle) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
-        let known = self.generations.get(slot as usize)?;
-        (*known == Some(generation)).then_some(slot)
+        is_known(&self.generations, slot, generation).then_some(slot)
     }
 
-    /// Removes a collider, if it is the one that is known in its slot. Its pairs end without an event.
+    /// Removes a collider, if its slot is known to have it. Its pairs end without an event.
     fn remove(&mut self, handle: impl Handle) {
         let Some(slot) = self.slot_of(handle) else {
             return;
@@ -217,7 +219,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
-        // Also if its box is not sound, because the work of an update is planned by the number of slots.
+        // Needed even if the box is invalid: updates are planned by the number of slots.
         self.make_room(index + 1);
         match self.generations[index] {
             Some(known) if known == generation => {}
@@ -227,7 +229,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                     self.remove(H::from_raw_parts(slot, outdated));
                 }
                 self.generations[index] = Some(generation);
-                // Until its box turns out to be sound.
+                self.known_slots = self.known_slots.max(index + 1);
+                // Until its box turns out to be valid.
                 self.stats.refused += 1;
             }
         }
@@ -256,7 +259,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Leaves a collider out, because its box is not sound.
+    /// Leaves a collider out, because its box is not valid.
     #[cold]
     fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;
@@ -269,7 +272,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if !self.has_warned {
             self.has_warned = true;
             log::warn!(
-                "collider {handle:?} is left out of the broad phase until its box is sound again: \
+                "collider {handle:?} is left out of the broad phase until its box is valid again: \
                  {aabb:?}. Further ones are only counted, in Stats::refused."
             );
         }
@@ -308,7 +311,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 }
 
-/// The handles of two slots whose colliders are known, as those of held pairs are.
+/// Whether a slot is known to have the collider of this generation.
+#[inline(always)]
+fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
+    matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
+}
+
+/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
 fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
     pair.map(|slot| {
         let generation = generations[slot as usize];
@@ -318,10 +327,13 @@ fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
 }
 
 impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Panics unless the books on colliders are in order, and the pairs those of a full search by `kernel`.
+    /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.slots());
         assert_eq!(self.generations.len(), self.memos.len());
+        let unknown = self.generations.get(self.known_slots..);
+        let unknown = unknown.expect("there are at least as many slots as known ones");
+        assert!(unknown.iter().all(Option::is_none));
         let known = self.generations.iter().flatten().count();
         assert_eq!(self.stats.proxies + self.stats.refused, known);
         let awaited: Vec<_> = self.awaited.iter().map(|awaited| awaited.slot).collect();

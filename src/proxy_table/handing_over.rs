@@ -1,14 +1,15 @@
 //! Boxes that are handed over between two updates, by an engine that knows them already.
 //!
-//! They count in the next update, and nothing that was handed over is read again. Nearly all are those of known colliders
-//! that have moved, which one tight loop deals with. A box for a collider that is not known has to wait: whether there is
-//! such a collider, and whom it may meet, is only known when the next update reads it. Until then its slot has that box,
-//! so that queries find it.
+//! They count in the next update. For a known collider, nothing is read again; an unknown one is read once, for its filter
+//! key. Nearly all are known colliders that have moved, which one tight loop deals with.
+//!
+//! A box for an unknown collider has to wait: whether there is such a collider, and whom it may meet, is only known when the
+//! next update reads it. Until then its slot has that box, so that queries find it.
 
 use std::collections::BTreeSet;
 
 use super::verdict::Verdict;
-use super::{BoxSource, Handle, ProxyTable};
+use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::pair_tracker::FilterKey;
 use crate::tuning::update::ROOM_AHEAD;
 use crate::{Aabb, Real};
@@ -26,7 +27,7 @@ use crate::{Aabb, Real};
 pub(super) struct Awaited<R, const D: usize> {
     pub(super) slot: u32,
     generation: u32,
-    /// The box that was handed over; if there is none, it is read.
+    /// The box that was handed over; if `None`, it is read.
     aabb: Option<Aabb<R, D>>,
 }
 
@@ -72,9 +73,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 break None;
             };
             let (slot, generation) = handle.into_raw_parts();
-            let is_known =
-                matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation);
-            if !is_known {
+            if !is_known(generations, slot, generation) {
                 break Some((handle, aabb));
             }
             match Verdict::of(mover.held(slot), &aabb, margin) {
@@ -97,8 +96,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     fn await_collider(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
-        // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all others.
-        if index < self.generations.len() + ROOM_AHEAD {
+        // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
+        if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);
             if let Some(known) = self.generations[index] {
                 // Probably its removal has not been reported yet.

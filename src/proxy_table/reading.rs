@@ -4,14 +4,14 @@
 //! order of their indices the processor can foresee the next ones, which halves the time of reading them in scenes
 //! too large for the caches. Very many are read in parts, runs of slots, each by one thread.
 //!
-//! The order decides nothing else: what is not a simple move, say a new collider, is left for afterwards, and all
-//! results are put together in the order of a single thread.
+//! The order affects only speed and the order of events, and never depends on the number of threads: what is not a simple
+//! move, say a new collider, is deferred, and all results are put together in the order of a single thread.
 
 use super::verdict::Verdict;
-use super::{BoxSource, Handle, ProxyTable};
+use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::FilterKey;
-use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
+use crate::tuning::update::{PARTS_A_THREAD, READ_AS_LISTED_UP_TO, THREADS_FROM};
 use crate::{Aabb, Real, parallel};
 
 /// Goes through listed colliders; keeps its memory between updates.
@@ -26,15 +26,16 @@ pub(super) struct Reader {
 /// The results of reading a part, in the order of reading.
 #[derive(Clone, Debug, Default)]
 struct Findings {
-    /// Slots whose box was renewed, and those of them that have left their fat box.
+    /// Slots whose box was renewed.
     moved: Vec<u32>,
+    /// Moved slots whose new box has left the fat box.
     escaped: Vec<u32>,
-    left: Vec<Left>,
+    deferred: Vec<Deferred>,
 }
 
-/// A collider that is more than a simple move.
+/// A collider that needs more than a move.
 #[derive(Clone, Copy, Debug)]
-struct Left {
+struct Deferred {
     slot: u32,
     generation: u32,
     /// How many had moved and escaped before its turn.
@@ -57,11 +58,11 @@ impl Findings {
     fn clear(&mut self) {
         self.moved.clear();
         self.escaped.clear();
-        self.left.clear();
+        self.deferred.clear();
     }
 
-    fn leave(&mut self, slot: usize, generation: u32) {
-        self.left.push(Left {
+    fn defer(&mut self, slot: usize, generation: u32) {
+        self.deferred.push(Deferred {
             slot: slot as u32,
             generation,
             moved: self.moved.len(),
@@ -97,7 +98,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
                     self.findings.escaped.push(slot as u32);
                 }
             }
-            Verdict::Recheck => self.findings.leave(slot, generation),
+            Verdict::Recheck => self.findings.defer(slot, generation),
         }
     }
 
@@ -110,11 +111,10 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
     ) {
         for handle in handles {
             let (slot, generation) = handle.into_raw_parts();
-            match self.generations.get(slot as usize) {
-                Some(&Some(known)) if known == generation => {
-                    self.read(slot as usize, generation, source, margin);
-                }
-                _ => self.findings.leave(slot as usize, generation),
+            if is_known(self.generations, slot, generation) {
+                self.read(slot as usize, generation, source, margin);
+            } else {
+                self.findings.defer(slot as usize, generation);
             }
         }
     }
@@ -128,7 +128,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
     ) {
         for (first, &word) in (0..).step_by(64).zip(listed) {
             for i in ones(word).map(|bit| first + bit) {
-                // Its collider may be gone since it was listed, replaced by a newer one that has been read already.
+                // If another collider has taken the slot since, it has been read; reading it again changes nothing.
                 if let Some(generation) = self.generations[i] {
                     self.read(i, generation, source, margin);
                 }
@@ -160,7 +160,7 @@ impl Reader {
             self.listed.resize(table.generations.len());
             // More parts than threads, because some will be faster than others.
             let parts = if is_shared {
-                4 * parallel::threads()
+                PARTS_A_THREAD * parallel::threads()
             } else {
                 1
             };
@@ -183,7 +183,7 @@ impl Reader {
         }
     }
 
-    /// Lists the slots of those handles whose collider is known, and returns the others, in their order.
+    /// Lists the slots of the handles whose collider is known, and returns the other handles, in their order.
     fn list<H: Handle>(
         &mut self,
         handles: &[H],
@@ -221,13 +221,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         margin: R,
     ) {
         let (mut moved, mut escaped) = (0, 0);
-        for left in &findings.left {
+        for deferred in &findings.deferred {
             self.note(
-                &findings.moved[moved..left.moved],
-                &findings.escaped[escaped..left.escaped],
+                &findings.moved[moved..deferred.moved],
+                &findings.escaped[escaped..deferred.escaped],
             );
-            (moved, escaped) = (left.moved, left.escaped);
-            let handle = S::Handle::from_raw_parts(left.slot, left.generation);
+            (moved, escaped) = (deferred.moved, deferred.escaped);
+            let handle = S::Handle::from_raw_parts(deferred.slot, deferred.generation);
             self.admit(handle, margin, |memo| source.read(handle, memo));
         }
         self.note(&findings.moved[moved..], &findings.escaped[escaped..]);
@@ -294,7 +294,7 @@ fn take_front<'a, T>(items: &mut &'a [T], count: usize) -> &'a [T] {
     front
 }
 
-/// Adds the slots of those handles whose collider is known, and returns the others, in their order.
+/// Adds the slots of the handles whose collider is known, and returns the other handles, in their order.
 fn list_known<H: Handle>(
     handles: &[H],
     generations: &[Option<u32>],
@@ -303,7 +303,7 @@ fn list_known<H: Handle>(
     let mut unknown = Vec::new();
     for &handle in handles {
         let (slot, generation) = handle.into_raw_parts();
-        if generations.get(slot as usize) == Some(&Some(generation)) {
+        if is_known(generations, slot, generation) {
             listed.insert(slot as usize);
         } else {
             unknown.push(handle);

@@ -18,6 +18,7 @@ use crate::{PhaseTimes, Real, Settings, Stats};
 pub(crate) struct TableSnapshot<R, const D: usize, K> {
     stats: Stats,
     has_warned: bool,
+    /// Up to the highest slot that ever had a known collider.
     generations: Vec<Option<u32>>,
     /// What was handed over since the last update.
     gathered: Gathered,
@@ -34,7 +35,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 ..self.stats()
             },
             has_warned: self.has_warned,
-            generations: self.generations.clone(),
+            generations: self.generations[..self.known_slots].to_vec(),
             gathered: self.gathered,
             awaited: self.awaited.clone(),
             tracker: self.tracker.snapshot(),
@@ -52,16 +53,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let TableSnapshot {
             stats,
             has_warned,
-            generations,
+            mut generations,
             gathered,
             awaited,
             tracker,
         } = snapshot;
         let mut table = Self::new(settings);
         table.tracker.restore(tracker)?;
-        if table.tracker.slots() != generations.len() {
-            return Err("snapshot: the generations are not as many as the slots");
+        let known_slots = generations.len();
+        if known_slots > table.tracker.slots() {
+            return Err("snapshot: there are more generations than slots");
         }
+        generations.resize(table.tracker.slots(), None);
         let is_touched = !(awaited.is_empty() && table.tracker.touched().is_empty());
         if is_touched && !gathered.is_begun {
             return Err("snapshot: boxes were handed over for no update");
@@ -100,6 +103,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         table.has_warned = has_warned;
         table.memos.resize(generations.len(), M::default());
         table.generations = generations;
+        table.known_slots = known_slots;
         table.gathered = gathered;
         table.awaited = awaited;
         Ok(table)

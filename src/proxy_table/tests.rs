@@ -1,12 +1,12 @@
 //! The table against a model, by random sequences, from both sources of boxes and in every order of reading.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod model;
+mod world;
 
-use oorandom::Rand32;
-
-use super::{BoxSource, FilterKey, Handle, ProxyTable};
-use crate::tuning::update::{READ_AS_LISTED_UP_TO, THREADS_FROM};
-use crate::{Aabb, GridSweep, Kernel, PairFinder, Settings, Stats};
+use super::{BoxSource, FilterKey, Handle};
+use crate::tuning::update::{READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
+use crate::{Aabb, Kernel};
+use world::World;
 
 const MARGIN: f32 = 0.125;
 
@@ -90,300 +90,6 @@ impl BoxSource<f32, 2> for Colliders {
         collider
             .is_enabled
             .then_some((collider.aabb, collider.side))
-    }
-}
-
-/// What the table should hold.
-#[derive(Default)]
-struct Model {
-    /// Colliders that are known, and the boxes of those that are not refused.
-    known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
-    sides: BTreeMap<u32, Side>,
-    held: BTreeSet<[u32; 2]>,
-    /// What the next update has to look for, with the boxes that were handed over.
-    awaited: Vec<(Id, Option<Aabb<f32, 2>>)>,
-    moved: usize,
-}
-
-impl Model {
-    fn remove(&mut self, id: Id) {
-        if self
-            .known
-            .get(&id.slot)
-            .is_some_and(|known| known.0 == id.generation)
-        {
-            self.known.remove(&id.slot);
-            self.held.retain(|pair| !pair.contains(&id.slot));
-        }
-    }
-
-    /// A known collider keeps its side.
-    fn hand_over(&mut self, id: Id, aabb: Aabb<f32, 2>) {
-        match self.known.get_mut(&id.slot) {
-            Some(known) if known.0 == id.generation => {
-                let side = self.sides[&id.slot];
-                return self.read(id, Some((aabb, side)));
-            }
-            Some((generation, held)) => {
-                // Queries find the box in its slot. If that is wrong, the next update puts it right.
-                let outdated = Id {
-                    generation: *generation,
-                    ..id
-                };
-                self.awaited.push((outdated, None));
-                if aabb.is_valid() {
-                    *held = Some(aabb);
-                }
-            }
-            None => {}
-        }
-        self.awaited.push((id, Some(aabb)));
-    }
-
-    fn update(&mut self, modified: &[Id], removed: &[Id], colliders: &Colliders) {
-        let read = |id| {
-            let collider = colliders.get(id).filter(|collider| collider.is_enabled);
-            collider.map(|collider| (collider.aabb, collider.side))
-        };
-        removed.iter().for_each(|&id| self.remove(id));
-        for (id, aabb) in std::mem::take(&mut self.awaited) {
-            if !removed.contains(&id) {
-                let found = read(id).map(|(found, side)| (aabb.unwrap_or(found), side));
-                self.read(id, found);
-            }
-        }
-        modified.iter().for_each(|&id| self.read(id, read(id)));
-    }
-
-    fn read(&mut self, id: Id, found: Option<(Aabb<f32, 2>, Side)>) {
-        let Some((aabb, side)) = found else {
-            return self.remove(id);
-        };
-        if let Some(&(generation, _)) = self.known.get(&id.slot) {
-            if generation != id.generation {
-                self.remove(Id { generation, ..id });
-            }
-        }
-        self.sides.insert(id.slot, side);
-        let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
-        let renewed = match held {
-            Some(held) if aabb.is_valid() && held.contains(&aabb) => return,
-            Some(_) if aabb.is_valid() => Some(aabb.loosened(MARGIN)),
-            None if !aabb.is_valid() => return,
-            _ => aabb.is_valid().then_some(aabb),
-        };
-        *held = renewed;
-        self.moved += 1;
-    }
-
-    /// The pairs that are added and deleted.
-    fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
-        let boxes = self
-            .known
-            .iter()
-            .filter_map(|(&slot, known)| Some((slot, known.1?)));
-        let (slots, boxes): (Vec<_>, Vec<_>) = boxes.unzip();
-        let mut pairs = Vec::new();
-        // Which the oracle's tests hold to the oracle.
-        GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
-        let held = pairs.iter().map(|pair| pair.map(|i| slots[i as usize]));
-        let held = held.filter(|pair| {
-            let [a, b] = pair.map(|slot| self.sides[&slot]);
-            a.may_meet(b)
-        });
-        let before = std::mem::replace(&mut self.held, held.collect());
-        let added = self.held.difference(&before).copied().collect();
-        let deleted = before.difference(&self.held).copied().collect();
-        [added, deleted]
-    }
-}
-
-struct World {
-    random: Rand32,
-    side: f32,
-    colliders: Colliders,
-    table: ProxyTable<f32, 2, Memo, Side>,
-    model: Model,
-}
-
-impl World {
-    fn new(slots: u32, seed: u64) -> Self {
-        Self {
-            random: Rand32::new(seed),
-            side: (slots as f32 * 1.5).sqrt(),
-            colliders: Colliders::default(),
-            table: ProxyTable::new(&Settings::default()),
-            model: Model::default(),
-        }
-    }
-
-    fn random_box(&mut self) -> Aabb<f32, 2> {
-        let corner = [(); 2].map(|()| self.random.rand_float() * self.side);
-        Aabb::new(corner, corner.map(|x| x + 1.0))
-    }
-
-    /// Changes the collider of a slot in some way, and says what is to be listed as modified and as removed.
-    fn change(&mut self, slot: u32, modified: &mut Vec<Id>, removed: &mut Vec<Id>) {
-        let id = self.colliders.id(slot);
-        let anywhere = self.random_box();
-        let choice = self.random.rand_range(0..100);
-        let step = (self.random.rand_float() - 0.5) * 0.5;
-        let collider = &mut self.colliders.slots[slot as usize];
-        match choice {
-            // It is gone, and another one may have its slot; what was listed before may come after that.
-            0..6 if collider.exists => {
-                collider.exists = false;
-                match choice {
-                    0 => removed.push(id),
-                    1 => modified.push(id),
-                    2 => removed.extend([id, id]),
-                    _ => {
-                        collider.exists = true;
-                        collider.generation += 1;
-                        collider.aabb = anywhere;
-                        collider.is_enabled = true;
-                        let newer = Id {
-                            generation: id.generation + 1,
-                            ..id
-                        };
-                        match choice {
-                            3 => removed.push(id),
-                            4 => modified.push(id),
-                            _ => {}
-                        }
-                        modified.push(newer);
-                        modified.extend((choice == 5).then_some(id));
-                    }
-                }
-            }
-            _ if !collider.exists => {
-                collider.exists = true;
-                collider.generation += 1;
-                collider.aabb = anywhere;
-                collider.is_enabled = true;
-                modified.push(self.colliders.id(slot));
-            }
-            6..9 => {
-                collider.is_enabled = !collider.is_enabled;
-                modified.push(id);
-                removed.extend((choice == 6 && !collider.is_enabled).then_some(id));
-            }
-            9 | 10 => {
-                collider.aabb.mins[1] = f32::NAN;
-                modified.push(id);
-            }
-            11 | 12 => {
-                collider.aabb = anywhere;
-                modified.extend([id, id]);
-            }
-            14..18 => {
-                collider.side = Side(choice % 3);
-                modified.push(id);
-            }
-            13 => modified.push(Id {
-                generation: id.generation + 7,
-                ..id
-            }),
-            _ => {
-                for k in 0..2 {
-                    collider.aabb.mins[k] += step;
-                    collider.aabb.maxs[k] += step;
-                }
-                modified.push(id);
-            }
-        }
-    }
-
-    /// Hands boxes over to both.
-    fn hand_over(&mut self, boxes: &[(Id, Aabb<f32, 2>)]) {
-        let before = self.table.stats();
-        self.table.hand_over(boxes.iter().copied(), MARGIN);
-        for &(id, aabb) in boxes {
-            self.model.hand_over(id, aabb);
-        }
-        let after = self.table.stats();
-        // What the last update did stays.
-        let before = Stats {
-            proxies: after.proxies,
-            refused: after.refused,
-            ..before
-        };
-        assert_eq!(after, before);
-        for (slot, known) in &self.model.known {
-            let aabb = self.table.tracker.get(*slot);
-            assert_eq!(aabb, known.1.as_ref());
-        }
-        self.table.validate(Kernel::GridSweep);
-    }
-
-    /// One update of both.
-    fn update(&mut self, modified: &[Id], removed: &[Id]) {
-        self.table
-            .update([modified, removed], &self.colliders, MARGIN);
-        self.model.update(modified, removed, &self.colliders);
-
-        let [mut added, mut deleted] = self.model.finish();
-        let counts = [added.len(), deleted.len()];
-        let mut events: Vec<(bool, [Id; 2])> = Vec::new();
-        self.table
-            .finish(&mut Vec::new(), &mut events, |is_added, pair| {
-                (is_added, pair)
-            });
-        for (is_added, pair) in events {
-            let due = if is_added { &mut added } else { &mut deleted };
-            for id in pair {
-                let known = self.model.known.get(&id.slot);
-                assert!(
-                    known.is_some_and(|known| known.0 == id.generation),
-                    "{id:?}"
-                );
-            }
-            assert!(due.remove(&pair.map(|id| id.slot)), "{pair:?} is spurious");
-        }
-        assert!(added.is_empty(), "not added: {added:?}");
-        assert!(deleted.is_empty(), "not deleted: {deleted:?}");
-
-        let stats = self.table.stats();
-        assert_eq!(stats.moved, std::mem::take(&mut self.model.moved));
-        let proxies = self
-            .model
-            .known
-            .values()
-            .filter(|known| known.1.is_some())
-            .count();
-        assert_eq!([stats.added, stats.deleted], counts);
-        assert_eq!(stats.proxies, proxies);
-        assert_eq!(stats.refused, self.model.known.len() - proxies);
-        assert_eq!(stats.pairs, self.model.held.len());
-        assert!(self.table.pairs().collect::<BTreeSet<_>>() == self.model.held);
-        for (slot, aabb) in self.table.tracker.proxies() {
-            assert_eq!(self.model.known[&slot].1.as_ref(), Some(aabb));
-        }
-        self.table.validate(Kernel::GridSweep);
-    }
-
-    /// The box of the collider, or some other one.
-    fn box_to_hand_over(&mut self, id: Id) -> Aabb<f32, 2> {
-        let anywhere = self.random_box();
-        match self.random.rand_range(0..16) {
-            0 => Aabb::new(anywhere.maxs, anywhere.mins),
-            1 => anywhere,
-            _ => self
-                .colliders
-                .get(id)
-                .map_or(anywhere, |collider| collider.aabb),
-        }
-    }
-
-    /// Lists in no order, or ascending.
-    fn arrange(&mut self, ids: &mut [Id], is_sorted: bool) {
-        if is_sorted {
-            ids.sort();
-        } else {
-            for i in (1..ids.len()).rev() {
-                ids.swap(i, self.random.rand_range(0..i as u32 + 1) as usize);
-            }
-        }
     }
 }
 
@@ -483,4 +189,56 @@ fn moved_colliders_are_counted_once() {
         [stats.updates as usize, stats.listed, stats.moved],
         [2, 1, 0]
     );
+}
+
+#[test]
+fn boxes_for_unknown_colliders_make_room_once() {
+    let mut world = World::new(2, 7);
+    let aabb = Aabb::new([0.0; 2], [1.0; 2]);
+    let step = ROOM_AHEAD as u32 - 1;
+    // Each within reach of the one before.
+    let bogus = |first: u32| {
+        (1..50).map(move |i| {
+            let slot = first + i * step;
+            (
+                Id {
+                    slot,
+                    generation: 0,
+                },
+                aabb,
+            )
+        })
+    };
+    for _ in 0..3 {
+        world.table.hand_over(bogus(0), MARGIN);
+        assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
+        world.table.update([&[], &[]], &world.colliders, MARGIN);
+        world
+            .table
+            .finish(&mut Vec::new(), &mut Vec::<[Id; 2]>::new(), |_, ids| ids);
+        world.table.validate(Kernel::GridSweep);
+        assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
+    }
+    // The reach follows colliders that exist, and stays when they are gone.
+    let collider = Collider {
+        generation: 0,
+        aabb,
+        side: Side::default(),
+        exists: true,
+        is_enabled: true,
+    };
+    world.colliders.slots.resize(
+        2 * ROOM_AHEAD,
+        Collider {
+            exists: false,
+            ..collider
+        },
+    );
+    *world.colliders.slots.last_mut().unwrap() = collider;
+    let last = world.colliders.id(2 * ROOM_AHEAD as u32 - 1);
+    world.update(&[last], &[]);
+    world.update(&[], &[last]);
+    world.table.hand_over(bogus(last.slot + 1), MARGIN);
+    assert_eq!(world.table.boxes().len(), 3 * ROOM_AHEAD);
+    world.table.validate(Kernel::GridSweep);
 }

@@ -14,8 +14,8 @@ pub(super) enum Verdict<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Verdict<R, D> {
-    /// The verdict on a proxy whose box is `held`, all NaN if it has none, and should contain `aabb`. A box that is renewed
-    /// is loosened by `margin`.
+    /// The verdict on a proxy whose box is `held` ([absent](Aabb::ABSENT) if it has none) and should contain `aabb`. A
+    /// renewed box is loosened by `margin`.
     #[inline(always)]
     pub(super) fn of(held: &Aabb<R, D>, aabb: &Aabb<R, D>, margin: R) -> Self {
         // Which side is passed first is practically random. One branch on all of them is predicted better than one on
@@ -36,8 +36,6 @@ impl<R: Real, const D: usize> Verdict<R, D> {
 mod tests {
     use super::*;
 
-    const ABSENT: Aabb<f32, 1> = Aabb::new([f32::NAN], [f32::NAN]);
-
     fn verdict(held: Aabb<f32, 1>, aabb: Aabb<f32, 1>) -> Verdict<f32, 1> {
         Verdict::of(&held, &aabb, 0.5)
     }
@@ -55,9 +53,9 @@ mod tests {
     fn invalid_and_absent_boxes_are_rechecked() {
         let (held, inverted) = (Aabb::new([0.0], [2.0]), Aabb::new([1.5], [1.0]));
         assert_eq!(verdict(held, inverted), Verdict::Recheck);
-        assert_eq!(verdict(held, ABSENT), Verdict::Recheck);
-        assert_eq!(verdict(ABSENT, held), Verdict::Recheck);
-        assert_eq!(verdict(ABSENT, ABSENT), Verdict::Recheck);
+        assert_eq!(verdict(held, Aabb::ABSENT), Verdict::Recheck);
+        assert_eq!(verdict(Aabb::ABSENT, held), Verdict::Recheck);
+        assert_eq!(verdict(Aabb::ABSENT, Aabb::ABSENT), Verdict::Recheck);
     }
 
     #[test]
