@@ -25,7 +25,7 @@ pub struct InvalidBox {
 }
 
 impl InvalidBox {
-    /// The error about the first offending box, for kernels of one's own.
+    /// The error about the first offending box, for pair finders that you write.
     ///
     /// ```
     /// use unisize::{InvalidBox, InvalidBoxReason};

@@ -1,6 +1,6 @@
-//! Which kernel a broad phase uses.
+//! Which [`PairFinder`](crate::PairFinder) a broad phase uses: its kernel.
 
-/// What finds the pairs among the boxes. It decides the speed, never the answer.
+/// Which of the crate's pair finders a broad phase searches with. It decides the speed, never the answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde-serialize",

@@ -3,9 +3,8 @@
 //!
 //! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size, and a broad
 //! phase that knows this need not maintain a tree. `unisize` sorts the boxes and sweeps over them, after Capannini and
-//! Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes beyond them: the boxes may have any
-//! sizes, and the guarantee that time grows only with boxes and pairs, which the paper gives for two dimensions, holds
-//! in three as well.
+//! Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes beyond them: boxes may have any sizes,
+//! and for boxes of about one size the time grows only with boxes and pairs, in two dimensions and in three.
 //!
 //! # In Rapier
 //!

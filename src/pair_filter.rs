@@ -2,7 +2,8 @@
 
 /// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
 ///
-/// A pair that is left out takes neither time nor memory, here and in the narrow phase. It is reported as soon as it may
+/// A pair that is left out is dropped as soon as a search finds it, and costs nothing between searches or in the narrow
+/// phase. It is reported as soon as it may
 /// have an effect and one of its colliders is listed as modified, and ends as soon as it no longer may. Rapier's
 /// `PhysicsPipeline` lists a collider whenever what the filter looks at has changed.
 ///

@@ -1,17 +1,17 @@
-//! What every kernel does: boxes in, overlapping pairs out.
+//! What every kernel is: a pair finder. Boxes in, overlapping pairs out.
 
 use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 
-/// A kernel: something that finds all overlapping pairs among boxes.
+/// Finds all overlapping pairs among boxes. The pair finders of this crate are called kernels.
 ///
 /// A finder owns only scratch memory, which it keeps between calls to save allocations; the answer depends on the
-/// arguments alone. You may implement the trait for other kernels, say to compare them. Should it ever gain another
+/// arguments alone. You may implement the trait for pair finders of your own, say to compare them. Should it ever gain another
 /// method, that method will have a default.
 ///
 /// ```
 /// use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder, RankSweep, Real};
 ///
-/// /// The pairs by any kernel, of any scalar, in any dimension, sorted.
+/// /// The pairs by any pair finder, of any scalar, in any dimension, sorted.
 /// fn sorted_pairs<R: Real, const D: usize>(
 ///     mut finder: impl PairFinder<R, D>,
 ///     boxes: &[Aabb<R, D>],
@@ -32,12 +32,12 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 pub trait PairFinder<R, const D: usize> {
     /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
     ///
-    /// Overlap is closed and exact, as in [`Aabb::overlaps`]. The order of the pairs is the kernel's own;
+    /// Overlap is closed and exact, as in [`Aabb::overlaps`]. The order of the pairs is the finder's own;
     /// it is the same in every run.
     ///
     /// # Errors
     /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first box past the number that the
-    /// kernel can take; `pairs` is then empty.
+    /// finder can take; `pairs` is then empty.
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],

@@ -28,7 +28,7 @@
 //! let scene = |filter| {
 //!     broad_phase.as_query_pipeline(&DefaultQueryDispatcher, &bodies, &colliders, filter)
 //! };
-//! let everything = scene(QueryFilter::default()); // Builds the tree; further ones have it.
+//! let everything = scene(QueryFilter::default()); // Builds the tree; later queries reuse it.
 //! assert_eq!(everything.cast_ray(&ray, 100.0, true), Some((sensor, 1.0)));
 //! let solids = scene(QueryFilter::default().exclude_sensors());
 //! assert_eq!(solids.cast_ray(&ray, 100.0, true), Some((wall, 3.5)));
@@ -40,8 +40,8 @@ use ::rapier2d as rapier;
 mod adapter;
 
 #[cfg(test)]
-#[path = "adapter/dim2.rs"]
-mod dimension;
+#[path = "adapter/test_support/dim2.rs"]
+mod test_support;
 
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;

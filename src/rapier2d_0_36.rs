@@ -1,10 +1,6 @@
 //! The broad phase for rapier2d 0.36.
 //!
-//! Rapier 0.36 has no trait for broad phases: its pipelines take only their own. With a copy of Rapier that `open-rapier` has
-//! opened, `DefaultBroadPhase::custom(UnisizeBroadPhase::new())` takes the place of `DefaultBroadPhase::new()` in all of
-//! them. Without one, sensors, crowds, and particles with dynamics of their own do not need the pipelines:
-//! [`UnisizeBroadPhase::update`] has the arguments of `BroadPhaseBvh::update`, gives the same events, and filters pairs in
-//! the same way, and [`UnisizeBroadPhase::set_aabb`] hands over boxes that are known. `docs/newest-rapier.md` says more.
+#![doc = include_str!("adapter/rapier_0_36/module.md")]
 
 use ::rapier2d_0_36 as rapier;
 
@@ -12,8 +8,8 @@ use ::rapier2d_0_36 as rapier;
 mod adapter;
 
 #[cfg(test)]
-#[path = "adapter/dim2.rs"]
-mod dimension;
+#[path = "adapter/test_support/dim2.rs"]
+mod test_support;
 
 #[path = "adapter/rapier_0_36/mod.rs"]
 mod version;

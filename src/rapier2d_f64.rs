@@ -8,8 +8,8 @@ use ::rapier2d_f64 as rapier;
 mod adapter;
 
 #[cfg(test)]
-#[path = "adapter/dim2.rs"]
-mod dimension;
+#[path = "adapter/test_support/dim2.rs"]
+mod test_support;
 
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;

@@ -8,8 +8,8 @@ use ::rapier3d_f64 as rapier;
 mod adapter;
 
 #[cfg(test)]
-#[path = "adapter/dim3.rs"]
-mod dimension;
+#[path = "adapter/test_support/dim3.rs"]
+mod test_support;
 
 #[path = "adapter/rapier_0_27/mod.rs"]
 mod version;

@@ -2,7 +2,7 @@
 
 use super::Settings;
 use super::collider_box::ColliderBoxes;
-use super::filter_key::Key;
+use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -16,11 +16,12 @@ use crate::proxy_table::ProxyTable;
 use crate::{Kernel, PairFilter, Stats};
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
-/// or `CollisionPipeline::step` in place of `DefaultBroadPhase`; in 0.36, whose pipelines take only their own, call its
-/// `update`.
+/// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
+/// opened copy, or call its `update` yourself.
 ///
-/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and like that one it reports
-/// every pair whose boxes overlap. Contacts, intersections and the bodies that are woken are therefore the same.
+/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and like Rapier's it reports
+/// every pair whose boxes overlap, except those that the [filter](PairFilter) leaves out. Contacts, intersections and the
+/// bodies that are woken are therefore the same.
 ///
 /// An update in which no collider has left its margin costs one box comparison for each listed collider. Pairs are
 /// searched for some updates ahead, so most updates only compare boxes that are known to be near each other. What moves
@@ -28,7 +29,7 @@ use crate::{Kernel, PairFilter, Stats};
 /// run of the [kernel](Kernel) over all boxes.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
-    pub(super) table: ProxyTable<Real, DIM, Outline, Key>,
+    pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,
     pub(super) settings: Settings,
     /// Scratch: how pairs have changed.
     pub(super) changes: Vec<PairChange>,
@@ -90,7 +91,7 @@ impl UnisizeBroadPhase {
         })
     }
 
-    /// Checks the internal invariants: the books on colliders, and the pairs held, by a full search. For tests.
+    /// Checks the internal invariants: the records of colliders, and the pairs held, by a full search. For tests.
     ///
     /// # Panics
     /// If an invariant is broken, which would be a bug.

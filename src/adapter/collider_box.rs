@@ -1,6 +1,6 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it, and its filter key.
 
-use super::filter_key::Key;
+use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{ColliderHandle, ColliderSet};
@@ -38,7 +38,7 @@ impl<'a> ColliderBoxes<'a> {
 impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Handle = ColliderHandle;
     type Memo = Outline;
-    type Key = Key;
+    type Key = ColliderKey;
 
     fn has_keys(&self) -> bool {
         self.filter != PairFilter::Off
@@ -54,7 +54,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         &self,
         handle: ColliderHandle,
         outline: &mut Outline,
-    ) -> Option<(Aabb<Real, DIM>, Key)> {
+    ) -> Option<(Aabb<Real, DIM>, ColliderKey)> {
         let collider = self.colliders.get(handle)?;
         if !collider.is_enabled() {
             return None;
@@ -64,7 +64,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         let outlined = outline.aabb(collider);
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
-        // Both branches meet again; otherwise the compiler does not use vectors in the usual one.
+        // Both branches join before the box is loosened; otherwise the compiler does not vectorize the common one.
         let aabb = match outlined {
             Some(aabb) if !is_swept => aabb,
             _ => {
@@ -73,7 +73,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
                 aabb
             }
         };
-        let key = Key::new(self.filter, collider, body);
+        let key = ColliderKey::new(self.filter, collider, body);
         Some((aabb.loosened(distance), key))
     }
 }

@@ -2,17 +2,17 @@
 //!
 //! It turns colliders into boxes, and changes of the pair set into Rapier's events; which boxes are kept and how pairs are
 //! found is none of its business. The module that includes it names the engine as `rapier`, and as `version` what
-//! depends on the engine's version: `rapier_0_27` or `rapier_0_36`. What the tests need for a dimension is in
-//! `dimension`.
+//! depends on the engine's version: `rapier_0_27` or `rapier_0_36`. What its tests need and Rapier spells
+//! differently in two and three dimensions is in `test_support`.
 
 #[cfg(test)]
-use super::dimension;
+use super::test_support;
 use super::{rapier, version};
 
 mod broad_phase;
 mod collider_box;
+mod collider_key;
 mod conversions;
-mod filter_key;
 mod outline;
 mod queries;
 mod query_tree;

@@ -100,9 +100,9 @@ fn around(center: Vector, half_extents: Vector) -> Aabb<Real, DIM> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::dimension;
     use super::super::rapier::geometry::ColliderBuilder;
     use super::super::rapier::parry::shape::{Ball, Capsule, Cuboid};
+    use super::super::test_support;
     use super::*;
 
     fn check(outline: &mut Outline, collider: &Collider) {
@@ -122,7 +122,7 @@ mod tests {
             let i = i as Real;
             ColliderBuilder::new(shape.clone())
                 .translation([0.7 * i - 9.3; DIM].into())
-                .rotation(dimension::angular(i * 0.37, i * 1.3 - 5.0, i * 0.11))
+                .rotation(test_support::angular(i * 0.37, i * 1.3 - 5.0, i * 0.11))
                 .build()
         })
     }

@@ -6,7 +6,7 @@
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
-use super::filter_key::Key;
+use super::collider_key::ColliderKey;
 use super::rapier::math::{DIM, Real};
 use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
@@ -18,7 +18,7 @@ struct Snapshot {
     /// First, so that it is read before anything that another version may write differently.
     format: SnapshotFormat,
     settings: Settings,
-    table: TableSnapshot<Real, DIM, Key>,
+    table: TableSnapshot<Real, DIM, ColliderKey>,
 }
 
 /// What is written decides all events to come, and their order: a simulation that is restored, with all of Rapier's

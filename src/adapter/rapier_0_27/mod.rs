@@ -18,7 +18,7 @@ pub(super) type AngVector = super::rapier::math::AngVector<Real>;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
 
-/// Whether a collider of other groups, or of another body, is a new leaf of Rapier's own tree, whose box has no margin.
+/// Whether Rapier's own broad phase inserts a collider afresh, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = false;
 
 /// The default filter.

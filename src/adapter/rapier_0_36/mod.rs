@@ -1,4 +1,5 @@
-//! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases.
+//! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases unless a copy of it is opened
+//! (`seam.rs`).
 
 use super::adapter::UnisizeBroadPhase;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -16,7 +17,7 @@ pub(super) use super::rapier::math::Vector;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
 
-/// Whether a collider of other groups, or of another body, is a new leaf of Rapier's own tree, whose box has no margin.
+/// Whether Rapier's own broad phase inserts a collider afresh, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = true;
 
 /// The default filter.
@@ -81,13 +82,13 @@ impl UnisizeBroadPhase {
     }
 
     /// Hands over the box of a collider, in place of listing it as modified: in the next [`update`](Self::update) it counts
-    /// as moved there, and is not read. The counterpart of `BroadPhaseBvh::set_aabb`, which Rapier calls for all that it
+    /// as moved, and is not read again. The counterpart of `BroadPhaseBvh::set_aabb`, which Rapier calls for all that it
     /// has moved, at the end of each step. Queries see the box at once.
     ///
     /// `aabb` is that of `Collider::compute_broad_phase_aabb`, or at least contains it; the margin is added if the collider
     /// has left the box that is held. Only its position may have changed: for anything else it must be listed. A box for a
-    /// collider that the broad phase does not know counts once the next update finds it in the set; a box that is not sound
-    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a sound one comes. **O(1)**.
+    /// collider that the broad phase does not know counts once the next update finds it in the set; an invalid box
+    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a valid one comes. **O(1)**.
     pub fn set_aabb(
         &mut self,
         params: &IntegrationParameters,

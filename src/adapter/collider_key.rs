@@ -1,4 +1,4 @@
-//! What decides which colliders may be a pair, as the narrow phase decides it.
+//! The filter key of a collider: what decides which others it may meet, as the narrow phase decides it.
 
 use super::rapier::dynamics::{RigidBody, RigidBodyType};
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups};
@@ -13,7 +13,7 @@ use crate::pair_tracker::FilterKey;
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(super) struct Key {
+pub(super) struct ColliderKey {
     /// The index of the body; [`NOBODY`] if there is none.
     body: u32,
     body_type: RigidBodyType,
@@ -24,7 +24,7 @@ pub(super) struct Key {
 /// Stands for no body.
 const NOBODY: u32 = u32::MAX;
 
-impl Default for Key {
+impl Default for ColliderKey {
     /// The key of a collider that may meet all others with this key.
     fn default() -> Self {
         Self {
@@ -36,7 +36,7 @@ impl Default for Key {
     }
 }
 
-impl Key {
+impl ColliderKey {
     #[inline(always)]
     pub(super) fn new(filter: PairFilter, collider: &Collider, body: Option<&RigidBody>) -> Self {
         let mut key = Self::default();
@@ -54,7 +54,7 @@ impl Key {
     }
 }
 
-impl FilterKey for Key {
+impl FilterKey for ColliderKey {
     #[inline(always)]
     fn may_meet(self, other: Self) -> bool {
         let types = [self.body_type, other.body_type];
