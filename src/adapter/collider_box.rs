@@ -41,7 +41,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Key = ColliderKey;
 
     fn has_keys(&self) -> bool {
-        self.filter != PairFilter::Off
+        ColliderKey::differ(self.filter)
     }
 
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to

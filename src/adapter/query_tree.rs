@@ -40,7 +40,7 @@ struct Outdated {
 struct Tree {
     bvh: Bvh,
     workspace: Workspace,
-    /// By slot, the box for which the place of the leaf was chosen.
+    /// By slot, the box for which the place of the leaf was chosen; invalid where there is no leaf.
     placed: Vec<crate::Aabb<Real, DIM>>,
     leaves: usize,
     /// Leaves removed since the nodes were last put in order.
@@ -94,7 +94,7 @@ impl QueryTree {
         } else if let Some(Outdated { tree, renewed: all }) = outdated {
             all.extend_from_slice(&renewed[std::mem::take(&mut tree.seen).min(renewed.len())..]);
             if all.len() > slots {
-                // Many have changed more than once, and no more than all can have.
+                // The list has repeats; list each slot once instead.
                 all.clear();
                 all.extend(0..slots as u32);
             }
@@ -211,13 +211,14 @@ impl Tree {
             return false;
         }
         let index = slot as u32;
-        let leaf = self.bvh.leaf_node(index).map(|node| node.aabb());
-        let aabb = &boxes[slot];
+        let (aabb, placed) = (&boxes[slot], &mut self.placed[slot]);
+        let has_leaf = placed.is_valid();
         let is_small = self.leaves <= SMALL_UP_TO;
         if !aabb.is_valid() {
-            if leaf.is_none() {
+            if !has_leaf {
                 return false;
             }
+            *placed = ABSENT;
             if is_small {
                 // Parry's trees that lose nearly all leaves are not sound.
                 self.is_unsound = true;
@@ -229,19 +230,19 @@ impl Tree {
             return false;
         }
         let new = Aabb::from(*aabb);
-        let Some(_) = leaf else {
+        if !has_leaf {
             self.leaves += 1;
-            self.placed[slot] = *aabb;
+            *placed = *aabb;
             self.bvh.insert(new, index);
             return false;
-        };
-        let is_stray = !is_small && !aabb.overlaps(&self.placed[slot]);
+        }
+        let is_stray = !is_small && !aabb.overlaps(placed);
         if !is_alone {
             self.bvh.insert_or_update_partially(new, index, 0.0);
             return is_stray;
         }
         if is_stray {
-            self.placed[slot] = *aabb;
+            *placed = *aabb;
             self.bvh.remove(index);
             self.removed += 1;
         }

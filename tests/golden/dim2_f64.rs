@@ -20,11 +20,12 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 19] = [
+const SCENES: [u64; 20] = [
     0x467fd58d64bc5d10,
     0x6342bc289035b930,
     0x09b9bf8227ef6d99,
     0x68db312abec43f42,
+    0x7f675364d93ff6de,
     0x5c5a22a530616495,
     0xb011fb46aed5555f,
     0xc622499fa1d963a8,

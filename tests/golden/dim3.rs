@@ -20,11 +20,12 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 19] = [
+const SCENES: [u64; 20] = [
     0x883bf450c48812d5,
     0x9975a8338cbe766d,
     0xc0136e9713d0d67b,
     0x1a728c624412e2a7,
+    0x34f2d51e21b8da05,
     0x1198c81bb7b18ff0,
     0x68facd0436292344,
     0x2d563d5ff124719a,

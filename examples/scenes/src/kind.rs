@@ -11,6 +11,8 @@ pub enum SceneKind {
     Gas,
     /// Chains of capsules that hang, fall over obstacles and tangle.
     Ropes,
+    /// Balls joined in rows and columns, held at the edge, sagging over obstacles.
+    Net,
     /// Grains poured through a funnel over time.
     Hopper,
     /// Walkers on a plane, each steering to a goal.
@@ -45,11 +47,12 @@ pub enum SceneKind {
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::FallingBalls,
         Self::Pyramid,
         Self::Gas,
         Self::Ropes,
+        Self::Net,
         Self::Hopper,
         Self::Crowd,
         Self::Swarm,
@@ -74,6 +77,7 @@ impl SceneKind {
             Self::Pyramid => "pyramid",
             Self::Gas => "gas",
             Self::Ropes => "ropes",
+            Self::Net => "net",
             Self::Hopper => "hopper",
             Self::Crowd => "crowd",
             Self::Swarm => "swarm",
@@ -104,6 +108,7 @@ impl SceneKind {
             Self::Pyramid => "a pyramid of cuboids that comes to rest and sleeps",
             Self::Gas => "elastic balls in a closed box without gravity",
             Self::Ropes => "chains of capsules that hang, fall over obstacles and tangle",
+            Self::Net => "balls joined in rows and columns, held at the edge, over obstacles",
             Self::Hopper => "grains poured through a funnel over time",
             Self::Crowd => "walkers on a plane, each steering to its goal",
             Self::Swarm => "kinematic bodies and sensors that all move, without a solver",
@@ -133,6 +138,7 @@ impl SceneKind {
             Self::TileMap => 500,
             Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes => 1_000,
             Self::FallingBalls
+            | Self::Net
             | Self::Hopper
             | Self::MixedOneAndAHalf
             | Self::MixedFour

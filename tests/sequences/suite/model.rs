@@ -181,7 +181,7 @@ impl Model {
             self.forget(ColliderHandle::from_raw_parts(index, stale));
         }
         let known = self.proxies.get(&index);
-        let is_another_leaf = known.is_some_and(|proxy| self.is_another_leaf(proxy.key, key));
+        let is_another_leaf = known.is_some_and(|proxy| Self::is_another_leaf(proxy.key, key));
         let aabb = match known.and_then(|proxy| proxy.aabb) {
             _ if !is_sound(&aabb) => None,
             None => Some(aabb),
@@ -198,11 +198,9 @@ impl Model {
     }
 
     /// Whether a collider that has changed like this is taken out of Rapier's own tree and put in anew.
-    fn is_another_leaf(&self, before: Key, now: Key) -> bool {
+    fn is_another_leaf(before: Key, now: Key) -> bool {
         let body = |key: Key| (key.body.map(|body| body.into_raw_parts().0), key.body_type);
-        let is_other_body = self.filter != PairFilter::Off && body(before) != body(now);
-        let is_other_group = self.filter == PairFilter::Groups && before.groups != now.groups;
-        version::REINSERTS && (is_other_body || is_other_group)
+        version::REINSERTS && (body(before) != body(now) || before.groups != now.groups)
     }
 
     fn overlapping_pairs(&self) -> BTreeSet<Pair> {

@@ -19,6 +19,7 @@ mod gas;
 mod ghosts;
 mod hopper;
 mod mixed;
+mod net;
 mod player;
 mod pyramid;
 mod ropes;
@@ -35,6 +36,7 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Pyramid => pyramid::build(bodies, random),
         SceneKind::Gas => gas::build(bodies, random),
         SceneKind::Ropes => ropes::build(bodies, random),
+        SceneKind::Net => net::build(bodies, random),
         SceneKind::Hopper => hopper::build(bodies, random),
         SceneKind::Crowd => crowd::build(bodies, random),
         SceneKind::Swarm => swarm::build(bodies, random),
