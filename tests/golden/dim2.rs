@@ -25,7 +25,7 @@ const SCENES: [u64; 20] = [
     0x6342bc289035b930,
     0xfd64795eccd120c8,
     0x8a499b30b6fff045,
-    0x7f675364d93ff6de,
+    0x1a84988a8ec09807,
     0xaa0a006e2dd8126f,
     0xb011fb46aed5555f,
     0xc622499fa1d963a8,

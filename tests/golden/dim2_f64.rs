@@ -25,7 +25,7 @@ const SCENES: [u64; 20] = [
     0x6342bc289035b930,
     0x09b9bf8227ef6d99,
     0x68db312abec43f42,
-    0x7f675364d93ff6de,
+    0x7daae30a22feafe2,
     0x5c5a22a530616495,
     0xb011fb46aed5555f,
     0xc622499fa1d963a8,

@@ -25,7 +25,7 @@ const SCENES: [u64; 20] = [
     0x9975a8338cbe766d,
     0xc0136e9713d0d67b,
     0x1a728c624412e2a7,
-    0x34f2d51e21b8da05,
+    0x3af68eb035a89b23,
     0x1198c81bb7b18ff0,
     0x68facd0436292344,
     0x2d563d5ff124719a,

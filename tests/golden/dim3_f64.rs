@@ -25,7 +25,7 @@ const SCENES: [u64; 20] = [
     0x9975a8338cbe766d,
     0xc8310c0d57a91f81,
     0x5ef9dda3937363f1,
-    0x34f2d51e21b8da05,
+    0xf6d706a2c8974692,
     0x61e7cd25a31e89ea,
     0x1497e939fcccbb8a,
     0x2d563d5ff124719a,

@@ -4,8 +4,7 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Lattice, Point, Random, Stage, UP, Vector, World, along, falling, flavour, jitter,
-    vector,
+    Container, Lattice, Point, Random, Stage, UP, World, falling, flavour, jitter, vector,
 };
 
 /// The radius of a knot.
@@ -13,6 +12,9 @@ const RADIUS: Real = 0.2;
 
 /// The distance between joined knots.
 const MESH: Real = 0.5;
+
+/// What share of its speed a knot loses in a second, about: the yarn gives.
+const DAMPING: Real = 0.5;
 
 /// In the plane, how many times as wide as high the net is, which hangs from its upper edge.
 const ASPECT: usize = 4;
@@ -52,38 +54,38 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             _ => top,
         })
     };
+    let yarn = RopeJointBuilder::new(MESH);
+    let frame = stage.world.bodies.insert(RigidBodyBuilder::fixed());
     let mut knots: Vec<RigidBodyHandle> = Vec::with_capacity(bodies);
+    // Those at the edge are held where they are; there is no tie between two of them.
+    let is_held = |column: usize, row: usize| match DIM {
+        2 => row == 0,
+        _ => row == 0 || row + 1 >= rows || column == 0 || column + 1 == columns,
+    };
     for index in 0..bodies {
         let (column, row) = (index % columns, index / columns);
-        let is_held = match DIM {
-            2 => row == 0,
-            _ => row == 0 || row + 1 >= rows || column == 0 || column + 1 == columns,
-        };
-        let knot = match is_held {
-            true => RigidBodyBuilder::fixed(),
-            false => RigidBodyBuilder::dynamic().linvel(jitter(random, 0.5)),
-        };
-        let knot = knot.translation(place(column, row));
+        let center = place(column, row);
+        let knot = RigidBodyBuilder::dynamic()
+            .translation(center)
+            .linvel(jitter(random, 0.1))
+            .linear_damping(DAMPING)
+            .angular_damping(DAMPING);
         let knot = stage.world.insert(knot, ColliderBuilder::ball(RADIUS));
-        if column > 0 {
-            tie(&mut stage.world, [knots[index - 1], knot], along(0, MESH / 2.0));
+        let ties = &mut stage.world.impulse_joints;
+        let is_at_edge = is_held(column, row);
+        if is_at_edge {
+            let hook = GenericJointBuilder::new(flavour::PIN).local_anchor1(Point::from(center));
+            ties.insert(frame, knot, hook, true);
         }
-        if row > 0 {
-            let half_mesh = (place(column, row) - place(column, row - 1)) / 2.0;
-            tie(&mut stage.world, [knots[index - columns], knot], half_mesh);
+        if column > 0 && !(is_at_edge && is_held(column - 1, row)) {
+            ties.insert(knots[index - 1], knot, yarn, true);
+        }
+        if row > 0 && !(is_at_edge && is_held(column, row - 1)) {
+            ties.insert(knots[index - columns], knot, yarn, true);
         }
         knots.push(knot);
     }
     stage
-}
-
-/// Joins two knots half way between them.
-fn tie(world: &mut World, knots: [RigidBodyHandle; 2], half_way: Vector) {
-    let pin = GenericJointBuilder::new(flavour::PIN)
-        .local_anchor1(Point::from(half_way))
-        .local_anchor2(Point::from(-half_way))
-        .contacts_enabled(false);
-    world.impulse_joints.insert(knots[0], knots[1], pin, true);
 }
 
 /// Inserts fixed balls on the floor, which the net comes to lie over.
