@@ -1,6 +1,7 @@
 //! The broad phase for rapier3d 0.36.
 //!
 #![doc = include_str!("adapter/rapier_0_36/module.md")]
+#![cfg_attr(not(opened_rapier3d), doc = include_str!("adapter/rapier_0_36/unopened.md"))]
 
 use ::rapier3d_0_36 as rapier;
 

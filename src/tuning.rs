@@ -228,7 +228,7 @@ pub(crate) mod prices {
     pub(crate) const FOUND: u64 = 350;
 }
 
-/// The tree for queries. Shown by `cargo bench --bench queries`, and by the example `compare` with `--rays 1`.
+/// The tree for queries. Shown by `cargo bench --features rapier2d,rapier3d --bench queries`, and by the example `compare` with `--rays 1`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
@@ -248,8 +248,12 @@ pub(crate) mod queries {
     pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 2;
 
     /// One leaf in this many. Once more have left the boxes for which their places were chosen, all at a time, the tree is
-    /// built afresh. Above: the tree ages, and rays visit more of it. Below: building takes more than writing.
-    pub(crate) const BUILD_FROM_ONE_IN: usize = 4;
+    /// judged by its girth. Above: time. Below: the tree ages before it is noticed.
+    pub(crate) const JUDGE_FROM_ONE_IN: usize = 4;
+
+    /// Units of 2^-20 octaves. If the girth has grown by more since the tree was built, it is built afresh. Above: the tree
+    /// ages, and rays visit more of it. Below: building takes more than rays save.
+    pub(crate) const BUILD_FROM_GIRTH: u64 = 1 << 19;
 
     /// One leaf in this many. Once more have been removed, the nodes are put in order, which frees those that they left.
     pub(crate) const REORDER_FROM_ONE_IN: usize = 4;

@@ -9,10 +9,10 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::rapier::geometry::Aabb;
 use super::rapier::math::{DIM, Real};
-use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
 use crate::tuning::queries::{
-    BUILD_FROM_ONE_IN, KEEP_UNASKED, REORDER_FROM_ONE_IN, SMALL_UP_TO, TIGHTEN_FROM_ONE_IN,
-    WRITE_ALONE_UP_TO_ONE_IN,
+    BUILD_FROM_GIRTH, JUDGE_FROM_ONE_IN, KEEP_UNASKED, REORDER_FROM_ONE_IN, SMALL_UP_TO,
+    TIGHTEN_FROM_ONE_IN, WRITE_ALONE_UP_TO_ONE_IN,
 };
 
 /// The boxes by slot; invalid where there is none.
@@ -42,6 +42,8 @@ struct Tree {
     workspace: Workspace,
     /// By slot, the box for which the place of the leaf was chosen; invalid where there is no leaf.
     placed: Vec<crate::Aabb<Real, DIM>>,
+    /// Its girth when it was built.
+    girth: u64,
     leaves: usize,
     /// Leaves removed since the nodes were last put in order.
     removed: usize,
@@ -158,6 +160,7 @@ impl Tree {
             bvh
         };
         Self {
+            girth: girth(&bvh),
             bvh,
             workspace: Workspace::default(),
             placed: boxes.to_vec(),
@@ -172,8 +175,8 @@ impl Tree {
     /// The tree with the leaves of these slots brought up to date.
     ///
     /// A leaf that has gone far from where its place was chosen makes its ancestors large, and rays visit more of the
-    /// tree. If few have moved, it gets a new place; if many have, they go far at about the same time, and then the
-    /// tree is built afresh.
+    /// tree. If few have moved, it gets a new place. If many have, they go far at about the same time: then, unless what was near
+    /// each other has gone together, the tree is built afresh.
     fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
         self.placed.resize(boxes.len(), ABSENT);
         let are_few = renewed.len() * WRITE_ALONE_UP_TO_ONE_IN < self.leaves;
@@ -188,8 +191,14 @@ impl Tree {
             self.bvh.refit_without_opt();
             return self;
         }
-        if !are_few && strays * BUILD_FROM_ONE_IN > self.leaves {
-            return Self::new(boxes);
+        if !are_few && strays * JUDGE_FROM_ONE_IN > self.leaves {
+            self.loose = 0;
+            self.bvh.refit_without_opt();
+            if girth(&self.bvh) > self.girth + BUILD_FROM_GIRTH {
+                return Self::new(boxes);
+            }
+            self.placed.copy_from_slice(boxes);
+            return self;
         }
         self.loose += renewed.len();
         if self.removed * REORDER_FROM_ONE_IN > self.leaves {
@@ -249,6 +258,23 @@ impl Tree {
         self.bvh.insert(new, index);
         false
     }
+}
+
+/// How large the nodes of a tree are that have children: the mean of the logarithms of their areas, or perimeters in the
+/// plane, in units of 2^-20 octaves. Logarithms, because a few nodes around a half-space must not hide what happens to
+/// the rest.
+fn girth(bvh: &Bvh) -> u64 {
+    let (mut sum, mut nodes) = (0, 0);
+    bvh.traverse(|node| {
+        if node.is_leaf() {
+            return TraversalAction::Prune;
+        }
+        // The upper bits of a number are its logarithm, but for the curve between two powers of two.
+        sum += f64::from(node.aabb().half_area_or_perimeter()).to_bits() >> 32;
+        nodes += 1;
+        TraversalAction::Continue
+    });
+    sum.checked_div(nodes).unwrap_or(0)
 }
 
 /// The box of a slot without a leaf.

@@ -90,9 +90,10 @@ impl ContactCheck {
         journals: &mut Both<Journal>,
         hooks: &dyn PhysicsHooks,
     ) -> Option<String> {
-        let mut colliders = world.colliders.clone();
-        let mut bodies = world.bodies.clone();
         for side in [Side::Default, Side::Candidate] {
+            // A copy for each: Rapier 0.36 notes in the bodies which islands the contacts have joined.
+            let mut colliders = world.colliders.clone();
+            let mut bodies = world.bodies.clone();
             let narrow_phase = &mut self.narrow_phases[side];
             let journal = &mut journals[side];
             narrow_phase.handle_user_changes(
