@@ -279,3 +279,65 @@ fn girth(bvh: &Bvh) -> u64 {
 
 /// The box of a slot without a leaf.
 const ABSENT: crate::Aabb<Real, DIM> = crate::Aabb::new([Real::NAN; DIM], [Real::NAN; DIM]);
+
+#[cfg(test)]
+mod tests {
+    use super::{Boxes, DIM, Real, Tree};
+    use crate::Aabb;
+
+    const COUNT: usize = 1000;
+
+    /// Unit boxes in cells that are two wide, each in the cell of this number, shifted along the first axis.
+    fn boxes(cell: impl Fn(usize) -> usize, shift: Real) -> Vec<Aabb<Real, DIM>> {
+        let columns = (COUNT as f64).powf(1.0 / DIM as f64).ceil() as usize;
+        let slots = 0..COUNT;
+        let boxes = slots.map(|slot| {
+            let mut rest = cell(slot);
+            let mut mins = [0.0; DIM];
+            for min in &mut mins {
+                *min = (rest % columns * 2) as Real;
+                rest /= columns;
+            }
+            mins[0] += shift;
+            Aabb::new(mins, mins.map(|min| min + 1.0))
+        });
+        boxes.collect()
+    }
+
+    /// Whether the tree of boxes is built afresh once they are others, all of which have left their places.
+    fn is_built_afresh(before: Boxes, now: Boxes) -> bool {
+        let mut tree = Tree::new(before);
+        // A new one has seen nothing.
+        tree.seen = 1;
+        let renewed: Vec<_> = (0..COUNT as u32).collect();
+        let tree = tree.refreshed(now, &renewed);
+        for (slot, aabb) in now.iter().enumerate() {
+            let leaf = tree.bvh.leaf_node(slot as u32).map(|node| node.aabb());
+            assert_eq!(leaf, Some((*aabb).into()));
+        }
+        tree.seen == 0
+    }
+
+    #[test]
+    fn what_goes_together_stays_in_its_tree() {
+        let [before, now] = [0.0, 100.0].map(|shift| boxes(|slot| slot, shift));
+        assert!(!is_built_afresh(&before, &now));
+    }
+
+    #[test]
+    fn what_is_mixed_gets_a_new_tree() {
+        let before = boxes(|slot| slot, 0.0);
+        let now = boxes(|slot| slot * 37 % COUNT, 100.0);
+        assert!(is_built_afresh(&before, &now));
+    }
+
+    #[test]
+    fn what_is_mixed_above_a_half_space_gets_one_too() {
+        let mut before = boxes(|slot| slot, 0.0);
+        let mut now = boxes(|slot| slot * 37 % COUNT, 100.0);
+        for boxes in [&mut before, &mut now] {
+            boxes[0] = Aabb::new([-1e18; DIM], [1e18; DIM]);
+        }
+        assert!(is_built_afresh(&before, &now));
+    }
+}
