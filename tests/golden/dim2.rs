@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 20] = [
+const SCENES: [u64; 21] = [
     0x0d66d9eb2117f486,
     0x6342bc289035b930,
     0xfd64795eccd120c8,
@@ -37,6 +37,7 @@ const SCENES: [u64; 20] = [
     0x8600a428b67eded8,
     0x92564a6637adae6e,
     0x4c5109ba2ba1591f,
+    0x390602074bf49274,
     0xde89350bfac0fcd5,
     0xcd369aac949195e9,
     0x231225433ef25e27,

@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 20] = [
+const SCENES: [u64; 21] = [
     0x467fd58d64bc5d10,
     0x6342bc289035b930,
     0x09b9bf8227ef6d99,
@@ -37,6 +37,7 @@ const SCENES: [u64; 20] = [
     0x2ec61bb514ea9082,
     0xea1dee57585959be,
     0x9aa36f883f92794b,
+    0x4bdeb484ab3e482b,
     0xbf9380aee2bfd177,
     0xcd369aac949195e9,
     0x1e37431a4aba538f,

@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 20] = [
+const SCENES: [u64; 21] = [
     0x883bf450c48812d5,
     0x9975a8338cbe766d,
     0xc0136e9713d0d67b,
@@ -37,6 +37,7 @@ const SCENES: [u64; 20] = [
     0xc84614109760b17d,
     0x5d23df2765a865f3,
     0x41e927d9c5a9c907,
+    0x9b7acfb46ea0c4da,
     0xd1f2068e216a7bd8,
     0xc86502f53146d093,
     0x38fc9794aeaa30bf,

@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 20] = [
+const SCENES: [u64; 21] = [
     0x883bf450c48812d5,
     0x9975a8338cbe766d,
     0xc8310c0d57a91f81,
@@ -37,6 +37,7 @@ const SCENES: [u64; 20] = [
     0x32a2db20fbd1e6c3,
     0x5d23df2765a865f3,
     0xfc66d96bb6b02f95,
+    0xcad379ae0e8562ba,
     0xc2aca014c409cb4e,
     0xc86502f53146d093,
     0x6caebe7a3da83646,

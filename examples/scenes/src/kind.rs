@@ -35,6 +35,8 @@ pub enum SceneKind {
     Churn,
     /// Every kind of collider, falling onto a height field.
     Shapes,
+    /// Soft bodies among balls; balls on springs in versions of Rapier without soft bodies.
+    Soft,
     /// A solid map of fixed unit squares or cubes, on which a few balls fall.
     TileMap,
     /// Rigid bodies of very many colliders, so that nearly all pairs are of one body.
@@ -47,7 +49,7 @@ pub enum SceneKind {
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::FallingBalls,
         Self::Pyramid,
         Self::Gas,
@@ -64,6 +66,7 @@ impl SceneKind {
         Self::Bullets,
         Self::Churn,
         Self::Shapes,
+        Self::Soft,
         Self::TileMap,
         Self::Ships,
         Self::Ghosts,
@@ -89,6 +92,7 @@ impl SceneKind {
             Self::Bullets => "bullets",
             Self::Churn => "churn",
             Self::Shapes => "shapes",
+            Self::Soft => "soft",
             Self::TileMap => "tile-map",
             Self::Ships => "ships",
             Self::Ghosts => "ghosts",
@@ -120,6 +124,7 @@ impl SceneKind {
             Self::Bullets => "fast bullets with CCD and soft CCD at a thin wall and a stack",
             Self::Churn => "falling balls of which 2 % are replaced at every step",
             Self::Shapes => "every kind of collider falling onto a height field",
+            Self::Soft => "soft bodies in a heap with nine times as many balls",
             Self::TileMap => "balls falling onto a solid map of sixty fixed tiles to a ball",
             Self::Ships => "three drifting bodies, each of a third of the colliders",
             Self::Ghosts => "overlapping balls that pass through each other, slowly",
@@ -136,7 +141,7 @@ impl SceneKind {
             Self::Ships => 5_184,
             Self::Ghosts => 3_000,
             Self::TileMap => 500,
-            Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes => 1_000,
+            Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes | Self::Soft => 1_000,
             Self::FallingBalls
             | Self::Net
             | Self::Hopper

@@ -139,6 +139,7 @@ pub mod dim2_0_36 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod soft;
     mod vehicle;
     #[path = "../version/rapier_0_36.rs"]
     mod version;
@@ -159,6 +160,7 @@ pub mod dim3_0_36 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
+    mod soft;
     mod vehicle;
     #[path = "../version/rapier_0_36.rs"]
     mod version;

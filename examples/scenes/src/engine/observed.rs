@@ -224,5 +224,10 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
         fn bvh(&self) -> &Bvh {
             self.inner.bvh()
         }
+
+        // A copy is not observed.
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            self.inner.clone_box()
+        }
     }
 }

@@ -51,6 +51,37 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
 }
 
+/// Inserts what comes closest to a soft body of this half size: balls at the corners of a cube, each on springs to all
+/// others.
+pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
+    // Overdamped ones would pull the balls through the rest in a step.
+    const STIFFNESS: Real = 200.0;
+    const DAMPING: Real = 4.0;
+    let radius = half / 2.0;
+    let corners: Vec<_> = (0..1_usize << DIM)
+        .map(|corner| {
+            Vector::from_fn(|axis, _| match corner >> axis & 1 {
+                0 => radius - half,
+                _ => half - radius,
+            })
+        })
+        .collect();
+    let balls: Vec<_> = corners
+        .iter()
+        .map(|corner| {
+            let ball = RigidBodyBuilder::dynamic().translation(center + corner);
+            world.insert(ball, ColliderBuilder::ball(radius))
+        })
+        .collect();
+    for (end, &ball) in balls.iter().enumerate() {
+        for (start, &other) in balls[..end].iter().enumerate() {
+            let length = (corners[end] - corners[start]).norm();
+            let spring = SpringJointBuilder::new(length, STIFFNESS, DAMPING);
+            world.impulse_joints.insert(other, ball, spring, true);
+        }
+    }
+}
+
 /// How many updates a step has.
 #[cfg(test)]
 pub(super) const UPDATES: usize = 2;

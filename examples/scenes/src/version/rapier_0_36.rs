@@ -5,6 +5,7 @@ use super::engine::{QueryAccess, World};
 use super::rapier::math;
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
+use super::soft::soft_body;
 use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut};
 use std::sync::LazyLock;
@@ -50,6 +51,17 @@ pub(super) const fn groups(memberships: Group, filter: Group) -> InteractionGrou
 /// Whether the solver would see a contact of this pair.
 pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
+}
+
+/// Inserts a soft body of this half size.
+pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
+    let World {
+        soft_bodies,
+        bodies,
+        colliders,
+        ..
+    } = world;
+    soft_bodies.insert(soft_body(center, half), bodies, colliders);
 }
 
 /// How many updates a step has.
@@ -194,10 +206,6 @@ macro_rules! when_boxes_are_handed_over {
             aabb: Aabb,
         ) {
             self.set_aabbs(params, &[(handle, aabb)]);
-        }
-
-        fn clone_box(&self) -> Box<dyn BroadPhase> {
-            unimplemented!("what is observed is not copied")
         }
     };
 }

@@ -68,6 +68,10 @@ impl BroadPhase for Replay {
         fn bvh(&self) -> &Bvh {
             unreachable!("a replay is not asked")
         }
+
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            Box::new(Self(self.0.clone()))
+        }
     }
 }
 

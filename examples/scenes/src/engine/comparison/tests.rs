@@ -136,6 +136,11 @@ impl BroadPhase for Faulty {
         fn bvh(&self) -> &Bvh {
             self.inner.bvh()
         }
+
+        // A copy is sound.
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            self.inner.clone_box()
+        }
     }
 }
 

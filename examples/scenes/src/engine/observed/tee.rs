@@ -67,5 +67,10 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
         fn bvh(&self) -> &Bvh {
             self.heard.bvh()
         }
+
+        // A copy is of the one that is heard.
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            self.heard.clone_box()
+        }
     }
 }

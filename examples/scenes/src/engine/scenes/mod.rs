@@ -26,6 +26,7 @@ mod ropes;
 mod shapes;
 mod ships;
 mod sleeping;
+mod soft;
 mod swarm;
 mod tile_map;
 
@@ -48,6 +49,7 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Bullets => bullets::build(bodies, random),
         SceneKind::Churn => churn::build(bodies, random),
         SceneKind::Shapes => shapes::build(bodies, random),
+        SceneKind::Soft => soft::build(bodies, random),
         SceneKind::TileMap => tile_map::build(bodies, random),
         SceneKind::Ships => ships::build(bodies, random),
         SceneKind::Ghosts => ghosts::build(bodies, random),

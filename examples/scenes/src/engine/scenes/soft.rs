@@ -1,0 +1,33 @@
+//! Soft bodies in a heap with balls: Rapier's own where it has them, and otherwise balls on springs.
+
+use super::rapier::prelude::*;
+use super::{Container, Lattice, Random, Stage, UP, along, falling, jitter, version};
+
+/// One body in this many is soft.
+const SOFT_ONE_IN: usize = 10;
+
+/// Half the size of a soft body.
+const HALF: Real = 0.8;
+
+/// The radius of a ball.
+const RADIUS: Real = 0.5;
+
+/// The distance between bodies at the start.
+const SPACING: Real = 2.0;
+
+pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+    let lattice = Lattice::heap(bodies, SPACING, 1.0);
+    let walls = Container::standing(lattice.half_width() + 0.5, lattice.height() + 2.0);
+    let mut world = falling();
+    walls.wall_in(&mut world, |side| side.build());
+    for index in 0..bodies {
+        let center = lattice.center(index) + along(UP, 0.5) + jitter(random, 0.05);
+        if index % SOFT_ONE_IN == 0 {
+            version::insert_soft_body(&mut world, center, HALF);
+        } else {
+            let ball = RigidBodyBuilder::dynamic().translation(center);
+            world.insert(ball, ColliderBuilder::ball(RADIUS));
+        }
+    }
+    Stage::new(world, walls.open())
+}
