@@ -3,7 +3,11 @@
 mod ghosts;
 mod grid;
 mod lookup;
+mod members;
 mod order;
+mod owner;
+mod part;
+mod scattered;
 mod slab;
 mod sweep;
 #[cfg(test)]
@@ -15,9 +19,11 @@ use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{ONE_TUBE_UP_TO, OUTSIZE_UP_TO_EIGHTHS, STRIP_WIDENINGS, THREADS_FROM};
 use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
+use members::{Everyone, Members};
+use part::Part;
+use scattered::Scattered;
 use slab::Slab;
 use sweep::Emitter;
-use tubes::Tubes;
 
 /// Entries are numbered with 32 bits, and a box may have four.
 const MAX_BOXES: usize = 1 << 29;
@@ -58,8 +64,8 @@ pub struct GridSweep<R, const D: usize> {
     /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
     class_count: usize,
-    /// The indices of all boxes.
-    everyone: Vec<u32>,
+    /// Scratch: the boxes of a class by tubes, a part for each thread.
+    parts: Vec<Part<R, D>>,
     /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
     slab_count: Option<usize>,
     stopwatch: Stopwatch,
@@ -80,6 +86,9 @@ struct Class<R, const D: usize> {
     /// The first `slab_count` cover the grid. The others are kept for their memory.
     slabs: Vec<Slab<R, D>>,
     slab_count: usize,
+    /// The number of parts of the members, if they are dealt to a table of tubes; 0 if they are [`Scattered`].
+    part_count: usize,
+    scattered: Scattered<R, D>,
     /// The boxes too large for this class: the members of all following classes.
     outsize: Vec<u32>,
 }
@@ -90,6 +99,8 @@ impl<R: Real, const D: usize> Default for Class<R, D> {
             grid: Grid::default(),
             slabs: Vec::new(),
             slab_count: 0,
+            part_count: 0,
+            scattered: Scattered::default(),
             outsize: Vec::new(),
         }
     }
@@ -100,7 +111,7 @@ impl<R, const D: usize> Default for GridSweep<R, D> {
         Self {
             classes: Vec::new(),
             class_count: 0,
-            everyone: Vec::new(),
+            parts: Vec::new(),
             slab_count: None,
             stopwatch: Stopwatch::default(),
         }
@@ -116,17 +127,14 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs.clear();
         check_count(boxes.len())?;
         self.stopwatch.times = PhaseTimes::default();
-        let lap = self.stopwatch.start();
-        check_boxes(boxes)?;
-        let mut everyone = std::mem::take(&mut self.everyone);
-        everyone.clear();
-        everyone.extend(0..boxes.len() as u32);
         let mut stopwatch = std::mem::take(&mut self.stopwatch);
-        stopwatch.lap(lap, |times| &mut times.read);
-        let run = self.find_among(boxes, &everyone, pairs, &mut stopwatch);
+        let are_valid = self.find(boxes, Everyone(boxes.len()), false, pairs, &mut stopwatch);
         self.stopwatch = stopwatch;
-        self.everyone = everyone;
-        run
+        if are_valid {
+            return Ok(());
+        }
+        pairs.clear();
+        check_boxes(boxes)
     }
 }
 
@@ -160,6 +168,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// # Errors
     /// [`InvalidBoxReason::TooMany`] if there are more members than entries can be numbered for; then no pair is found,
     /// and no order remembered.
+    #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -167,39 +176,80 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> Result<(), InvalidBox> {
+        self.class_count = 0;
+        check_count(boxes.len())?;
+        self.find(boxes, members, true, pairs, stopwatch);
+        Ok(())
+    }
+
+    /// Appends the overlapping pairs among the members, and says whether their boxes are valid; if not, what has been
+    /// appended is unspecified.
+    fn find(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: impl Members,
+        keeps: bool,
+        pairs: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) -> bool {
         const { assert!(D > 0, "boxes have at least one axis") };
         self.class_count = 0;
-        check_count(members.len())?;
         let slab_count = match self.slab_count {
             Some(count) => count,
-            None if members.len() < THREADS_FROM => 1,
+            None if members.count() < THREADS_FROM => 1,
             None => parallel::threads(),
         };
-        let mut lap = stopwatch.start();
+        if !self.find_in_class(boxes, members, slab_count, keeps, pairs, stopwatch) {
+            return false;
+        }
         loop {
-            let index = self.class_count;
-            if index == self.classes.len() {
-                self.classes.push(Class::default());
-            }
-            let (smaller, rest) = self.classes.split_at_mut(index);
-            let class = &mut rest[0];
-            let members = smaller.last().map_or(members, |class| &class.outsize);
-            class.build(boxes, members, slab_count);
-            self.class_count += 1;
-            lap = stopwatch.lap(lap, |times| &mut times.sort);
-            class.sweep(pairs);
-            lap = stopwatch.lap(lap, |times| &mut times.sweep);
+            let class = &mut self.classes[self.class_count - 1];
             if class.outsize.is_empty() {
-                return Ok(());
+                return true;
             }
+            let outsize = std::mem::take(&mut class.outsize);
+            self.find_in_class(boxes, &outsize[..], slab_count, keeps, pairs, stopwatch);
+            self.classes[self.class_count - 2].outsize = outsize;
+        }
+    }
+
+    /// Appends the overlapping pairs of a class, and those of its members with what is too large for it.
+    fn find_in_class(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: impl Members,
+        slab_count: usize,
+        keeps: bool,
+        pairs: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) -> bool {
+        if self.class_count == self.classes.len() {
+            self.classes.push(Class::default());
+        }
+        let class = &mut self.classes[self.class_count];
+        let is_valid = class.deal(boxes, members, slab_count, &mut self.parts, stopwatch);
+        self.class_count += 1;
+        if !is_valid {
+            return false;
+        }
+        class.find(
+            &self.parts[..class.part_count],
+            slab_count,
+            keeps,
+            pairs,
+            stopwatch,
+        );
+        if !class.outsize.is_empty() {
+            let lap = stopwatch.start();
             class.prepare_lookup();
             let mut emitter = Emitter::new(pairs);
             for &i in &class.outsize {
                 class.look_up(&boxes[i as usize], i, &mut emitter);
             }
             emitter.finish();
-            lap = stopwatch.lap(lap, |times| &mut times.sweep);
+            stopwatch.lap(lap, |times| &mut times.sweep);
         }
+        true
     }
 
     /// The members of the last run, each once, under the boxes that they had then.
@@ -236,9 +286,10 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Frees what only a run needs, and is otherwise kept for the next one.
     #[cfg(feature = "_adapter")]
     pub(crate) fn free_scratch(&mut self) {
-        self.everyone = Vec::new();
+        self.parts = Vec::new();
         self.classes.truncate(self.class_count);
         for class in &mut self.classes {
+            class.scattered = Scattered::default();
             class.slabs.truncate(class.slab_count);
             class.slabs.iter_mut().for_each(Slab::free_scratch);
         }
@@ -267,30 +318,102 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Chooses a grid and sorts the members into its tubes, except the outsize ones.
+    /// Chooses a grid and deals the members to its tubes, except the outsize ones. Says whether the boxes are valid; if
+    /// not, nothing is dealt.
     ///
     /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
     /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
-    fn build(&mut self, boxes: &[Aabb<R, D>], members: &[u32], slab_count: usize) {
-        if members.len() > ONE_TUBE_UP_TO {
+    fn deal<M: Members>(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: M,
+        slab_count: usize,
+        parts: &mut Vec<Part<R, D>>,
+        stopwatch: &mut Stopwatch,
+    ) -> bool {
+        let count = members.count();
+        if count > ONE_TUBE_UP_TO {
             for widening in STRIP_WIDENINGS {
                 self.grid = Grid::choose(boxes, members, widening);
-                self.build_slabs(boxes, members, slab_count);
-                if self.outsize.len() <= members.len() / 8 * OUTSIZE_UP_TO_EIGHTHS {
-                    return;
+                if !self.deal_to(boxes, members, slab_count, parts, stopwatch) {
+                    return false;
+                }
+                if self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
+                    return true;
                 }
             }
         }
         self.grid = Grid::default();
-        self.build_slabs(boxes, members, 1);
+        self.deal_to(boxes, members, 1, parts, stopwatch)
     }
 
-    fn build_slabs(&mut self, boxes: &[Aabb<R, D>], members: &[u32], count: usize) {
-        let fits_table = Tubes::<R, D>::fits_table(&self.grid, members.len());
-        let ranges = if fits_table && count > 1 {
-            slab::split(&self.grid, boxes, members, count)
+    /// Deals the members to the tubes of the grid.
+    fn deal_to<M: Members>(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: M,
+        part_count: usize,
+        parts: &mut Vec<Part<R, D>>,
+        stopwatch: &mut Stopwatch,
+    ) -> bool {
+        let lap = stopwatch.start();
+        let count = members.count();
+        self.part_count = if self.grid.fits_table(count) {
+            part_count.min(count).max(1)
         } else {
-            std::iter::once(0..self.grid.tube_count() as u32).collect()
+            0
+        };
+        self.outsize.clear();
+        if self.part_count == 0 {
+            let mut is_valid = true;
+            if M::MAY_BE_INVALID {
+                members.for_each(boxes, 0..count, |_, _, aabb| is_valid &= aabb.is_valid());
+            }
+            let lap = stopwatch.lap(lap, |times| &mut times.read);
+            if is_valid {
+                self.grid.extend::<D>();
+                self.scattered
+                    .deal(boxes, members, &self.grid, &mut self.outsize);
+            }
+            stopwatch.lap(lap, |times| &mut times.sort);
+            return is_valid;
+        }
+        if parts.len() < self.part_count {
+            parts.resize_with(self.part_count, Part::default);
+        }
+        let parts = &mut parts[..self.part_count];
+        let grid = &self.grid;
+        for (i, part) in parts.iter_mut().enumerate() {
+            part.range = i * count / part_count..(i + 1) * count / part_count;
+        }
+        parallel::for_each(parts, |part| part.count(boxes, members, grid));
+        let lap = stopwatch.lap(lap, |times| &mut times.read);
+        if M::MAY_BE_INVALID && !parts.iter().all(|part| part.is_valid) {
+            return false;
+        }
+        parallel::for_each(parts, |part| part.place(boxes, members));
+        for part in parts {
+            self.outsize.append(&mut part.outsize);
+        }
+        stopwatch.lap(lap, |times| &mut times.sort);
+        true
+    }
+
+    /// Sorts and sweeps the tubes, and appends the pairs. What `keeps` asks for, or there are outsize boxes to look up in,
+    /// stays.
+    fn find(
+        &mut self,
+        parts: &[Part<R, D>],
+        slab_count: usize,
+        keeps: bool,
+        pairs: &mut Vec<[u32; 2]>,
+        stopwatch: &mut Stopwatch,
+    ) {
+        let keeps = keeps || !self.outsize.is_empty();
+        let grid = &self.grid;
+        let ranges = match parts {
+            [] => std::iter::once(0..u32::MAX).collect(),
+            _ => slab::split(grid, parts, slab_count),
         };
         self.slab_count = ranges.len();
         if self.slabs.len() < ranges.len() {
@@ -298,41 +421,34 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         for (slab, range) in self.slabs.iter_mut().zip(ranges) {
             slab.range = range;
+            slab.stopwatch = stopwatch.reset();
         }
-        let slabs = &mut self.slabs[..self.slab_count];
-        if fits_table {
-            let grid = &self.grid;
-            parallel::for_each(slabs, |slab| {
-                let range = slab.range.clone();
-                slab.tubes
-                    .build_by_table(boxes, members, grid, range, &mut slab.outsize);
-            });
-        } else {
-            let slab = &mut slabs[0];
-            slab.tubes
-                .build_by_sorting(boxes, members, &mut self.grid, &mut slab.outsize);
+        let scattered = &self.scattered;
+        match &mut self.slabs[..self.slab_count] {
+            [slab] if parts.is_empty() => slab.find_scattered(scattered, keeps, pairs),
+            [slab] => slab.find(grid, parts, keeps, pairs),
+            slabs => {
+                // The first one need not copy its pairs.
+                std::mem::swap(&mut slabs[0].pairs, pairs);
+                parallel::for_each(slabs, |slab| {
+                    let mut pairs = std::mem::take(&mut slab.pairs);
+                    slab.find(grid, parts, keeps, &mut pairs);
+                    slab.pairs = pairs;
+                });
+                std::mem::swap(&mut slabs[0].pairs, pairs);
+                for slab in &mut slabs[1..] {
+                    pairs.append(&mut slab.pairs);
+                }
+            }
         }
-        // Every slab has seen all of them.
-        std::mem::swap(&mut self.outsize, &mut slabs[0].outsize);
+        // Slabs work at the same time.
+        for slab in self.slabs() {
+            stopwatch.add_share(slab.stopwatch.times, self.slab_count as u32);
+        }
     }
 
     fn slabs(&self) -> &[Slab<R, D>] {
         &self.slabs[..self.slab_count]
-    }
-
-    /// Appends all pairs among the entries.
-    fn sweep(&mut self, pairs: &mut Vec<[u32; 2]>) {
-        match &mut self.slabs[..self.slab_count] {
-            [slab] => {
-                let mut emitter = Emitter::new(pairs);
-                slab.tubes.sweep(&mut emitter);
-                emitter.finish();
-            }
-            slabs => {
-                parallel::for_each(slabs, Slab::sweep);
-                slabs.iter_mut().for_each(|slab| slab.take_pairs(pairs));
-            }
-        }
     }
 
     fn prepare_lookup(&mut self) {

@@ -27,11 +27,13 @@ pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
 }
 
 #[cfg(target_feature = "sse2")]
-pub(crate) use sse2::{F32x8, F64x8};
+pub(crate) use sse2::{F32x8, F64x8, truncated_f32, truncated_f64};
 #[cfg(not(target_feature = "sse2"))]
 pub(crate) type F32x8 = Portable<f32>;
 #[cfg(not(target_feature = "sse2"))]
 pub(crate) type F64x8 = Portable<f64>;
+#[cfg(not(target_feature = "sse2"))]
+pub(crate) use {truncated as truncated_f32, truncated as truncated_f64};
 
 /// Eight numbers without a vector type; the result of a comparison is a flag in each lane.
 #[cfg(any(test, not(target_feature = "sse2")))]
@@ -71,6 +73,13 @@ impl<R: Copy + PartialOrd> Lanes<R> for Portable<R> {
     }
 }
 
+/// The integer parts of four numbers; 0 for NaN and negative ones, and 2³¹ for all that are greater.
+#[cfg(any(test, not(target_feature = "sse2")))]
+#[inline(always)]
+pub(crate) fn truncated<R: crate::Real>(numbers: [R; 4]) -> [u32; 4] {
+    numbers.map(|number| number.to_u32_saturating().min(1 << 31))
+}
+
 /// Vectors of 128 bits, which every x86-64 processor has.
 #[cfg(target_feature = "sse2")]
 mod sse2 {
@@ -78,7 +87,8 @@ mod sse2 {
 
     use safe_arch::{
         cmp_le_mask_m128, cmp_le_mask_m128d, load_unaligned_m128, load_unaligned_m128d, m128,
-        m128d, move_mask_m128, move_mask_m128d, set_splat_m128, set_splat_m128d,
+        m128d, max_m128, max_m128d, move_mask_m128, move_mask_m128d, set_splat_m128,
+        set_splat_m128d, truncate_m128_to_m128i, truncate_m128d_to_m128i,
     };
 
     use super::{LANES, Lanes};
@@ -123,6 +133,24 @@ mod sse2 {
                 }
             }
         };
+    }
+
+    /// The integer parts of four numbers; 0 for NaN and negative ones, and 2³¹ for all that are greater.
+    #[inline(always)]
+    pub(crate) fn truncated_f32(numbers: [f32; 4]) -> [u32; 4] {
+        // Of NaN and zero the maximum is the second.
+        let numbers = max_m128(m128::from(numbers), m128::default());
+        <[i32; 4]>::from(truncate_m128_to_m128i(numbers)).map(|number| number as u32)
+    }
+
+    /// The same for `f64`.
+    #[inline(always)]
+    pub(crate) fn truncated_f64([a, b, c, d]: [f64; 4]) -> [u32; 4] {
+        let halves = [[a, b], [c, d]].map(|half| {
+            let half = max_m128d(m128d::from(half), m128d::default());
+            <[i32; 4]>::from(truncate_m128d_to_m128i(half))
+        });
+        [halves[0][0], halves[0][1], halves[1][0], halves[1][1]].map(|number| number as u32)
     }
 
     vectors!(
@@ -181,5 +209,45 @@ mod tests {
         agrees_with_single_numbers::<f64, F64x8>(numbers.map(f64::from));
         agrees_with_single_numbers::<f32, Portable<f32>>(numbers);
         agrees_with_single_numbers::<f64, Portable<f64>>(numbers.map(f64::from));
+    }
+
+    #[test]
+    fn truncation_saturates() {
+        const INF: f32 = f32::INFINITY;
+        let numbers = [
+            0.0,
+            -0.0,
+            0.99,
+            1.0,
+            -1.0,
+            f32::NAN,
+            INF,
+            -INF,
+            2147483520.0,
+            2147483648.0,
+            4294967296.0,
+            1e-45,
+        ];
+        let expected = [
+            0,
+            0,
+            0,
+            1,
+            0,
+            0,
+            1 << 31,
+            0,
+            2147483520,
+            1 << 31,
+            1 << 31,
+            0,
+        ];
+        for (numbers, expected) in numbers.chunks(4).zip(expected.chunks(4)) {
+            let numbers: [f32; 4] = numbers.try_into().unwrap();
+            assert_eq!(truncated(numbers), expected);
+            assert_eq!(truncated_f32(numbers), expected);
+            assert_eq!(truncated(numbers.map(f64::from)), expected);
+            assert_eq!(truncated_f64(numbers.map(f64::from)), expected);
+        }
     }
 }

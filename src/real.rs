@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
-use crate::lanes::{F32x8, F64x8};
+use crate::lanes::{self, F32x8, F64x8};
 
 mod sealed {
     use crate::lanes::Lanes;
@@ -30,6 +30,8 @@ mod sealed {
         fn order_key(self) -> u64;
         /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
         fn to_u32_saturating(self) -> u32;
+        /// The integer parts of four numbers, non-decreasing in each; 0 for NaN and negative ones, 2³¹ for all that are greater.
+        fn truncated(numbers: [Self; 4]) -> [u32; 4];
     }
 }
 
@@ -56,7 +58,7 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($real:ident, $bits:ident, $lanes:ident) => {
+    ($real:ident, $bits:ident, $lanes:ident, $truncated:ident) => {
         impl Real for $real {
             #[inline]
             fn to_f64(self) -> f64 {
@@ -102,12 +104,16 @@ macro_rules! impl_real {
             fn to_u32_saturating(self) -> u32 {
                 self as u32
             }
+            #[inline(always)]
+            fn truncated(numbers: [Self; 4]) -> [u32; 4] {
+                lanes::$truncated(numbers)
+            }
         }
     };
 }
 
-impl_real!(f32, u32, F32x8);
-impl_real!(f64, u64, F64x8);
+impl_real!(f32, u32, F32x8, truncated_f32);
+impl_real!(f64, u64, F64x8, truncated_f64);
 
 #[cfg(test)]
 mod tests {

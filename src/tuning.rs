@@ -79,9 +79,6 @@ pub(crate) mod kernel {
     /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads. Above: the second thread idles. Below:
     /// waking it takes longer than the sort.
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
-
-    /// Boxes that are looked at to cut the tubes into slabs of equal work. Below: one thread gets more than its share.
-    pub(crate) const SLAB_SAMPLE: usize = 2048;
 }
 
 /// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --features rapier2d,rapier3d --bench update`, and over

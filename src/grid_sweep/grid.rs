@@ -5,9 +5,10 @@
 //! coordinate, and that alone makes the sweep exact: two overlapping boxes both reach the strip that holds the larger of
 //! their two `mins`. So origin and width may be guessed from a sample, and the guess may be wrong.
 
+use super::members::Members;
 use crate::tuning::kernel::{
     BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
-    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, POINTS_A_TUBE,
+    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, POINTS_A_TUBE, SPARE_TUBES,
 };
 use crate::{Aabb, Real};
 
@@ -58,7 +59,14 @@ impl TubeSpan {
     /// Whether it is more than two strips wide on some axis: such boxes are treated apart.
     #[inline(always)]
     pub(super) fn is_outsize(&self) -> bool {
-        (self.last[0] - self.first[0] > 1) | (self.last[1] - self.first[1] > 1)
+        let [rows, columns] = self.beyond();
+        (rows > 1) | (columns > 1)
+    }
+
+    /// How many strips a box spans besides the first. Inverted boxes, which are refused later, wrap around to large numbers.
+    #[inline(always)]
+    pub(super) fn beyond(&self) -> [u32; 2] {
+        [0, 1].map(|cut| self.last[cut].wrapping_sub(self.first[cut]))
     }
 }
 
@@ -67,6 +75,11 @@ impl<R: Real> Grid<R> {
     pub(super) fn tube_count(&self) -> u64 {
         let [rows, columns] = self.axes.map(|axis| u64::from(axis.last) + 1);
         rows.saturating_mul(columns)
+    }
+
+    /// Whether there are so few tubes that a table of them does not cost more than the boxes do.
+    pub(super) fn fits_table(&self, members: usize) -> bool {
+        self.tube_count() <= (members as u64 + SPARE_TUBES).min(1 << 30)
     }
 
     /// Extends the strips to the greatest number that they can have.
@@ -90,16 +103,47 @@ impl<R: Real> Grid<R> {
         span
     }
 
+    /// The same for a grid of less than 2³¹ tubes.
+    #[inline(always)]
+    pub(super) fn tube_span_in_table<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
+        let mut span = TubeSpan {
+            first: [0; 2],
+            last: [0; 2],
+        };
+        let cuts = cut_axes::<D>();
+        if cuts == 0 {
+            return span;
+        }
+        // All four lanes hold a sound offset: what the compiler puts into a lane that nobody reads may be a subnormal number,
+        // with which the processor calculates a hundred times slower.
+        let offset = |corner: &[R; D], cut: usize| {
+            let cut = cut.min(cuts - 1);
+            (corner[cut + 1] - self.axes[cut].origin) * self.axes[cut].per_length
+        };
+        let Aabb { mins, maxs } = aabb;
+        let strips = R::truncated([
+            offset(mins, 0),
+            offset(mins, 1),
+            offset(maxs, 0),
+            offset(maxs, 1),
+        ]);
+        for cut in 0..cuts {
+            span.first[cut] = strips[cut].min(self.axes[cut].last);
+            span.last[cut] = strips[2 + cut].min(self.axes[cut].last);
+        }
+        span
+    }
+
     /// A grid that suits the members, its strips widened by `widening`.
     pub(super) fn choose<const D: usize>(
         boxes: &[Aabb<R, D>],
-        members: &[u32],
+        members: impl Members,
         widening: f64,
     ) -> Self {
         let cuts = cut_axes::<D>();
-        let n = members.len() as f64;
-        let sample: Vec<_> = scattered(members.len())
-            .map(|i| &boxes[members[i] as usize])
+        let n = members.count() as f64;
+        let sample: Vec<_> = scattered(members.count())
+            .map(|i| &boxes[members.index(i) as usize])
             .collect();
         let axes: [AxisSample; 3] = core::array::from_fn(|k| AxisSample::of(&sample, k.min(D - 1)));
 

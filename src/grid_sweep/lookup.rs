@@ -7,7 +7,7 @@
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
 //! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
 
-use super::ghosts::ghost_axes;
+use super::ghosts::owner_in;
 use super::grid::{Grid, TubeSpan};
 use super::sweep::Emitter;
 use super::tubes::{NOWHERE, Tube, Tubes};
@@ -115,10 +115,9 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         owner: u32,
         emitter: &mut Emitter,
     ) {
-        let ghost = ghost_axes(tube.strips, span.first);
+        let owner = owner_in(tube.strips, span.first, owner);
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
-        self.columns()
-            .window::<true>(start, aabb, owner, ghost, emitter);
+        self.columns().window::<true>(start, aabb, owner, emitter);
     }
 }

@@ -38,36 +38,32 @@ impl<R: Real> Order<R> {
     #[inline]
     fn deal(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
         let Self { sorted, cursors } = self;
-        let (mut low, mut high) = (R::MAX, R::ZERO - R::MAX);
-        for x in numbers.clone() {
-            // Infinite ones must not spoil the guess.
-            if x.is_finite() {
-                low = if x < low { x } else { low };
-                high = if x > high { x } else { high };
-            }
-        }
-        let buckets = numbers.len();
+        let count = numbers.len();
+        let [low, high] = range(numbers.clone());
         let length = (high.to_f64() - low.to_f64()).max(0.0);
-        let per_length = R::from_f64(buckets as f64 / length);
-        // Non-decreasing in x, like the strips of a grid.
-        let bucket_of =
-            |x: R| (((x - low) * per_length).to_u32_saturating() as usize).min(buckets - 1);
-
+        let per_length = R::from_f64(count as f64 / length);
         cursors.clear();
-        cursors.resize(buckets, 0);
+        cursors.resize(count, 0);
+        let cursors = &mut cursors[..];
+        let last = cursors.len() - 1;
+        // Non-decreasing in x, like the strips of a grid.
+        let bucket_of = |x: R| {
+            let offset = (x - low) * per_length;
+            let [bucket, ..] = R::truncated([offset, R::ZERO, R::ZERO, R::ZERO]);
+            (bucket as usize).min(last)
+        };
         for x in numbers.clone() {
             cursors[bucket_of(x)] += 1;
         }
         let mut end = 0;
         let mut most = 0;
-        for cursor in cursors.iter_mut() {
+        for cursor in &mut *cursors {
             most = most.max(*cursor);
-            let start = end;
-            end += *cursor;
-            *cursor = start;
+            end += std::mem::replace(cursor, end);
         }
         // All of it is written below.
-        sorted.resize(numbers.len(), (R::ZERO, 0));
+        sorted.resize(count, (R::ZERO, 0));
+        let sorted = &mut sorted[..count];
         for number in numbers.zip(0..) {
             let cursor = &mut cursors[bucket_of(number.0)];
             sorted[*cursor as usize] = number;
@@ -85,6 +81,24 @@ impl<R: Real> Order<R> {
             }
         }
     }
+}
+
+/// The least and the greatest of the finite numbers. Infinite ones must not spoil the guess.
+#[inline]
+fn range<R: Real>(numbers: impl Iterator<Item = R> + Clone) -> [R; 2] {
+    fn widest<R: Real>(numbers: impl Iterator<Item = R>) -> [R; 2] {
+        numbers.fold([R::MAX, R::ZERO - R::MAX], |[low, high], x| {
+            [
+                if x < low { x } else { low },
+                if x > high { x } else { high },
+            ]
+        })
+    }
+    let found = widest(numbers.clone());
+    if found.iter().all(|x| x.is_finite()) {
+        return found;
+    }
+    widest(numbers.filter(|x| x.is_finite()))
 }
 
 /// Sorts by insertion: fast when few numbers are far from their place. Stable.

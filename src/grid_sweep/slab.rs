@@ -1,17 +1,17 @@
 //! A part of the tubes, for one thread.
 //!
-//! Tubes do not depend on each other, so any range of them can be filled, sorted and swept on its own. Each slab
-//! goes through all boxes and takes those that span its tubes. That is a small part of the work, and it means that
-//! nothing is shared. The pairs of the slabs, one after the other, are those that a single slab finds, in the same
-//! order.
+//! Tubes do not depend on each other, so any range of them can be sorted and swept on its own. The pairs of the slabs, one
+//! after the other, are those that a single slab finds, in the same order.
 
 use std::ops::Range;
 
 use super::grid::Grid;
+use super::part::{Entry, Part};
+use super::scattered::Scattered;
 use super::sweep::Emitter;
 use super::tubes::Tubes;
-use crate::tuning::kernel::SLAB_SAMPLE;
-use crate::{Aabb, Real};
+use crate::Real;
+use crate::stopwatch::{Lap, Stopwatch};
 
 /// Some of the tubes of a grid, and the pairs found in them.
 #[derive(Clone, Debug)]
@@ -19,9 +19,10 @@ pub(super) struct Slab<R, const D: usize> {
     pub(super) tubes: Tubes<R, D>,
     /// The numbers of the tubes in the grid.
     pub(super) range: Range<u32>,
-    /// Scratch: the boxes too large for the grid, and the pairs.
-    pub(super) outsize: Vec<u32>,
-    pairs: Vec<[u32; 2]>,
+    /// Scratch: the entries of one tube, and the pairs.
+    entries: Vec<Entry<R, D>>,
+    pub(super) pairs: Vec<[u32; 2]>,
+    pub(super) stopwatch: Stopwatch,
 }
 
 impl<R: Real, const D: usize> Default for Slab<R, D> {
@@ -29,61 +30,179 @@ impl<R: Real, const D: usize> Default for Slab<R, D> {
         Self {
             tubes: Tubes::default(),
             range: 0..0,
-            outsize: Vec::new(),
+            entries: Vec::new(),
             pairs: Vec::new(),
+            stopwatch: Stopwatch::default(),
         }
     }
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Finds the pairs and keeps them until they are [taken](Self::take_pairs).
-    pub(super) fn sweep(&mut self) {
-        let mut emitter = Emitter::new(&mut self.pairs);
-        self.tubes.sweep(&mut emitter);
-        emitter.finish();
+    /// Puts each tube together from the parts, sorts and sweeps it while it is in the cache, and appends the pairs. Only if it
+    /// `keeps` the tubes, boxes can be looked up in them later.
+    pub(super) fn find(
+        &mut self,
+        grid: &Grid<R>,
+        parts: &[Part<R, D>],
+        keeps: bool,
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let range = self.range.clone();
+        let before = |tube| {
+            let counts = parts.iter().map(|part| part.entries_before(tube));
+            counts.sum::<u32>() as usize
+        };
+        let size = keeps.then(|| {
+            let is_occupied = |&tube: &u32| parts.iter().any(|part| !part.tube(tube).is_empty());
+            let entries = before(range.end) - before(range.start);
+            (entries, range.clone().filter(is_occupied).count())
+        });
+        let mut gathered = std::mem::take(&mut self.entries);
+        let mut pass = Pass::new(self, size, pairs);
+        let columns = grid.axes[1].last + 1;
+        for tube in range {
+            let strips = [tube / columns, tube % columns];
+            if let [part] = parts {
+                pass.take(strips, part.tube(tube));
+            } else {
+                gather(parts, tube, &mut gathered);
+                pass.take(strips, &gathered);
+            }
+        }
+        pass.finish();
+        self.entries = gathered;
+    }
+
+    /// The same where there is no table of tubes.
+    pub(super) fn find_scattered(
+        &mut self,
+        scattered: &Scattered<R, D>,
+        keeps: bool,
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let size = keeps.then(|| (scattered.len(), scattered.tubes().count()));
+        let mut pass = Pass::new(self, size, pairs);
+        for (strips, entries) in scattered.tubes() {
+            pass.take(strips, entries);
+        }
+        pass.finish();
+        self.tubes.table.clear();
     }
 
     /// Frees what only a run needs.
     #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
-        self.outsize = Vec::new();
+        self.entries = Vec::new();
         self.pairs = Vec::new();
         self.tubes.free_scratch();
     }
+}
 
-    /// Appends the pairs that were found.
-    pub(super) fn take_pairs(&mut self, pairs: &mut Vec<[u32; 2]>) {
-        pairs.append(&mut self.pairs);
+/// A pass over the tubes of a slab, each of which is sorted and swept.
+struct Pass<'a, R: Real, const D: usize> {
+    tubes: &'a mut Tubes<R, D>,
+    keeps: bool,
+    emitter: Emitter<'a>,
+    stopwatch: &'a mut Stopwatch,
+    lap: Lap,
+}
+
+impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
+    /// Begins with no tubes. If they are kept, how many entries in how many tubes are to come is known.
+    fn new(
+        slab: &'a mut Slab<R, D>,
+        size: Option<(usize, usize)>,
+        pairs: &'a mut Vec<[u32; 2]>,
+    ) -> Self {
+        let Slab {
+            tubes,
+            range,
+            stopwatch,
+            ..
+        } = slab;
+        let lap = stopwatch.start();
+        tubes.clear(range.clone());
+        if let Some((entries, occupied)) = size {
+            tubes.reserve(entries, occupied);
+        }
+        Self {
+            tubes,
+            keeps: size.is_some(),
+            emitter: Emitter::new(pairs),
+            stopwatch,
+            lap,
+        }
+    }
+
+    /// Sorts and sweeps the next tube.
+    fn take(&mut self, strips: [u32; 2], entries: &[Entry<R, D>]) {
+        if let Some(sorted) = self.tubes.push(strips, entries, self.keeps) {
+            self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sort);
+            self.tubes.columns().sweep(sorted, &mut self.emitter);
+            self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sweep);
+        }
+    }
+
+    fn finish(self) {
+        self.emitter.finish();
+        self.stopwatch.lap(self.lap, |times| &mut times.sweep);
+    }
+}
+
+/// Puts the entries of a tube together in the order that they have in a single part.
+fn gather<R: Real, const D: usize>(
+    parts: &[Part<R, D>],
+    tube: u32,
+    entries: &mut Vec<Entry<R, D>>,
+) {
+    entries.clear();
+    let tubes = parts.iter().map(|part| part.tube(tube));
+    let halves =
+        tubes.map(|tube| tube.split_at(tube.partition_point(|entry| entry.owner.is_at_home())));
+    for (homes, _) in halves.clone() {
+        entries.extend_from_slice(homes);
+    }
+    for (_, ghosts) in halves {
+        entries.extend_from_slice(ghosts);
     }
 }
 
 /// Cuts the tubes of a grid into at most `count` ranges that are about equally full.
 pub(super) fn split<R: Real, const D: usize>(
     grid: &Grid<R>,
-    boxes: &[Aabb<R, D>],
-    members: &[u32],
+    parts: &[Part<R, D>],
     count: usize,
 ) -> Vec<Range<u32>> {
-    let columns = grid.axes[1].last + 1;
     let end = grid.tube_count() as u32;
-    let mut tubes: Vec<u32> = members
-        .iter()
-        .step_by(members.len() / SLAB_SAMPLE + 1)
-        .map(|&member| {
-            let [row, column] = grid.tube_span(&boxes[member as usize]).first;
-            row * columns + column
-        })
-        .collect();
-    tubes.sort_unstable();
-    // More would be empty.
-    let count = count.min(tubes.len());
+    let before = |tube: u32| {
+        let counts = parts
+            .iter()
+            .map(|part| u64::from(part.entries_before(tube)));
+        counts.sum::<u64>()
+    };
+    let total = before(end);
+    let mut ranges = Vec::with_capacity(count);
     let mut start = 0;
-    let mut ranges: Vec<_> = (1..count)
-        .filter_map(|part| {
-            let border = *tubes.get(part * tubes.len() / count)?;
-            (border > start).then(|| std::mem::replace(&mut start, border)..border)
-        })
-        .collect();
-    ranges.push(start..end);
+    for part in 1..=count as u64 {
+        let share = total * part / count as u64;
+        // The first tube that begins at or after the share.
+        let (mut low, mut high) = (start, end);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if before(middle) < share {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        let border = if part == count as u64 { end } else { low };
+        if border > start {
+            ranges.push(start..border);
+            start = border;
+        }
+    }
+    if ranges.is_empty() {
+        ranges.push(0..end);
+    }
     ranges
 }

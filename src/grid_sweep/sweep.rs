@@ -1,5 +1,8 @@
 //! The sweep: windows over sorted entries, eight at a time.
 
+use std::ops::Range;
+
+use super::owner::Owner;
 use super::tubes::Tubes;
 use crate::lanes::{LANES, Lanes};
 use crate::pair_finder::ordered;
@@ -25,6 +28,12 @@ const ONES: [u32; 1 << LANES] = {
     ones
 };
 
+/// How many entries may be read beyond the last sentinel.
+pub(super) const PADDING: usize = 80;
+
+/// How many blocks of eight candidates a box may have before it is swept on its own.
+const BLOCKS: usize = 4;
+
 /// How many pairs are collected before they are appended to the output.
 const BUFFER: usize = 512;
 
@@ -48,26 +57,58 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Appends the pairs of `owner` with those of eight others whose bit in `hits` is set.
+    /// Appends the pairs of `owner` with those of eight others whose bit in `hits` is set. Pairs of ghosts on the same axis
+    /// are left out.
     #[inline(always)]
-    fn emit(&mut self, owner: u32, others: &[u32; LANES], hits: u32) {
+    fn emit(&mut self, owner: Owner, others: &[Owner; LANES], hits: u32) {
         if self.len > BUFFER - LANES {
             self.flush();
         }
         let mut ones = ONES[hits as usize % ONES.len()];
         let count = (ones >> 24) as usize;
-        let written = &mut self.buffer[self.len..self.len + LANES];
-        for pair in &mut written[..2] {
-            *pair = ordered(owner, others[ones as usize % LANES]);
+        for written in 0..2 {
+            let other = others[ones as usize % LANES];
+            self.append(owner, other, written < count);
             ones >>= 3;
         }
-        if count > 2 {
-            for pair in &mut written[2..count] {
-                *pair = ordered(owner, others[ones as usize % LANES]);
-                ones >>= 3;
-            }
+        for _ in 2..count {
+            self.append(owner, others[ones as usize % LANES], true);
+            ones >>= 3;
         }
-        self.len += count;
+    }
+
+    /// Appends the pair if it exists, unless both are ghosts on the same axis. There must be room.
+    #[inline(always)]
+    fn append(&mut self, owner: Owner, other: Owner, exists: bool) {
+        self.buffer[self.len % BUFFER] = ordered(owner.index(), other.index());
+        // No branch: it would be mispredicted.
+        self.len += usize::from(exists & !owner.shares_axis(other));
+    }
+
+    /// Appends the pairs of a few entries with those that follow them: of the entry `i`, bit `s` of as many bits as there
+    /// are shifts is for the entry `i + 1 + s`. Pairs of ghosts on the same axis are left out.
+    #[inline(always)]
+    fn emit_shifted<const SHIFTS: usize, const N: usize>(
+        &mut self,
+        owners: &[Owner; N],
+        mut hits: u64,
+    ) {
+        const {
+            assert!(
+                N >= 64 / SHIFTS + SHIFTS,
+                "the last entry has as many that follow"
+            )
+        };
+        if self.len > BUFFER - 64 {
+            self.flush();
+        }
+        while hits != 0 {
+            let hit = hits.trailing_zeros() as usize % 64;
+            hits &= hits - 1;
+            let first = hit / SHIFTS;
+            let other = first + 1 + hit % SHIFTS;
+            self.append(owners[first], owners[other], true);
+        }
     }
 
     fn flush(&mut self) {
@@ -86,8 +127,7 @@ impl<'a> Emitter<'a> {
 pub(super) struct Columns<'a, R, const D: usize> {
     mins: [&'a [R]; D],
     maxs: [&'a [R]; D],
-    owners: &'a [u32],
-    ghosts: &'a [u8],
+    owners: &'a [Owner],
 }
 
 impl<R: Real, const D: usize> Tubes<R, D> {
@@ -98,34 +138,97 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             mins: core::array::from_fn(|k| &self.mins[k][..n]),
             maxs: core::array::from_fn(|k| &self.maxs[k][..n]),
             owners: &self.owners[..n],
-            ghosts: &self.ghosts[..n],
-        }
-    }
-
-    /// Reports every overlapping pair among the entries of each tube, except those of two ghosts on the same axis,
-    /// which another tube reports.
-    pub(super) fn sweep(&self, emitter: &mut Emitter) {
-        let columns = self.columns();
-        for tube in &self.tubes {
-            for i in tube.start as usize..tube.end as usize {
-                let aabb = Aabb {
-                    mins: core::array::from_fn(|k| columns.mins[k][i]),
-                    maxs: core::array::from_fn(|k| columns.maxs[k][i]),
-                };
-                // Entries from i on have mins[0] no less than this one's, so only their mins[0] is compared.
-                columns.window::<false>(
-                    i + 1,
-                    &aabb,
-                    columns.owners[i],
-                    columns.ghosts[i],
-                    emitter,
-                );
-            }
         }
     }
 }
 
+/// Eight entries that follow each other, each in its lane.
+struct Eight<R: Real, const D: usize> {
+    mins: [R::Lanes; D],
+    maxs: [R::Lanes; D],
+}
+
 impl<R: Real, const D: usize> Columns<'_, R, D> {
+    /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which
+    /// another tube reports.
+    ///
+    /// Eight entries at a time are compared with those that follow them: all eight with the next, then all with the next but
+    /// one, until none of the eight reaches that far along the first axis.
+    pub(super) fn sweep(self, tube: Range<usize>, emitter: &mut Emitter) {
+        let mut first = tube.start;
+        while first < tube.end {
+            let eight = Eight {
+                mins: core::array::from_fn(|k| load::<R>(self.mins[k], first)),
+                maxs: core::array::from_fn(|k| load::<R>(self.maxs[k], first)),
+            };
+            // The lanes of entries that still reach the one that is compared with.
+            let mut alive = (1_u32 << (tube.end - first).min(LANES)) - 1;
+            let mut blocks = [0; BLOCKS];
+            let mut depth = 0;
+            while alive != 0 && depth < BLOCKS {
+                blocks[depth] = self.compare(&eight, first + 1 + depth * LANES, &mut alive);
+                depth += 1;
+            }
+            if depth == 1 {
+                emitter.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
+            } else if depth == 2 {
+                for (first, hits) in (first..).step_by(4).zip(interleaved(blocks[0], blocks[1])) {
+                    emitter.emit_shifted::<16, 20>(many(self.owners, first), hits);
+                }
+            } else {
+                self.emit_blocks(first, &blocks, alive, emitter);
+            }
+            first += LANES;
+        }
+    }
+
+    /// Compares eight entries with those shifted by one to eight places. A byte for each of the eight, with a bit for each
+    /// shift.
+    #[inline(always)]
+    fn compare(self, these: &Eight<R, D>, next: usize, alive: &mut u32) -> u64 {
+        // Of one length, so that bounds are checked here and nowhere below.
+        let mins: [&[R; 2 * LANES]; D] = self.mins.map(|column| many(column, next));
+        let maxs: [&[R; 2 * LANES]; D] = self.maxs.map(|column| many(column, next));
+        let mut hits = 0;
+        for shift in 0..LANES {
+            let reached = load::<R>(mins[0], shift).le(these.maxs[0]);
+            let mut overlap = reached;
+            for k in 1..D {
+                overlap = overlap
+                    & load::<R>(mins[k], shift).le(these.maxs[k])
+                    & load::<R>(maxs[k], shift).ge(these.mins[k]);
+            }
+            *alive &= reached.bits();
+            hits |= u64::from(overlap.bits() & *alive) << (shift * LANES);
+            if *alive == 0 {
+                break;
+            }
+        }
+        transposed(hits)
+    }
+
+    /// Reports the pairs of eight entries of which some have more than eight candidates, one entry after the other.
+    #[inline(never)]
+    fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, emitter: &mut Emitter) {
+        for lane in 0..LANES {
+            let shift = lane * LANES;
+            let hits = blocks
+                .iter()
+                .rev()
+                .fold(0, |hits, block| hits << LANES | (block >> shift & 0xFF));
+            emitter.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
+            if alive >> lane & 1 == 1 {
+                let i = first + lane;
+                let aabb = Aabb {
+                    mins: core::array::from_fn(|k| self.mins[k][i]),
+                    maxs: core::array::from_fn(|k| self.maxs[k][i]),
+                };
+                let start = i + 1 + BLOCKS * LANES;
+                self.window::<false>(start, &aabb, self.owners[i], emitter);
+            }
+        }
+    }
+
     /// Reports every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies
     /// beyond it.
     #[inline(always)]
@@ -133,8 +236,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         self,
         start: usize,
         aabb: &Aabb<R, D>,
-        owner: u32,
-        ghost: u8,
+        owner: Owner,
         emitter: &mut Emitter,
     ) {
         let mins = aabb.mins.map(R::Lanes::splat);
@@ -155,8 +257,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             let reached = reached.bits();
             // The lanes before the first that is not reached.
             let in_window = (reached ^ (reached + 1)) >> 1;
-            let mut hits = overlap.bits() & in_window;
-            hits &= !shared_axes(ghost, eight(self.ghosts, j));
+            let hits = overlap.bits() & in_window;
             emitter.emit(owner, eight(self.owners, j), hits);
             if reached != (1 << LANES) - 1 {
                 return;
@@ -174,17 +275,70 @@ fn load<R: Real>(numbers: &[R], start: usize) -> R::Lanes {
 
 #[inline(always)]
 fn eight<T>(items: &[T], start: usize) -> &[T; LANES] {
+    many(items, start)
+}
+
+/// So many items from `start` on.
+#[inline(always)]
+fn many<T, const N: usize>(items: &[T], start: usize) -> &[T; N] {
     items[start..]
         .first_chunk()
         .expect("the columns are padded")
 }
 
-/// In which of eight lanes the entry is a ghost on an axis on which `ghost` is one too.
+/// The bytes of two words in turns: those of the lower halves, and those of the upper halves.
 #[inline(always)]
-fn shared_axes(ghost: u8, lanes: &[u8; LANES]) -> u32 {
-    const EACH: u64 = 0x0101_0101_0101_0101;
-    let shared = u64::from_le_bytes(*lanes) & (u64::from(ghost) * EACH);
-    // One bit per byte; then a multiplication shifts each to its place, one bit per lane.
-    let any = (shared | shared >> 1) & EACH;
-    (any.wrapping_mul(0x0102_0408_1020_4080) >> 56) as u32
+fn interleaved(even: u64, odd: u64) -> [u64; 2] {
+    let spread = |half: u32| {
+        let x = u64::from(half);
+        let x = (x | x << 16) & 0x0000_FFFF_0000_FFFF;
+        (x | x << 8) & 0x00FF_00FF_00FF_00FF
+    };
+    [0, 32].map(|half| spread((even >> half) as u32) | spread((odd >> half) as u32) << 8)
+}
+
+/// Eight rows of eight bits, as columns.
+#[inline(always)]
+fn transposed(mut rows: u64) -> u64 {
+    for (shift, mask) in [
+        (7, 0x00AA_00AA_00AA_00AA),
+        (14, 0x0000_CCCC_0000_CCCC),
+        (28, 0x0000_0000_F0F0_F0F0),
+    ] {
+        let swapped = (rows ^ rows >> shift) & mask;
+        rows ^= swapped ^ swapped << shift;
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_go_where_they_belong() {
+        let block = 0x8102_0408_10FF_0037;
+        let columns = transposed(block);
+        for (row, column) in (0..8).flat_map(|row| (0..8).map(move |column| (row, column))) {
+            assert_eq!(
+                block >> (8 * row + column) & 1,
+                columns >> (8 * column + row) & 1
+            );
+        }
+        let [low, high] = interleaved(block, columns);
+        for byte in 0..4 {
+            let pair = |half: u64| [half >> (16 * byte), half >> (16 * byte + 8)].map(|x| x as u8);
+            assert_eq!(
+                pair(low),
+                [block.to_le_bytes()[byte], columns.to_le_bytes()[byte]]
+            );
+            assert_eq!(
+                pair(high),
+                [
+                    block.to_le_bytes()[byte + 4],
+                    columns.to_le_bytes()[byte + 4]
+                ]
+            );
+        }
+    }
 }

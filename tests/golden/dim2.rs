@@ -37,7 +37,7 @@ const SCENES: [u64; 21] = [
     0x8600a428b67eded8,
     0x92564a6637adae6e,
     0x4c5109ba2ba1591f,
-    0x390602074bf49274,
+    0xd54a58aac6f1c302,
     0xde89350bfac0fcd5,
     0xcd369aac949195e9,
     0x231225433ef25e27,

@@ -37,7 +37,7 @@ const SCENES: [u64; 21] = [
     0x2ec61bb514ea9082,
     0xea1dee57585959be,
     0x9aa36f883f92794b,
-    0x4bdeb484ab3e482b,
+    0x6a22b3113e479ebf,
     0xbf9380aee2bfd177,
     0xcd369aac949195e9,
     0x1e37431a4aba538f,

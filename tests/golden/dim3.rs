@@ -37,7 +37,7 @@ const SCENES: [u64; 21] = [
     0xc84614109760b17d,
     0x5d23df2765a865f3,
     0x41e927d9c5a9c907,
-    0x9b7acfb46ea0c4da,
+    0xcf25b3acdfab9fbf,
     0xd1f2068e216a7bd8,
     0xc86502f53146d093,
     0x38fc9794aeaa30bf,

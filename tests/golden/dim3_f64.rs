@@ -37,7 +37,7 @@ const SCENES: [u64; 21] = [
     0x32a2db20fbd1e6c3,
     0x5d23df2765a865f3,
     0xfc66d96bb6b02f95,
-    0xcad379ae0e8562ba,
+    0xcdf8f8d1d3171757,
     0xc2aca014c409cb4e,
     0xc86502f53146d093,
     0x6caebe7a3da83646,

@@ -51,6 +51,9 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
 }
 
+/// How many bodies what comes closest to a soft body is made of.
+pub(super) const PARTS_OF_SOFT_BODY: usize = 1 << DIM;
+
 /// Inserts what comes closest to a soft body of this half size: balls at the corners of a cube, each on springs to all
 /// others.
 pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
@@ -58,7 +61,7 @@ pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
     const STIFFNESS: Real = 200.0;
     const DAMPING: Real = 4.0;
     let radius = half / 2.0;
-    let corners: Vec<_> = (0..1_usize << DIM)
+    let corners: Vec<_> = (0..PARTS_OF_SOFT_BODY)
         .map(|corner| {
             Vector::from_fn(|axis, _| match corner >> axis & 1 {
                 0 => radius - half,

@@ -53,6 +53,9 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
 }
 
+/// A soft body is one body.
+pub(super) const PARTS_OF_SOFT_BODY: usize = 1;
+
 /// Inserts a soft body of this half size.
 pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
     let World {

@@ -3,9 +3,9 @@
 //! Each gets the events of its broad phase and is then run by Rapier's [`CollisionPipeline`] on a copy of the same
 //! world, so that nothing but the pairs can make a difference, not even the order in which the solver works.
 
+use super::World;
 use super::both::{Both, Side};
 use super::journal::Journal;
-use super::{PairEvent, World};
 
 use super::pair::Pair;
 use super::rapier::prelude::*;
@@ -71,7 +71,7 @@ impl BroadPhase for Replay {
         }
 
         fn clone_box(&self) -> Box<dyn BroadPhase> {
-            let events = self.0.iter().map(PairEvent::from);
+            let events = self.0.iter().map(super::PairEvent::from);
             Box::new(Self(events.map(Into::into).collect()))
         }
     }

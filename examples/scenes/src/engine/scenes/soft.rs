@@ -16,13 +16,17 @@ const RADIUS: Real = 0.5;
 const SPACING: Real = 2.0;
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
-    let lattice = Lattice::heap(bodies, SPACING, 1.0);
+    // A soft body counts as what it is made of.
+    let parts = version::PARTS_OF_SOFT_BODY;
+    let soft = (bodies / (SOFT_ONE_IN - 1 + parts)).max(usize::from(bodies >= parts));
+    let count = bodies - soft * (parts - 1);
+    let lattice = Lattice::heap(count, SPACING, 1.0);
     let walls = Container::standing(lattice.half_width() + 0.5, lattice.height() + 2.0);
     let mut world = falling();
     walls.wall_in(&mut world, |side| side.build());
-    for index in 0..bodies {
+    for index in 0..count {
         let center = lattice.center(index) + along(UP, 0.5) + jitter(random, 0.05);
-        if index % SOFT_ONE_IN == 0 {
+        if index % SOFT_ONE_IN == 0 && index / SOFT_ONE_IN < soft {
             version::insert_soft_body(&mut world, center, HALF);
         } else {
             let ball = RigidBodyBuilder::dynamic().translation(center);

@@ -1,0 +1,169 @@
+//! A part of the boxes, dealt to the tubes by one thread.
+//!
+//! Threads share out the boxes, not the tubes, so each box is read by one thread only. What a tube holds is put together
+//! from the parts: see [`Slab`](super::slab::Slab).
+
+use std::ops::Range;
+
+use super::ghosts::{Ghost, MAX_GHOSTS, write_ghosts};
+use super::grid::Grid;
+use super::members::Members;
+use super::owner::Owner;
+use crate::{Aabb, Real};
+
+/// A box on its way into a tube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry<R, const D: usize> {
+    pub(super) aabb: Aabb<R, D>,
+    pub(super) owner: Owner,
+}
+
+impl<R: Real, const D: usize> Default for Entry<R, D> {
+    fn default() -> Self {
+        Self {
+            aabb: Aabb::new([R::ZERO; D], [R::ZERO; D]),
+            owner: Owner::default(),
+        }
+    }
+}
+
+/// How many boxes are looked at before there is made room for the ghosts of as many more.
+const BATCH: usize = 256;
+
+/// Entries by tube: in each first the boxes whose own tube it is, then ghosts, both in the order of the members.
+#[derive(Clone, Debug)]
+pub(super) struct Part<R, const D: usize> {
+    /// Which of the members.
+    pub(super) range: Range<usize>,
+    /// Whether their boxes are valid.
+    pub(super) is_valid: bool,
+    entries: Vec<Entry<R, D>>,
+    /// For each tube of the grid, where its entries end, once they are there; before, how many there are. One more for
+    /// outsize boxes, in the place of a tube of their own.
+    ends: Vec<u32>,
+    /// For each member its own tube.
+    homes: Vec<u32>,
+    /// The ghosts; those past their count are unspecified.
+    ghosts: Vec<Ghost>,
+    ghost_count: usize,
+    /// The boxes too large for the grid.
+    pub(super) outsize: Vec<u32>,
+}
+
+impl<R, const D: usize> Default for Part<R, D> {
+    fn default() -> Self {
+        Self {
+            range: 0..0,
+            is_valid: true,
+            entries: Vec::new(),
+            ends: Vec::new(),
+            homes: Vec::new(),
+            ghosts: Vec::new(),
+            ghost_count: 0,
+            outsize: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Part<R, D> {
+    /// Counts the entries of each tube for the members of the range, and takes down whether all their boxes are valid.
+    ///
+    /// Whether a box has a ghost is practically random. So there is no branch on it: ghosts are always written to a list,
+    /// which grows by those that exist.
+    pub(super) fn count(&mut self, boxes: &[Aabb<R, D>], members: impl Members, grid: &Grid<R>) {
+        let Self {
+            range,
+            ends,
+            homes,
+            ghosts,
+            outsize,
+            ..
+        } = self;
+        let columns = grid.axes[1].last + 1;
+        let tube_count = grid.tube_count() as u32;
+        outsize.clear();
+        ends.clear();
+        ends.resize(tube_count as usize + 1, 0);
+        let ends = &mut ends[..];
+        homes.resize(range.len(), 0);
+        let mut ghost_count = 0;
+        let mut is_valid = true;
+        for (start, homes) in range.clone().step_by(BATCH).zip(homes.chunks_mut(BATCH)) {
+            let room = ghost_count + BATCH * MAX_GHOSTS;
+            if ghosts.len() < room {
+                ghosts.resize(2 * room, Ghost::default());
+            }
+            let ghosts = &mut ghosts[..room];
+            members.for_each(boxes, start..start + homes.len(), |i, owner, aabb| {
+                is_valid &= aabb.is_valid();
+                let span = grid.tube_span_in_table(aabb);
+                if span.is_outsize() {
+                    outsize.push(owner);
+                    homes[i] = tube_count;
+                    ends[tube_count as usize] += 1;
+                    return;
+                }
+                let home = span.first[0] * columns + span.first[1];
+                homes[i] = home;
+                ends[home as usize] += 1;
+                let list = ghosts[ghost_count..]
+                    .first_chunk_mut()
+                    .expect("there is room");
+                ghost_count += write_ghosts::<D>(owner, home, columns, span.beyond(), list);
+            });
+        }
+        for ghost in &ghosts[..ghost_count] {
+            ends[ghost.tube as usize] += 1;
+        }
+        self.ghost_count = ghost_count;
+        self.is_valid = is_valid;
+    }
+
+    /// Places the entries that were counted.
+    pub(super) fn place(&mut self, boxes: &[Aabb<R, D>], members: impl Members) {
+        let Self {
+            range,
+            entries,
+            ends,
+            homes,
+            ghosts,
+            ghost_count,
+            ..
+        } = self;
+        let mut total = 0;
+        for end in &mut *ends {
+            total += std::mem::replace(end, total);
+        }
+        // All that is read later is written below, so what the last call left need not be cleared.
+        if entries.len() < total as usize {
+            entries.resize(total as usize, Entry::default());
+        }
+        let (entries, ends, homes) = (&mut entries[..], &mut ends[..], &homes[..range.len()]);
+        let mut place = |tube: u32, owner: Owner, aabb: &Aabb<R, D>| {
+            let cursor = &mut ends[tube as usize];
+            entries[*cursor as usize] = Entry { aabb: *aabb, owner };
+            *cursor += 1;
+        };
+        members.for_each(boxes, range.clone(), |i, index, aabb| {
+            place(homes[i], Owner::at_home(index), aabb);
+        });
+        for ghost in &ghosts[..*ghost_count] {
+            let aabb = &boxes[ghost.owner.index() as usize];
+            place(ghost.tube, ghost.owner, aabb);
+        }
+    }
+
+    /// How many entries there are in the tubes before this one.
+    pub(super) fn entries_before(&self, tube: u32) -> u32 {
+        match tube {
+            0 => 0,
+            _ => self.ends[tube as usize - 1],
+        }
+    }
+
+    /// The entries of a tube.
+    #[inline]
+    pub(super) fn tube(&self, tube: u32) -> &[Entry<R, D>] {
+        &self.entries[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
+    }
+}
