@@ -89,9 +89,9 @@ impl<R: Real, const D: usize> Part<R, D> {
         let mut ghost_count = 0;
         let mut is_valid = true;
         for (start, homes) in range.clone().step_by(BATCH).zip(homes.chunks_mut(BATCH)) {
-            let room = ghost_count + BATCH * MAX_GHOSTS;
+            let room = ghost_count + homes.len() * MAX_GHOSTS;
             if ghosts.len() < room {
-                ghosts.resize(2 * room, Ghost::default());
+                ghosts.resize(room + ghost_count, Ghost::default());
             }
             let ghosts = &mut ghosts[..room];
             members.for_each(boxes, start..start + homes.len(), |i, owner, aabb| {
