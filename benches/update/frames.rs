@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use unisize_scenes::DriftingBoxes;
 
 /// Gives 0.8 overlapping pairs per box in either dimension.
-const DENSITY: f64 = 1.6 / (1 << DIM) as f64;
+pub(super) const DENSITY: f64 = 1.6 / (1 << DIM) as f64;
 
 /// Far enough beyond the margin to renew every box.
 const LEAP: Real = 0.1;
