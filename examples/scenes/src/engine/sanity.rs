@@ -30,7 +30,7 @@ pub struct Sanity {
     pub fallen_through: usize,
     /// The number of bodies that may be outside although all is well: some bullets defeat Rapier's CCD.
     pub may_fall_through: usize,
-    /// The mass of all dynamic bodies.
+    /// The mass of all dynamic bodies but soft ones, whose energy does not count either.
     pub mass: f64,
     /// The kinetic energy of all dynamic bodies.
     pub kinetic_energy: f64,
@@ -105,12 +105,15 @@ impl Scene {
             if !body.is_dynamic() {
                 continue;
             }
-            let mass = f64::from(body.mass());
-            let height = f64::from(body.center_of_mass()[UP] - self.cue.ground);
-            let gravity = f64::from(length(self.world.gravity) * body.gravity_scale());
-            sanity.mass += mass;
-            sanity.kinetic_energy += f64::from(body.kinetic_energy());
-            sanity.potential_energy += mass * gravity * height;
+            // The mass of a soft body is unknown before the first step.
+            if !version::is_soft(body) {
+                let mass = f64::from(body.mass());
+                let height = f64::from(body.center_of_mass()[UP] - self.cue.ground);
+                let gravity = f64::from(length(self.world.gravity) * body.gravity_scale());
+                sanity.mass += mass;
+                sanity.kinetic_energy += f64::from(body.kinetic_energy());
+                sanity.potential_energy += mass * gravity * height;
+            }
             let container = &self.containers[body.user_data as usize];
             if container.is_left_by(own(body.translation()), self.size(body)) {
                 sanity.fallen_through += 1;

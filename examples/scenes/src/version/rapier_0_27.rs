@@ -51,6 +51,11 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
 }
 
+/// Whether a body stands for a soft one.
+pub(super) fn is_soft(_: &RigidBody) -> bool {
+    false
+}
+
 /// How many bodies what comes closest to a soft body is made of.
 pub(super) const PARTS_OF_SOFT_BODY: usize = 1 << DIM;
 

@@ -53,6 +53,11 @@ pub(super) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
 }
 
+/// Whether a body stands for a soft one.
+pub(super) fn is_soft(body: &RigidBody) -> bool {
+    body.is_soft_frame()
+}
+
 /// A soft body is one body.
 pub(super) const PARTS_OF_SOFT_BODY: usize = 1;
 
