@@ -31,7 +31,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
 /// The second and the third axis are cut into strips a few boxes wide. A box is entered in each tube that it spans,
-/// usually one, and the pairs of each tube are found by one forward window per box, eight candidates in one step.
+/// usually one, and the pairs of each tube are found by comparing eight boxes at a time with those that follow them.
 /// Boxes much larger than most are a class of their own, found by the same method on a coarser grid and looked up in
 /// the finer one.
 ///
@@ -39,7 +39,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// boxes of about one size, in two and in three dimensions, times the logarithm of sorting where boxes are very
 /// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for larger
 /// ones, where many large boxes span many tubes without touching anything there, or where boxes lie 10⁸ times their
-/// size apart. **O(n + pairs)** memory always, including some 16 bytes per box for each thread.
+/// size apart. **O(n + pairs)** memory always.
 ///
 /// At most 2²⁹ boxes; more are refused as [`TooMany`](InvalidBoxReason::TooMany).
 ///

@@ -36,12 +36,12 @@ pub(crate) mod kernel {
     /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
     pub(crate) const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
 
-    /// Candidates a box. Strips are narrowed where boxes lie so densely that a window would hold more: one step of the sweep
-    /// decides eight. Above: two steps a box. Below: more ghosts.
+    /// Candidates a box. Strips are narrowed where boxes lie so densely that each would have more: the sweep decides them in
+    /// blocks of eight. Above: two blocks a box. Below: more ghosts.
     pub(crate) const CANDIDATES_A_BOX: f64 = 8.0;
 
-    /// How many times narrower strips become, at most, where boxes lie densely. Above: most boxes are on a border. Below: windows
-    /// hold more than one step decides.
+    /// How many times narrower strips become, at most, where boxes lie densely. Above: most boxes are on a border. Below: boxes
+    /// have more candidates than a block decides.
     pub(crate) const NARROWED_UP_TO: f64 = 4.0;
 
     /// Boxes a tube, where boxes have no size to choose the width of the strips by. Above: more candidates a box. Below:

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::{Aabb, Real};
 
-/// Indices of boxes, ascending in no particular way, each once.
+/// Indices of boxes, each once, in any order.
 pub(super) trait Members: Copy + Send + Sync {
     /// Whether a box may be invalid.
     const MAY_BE_INVALID: bool;

@@ -1,4 +1,4 @@
-//! The sweep: windows over sorted entries, eight at a time.
+//! The sweep: eight sorted entries at a time against those that follow; and a window for one box that is looked up.
 
 use std::ops::Range;
 
