@@ -7,13 +7,14 @@
 //! Bytes per collider after the broad phase has followed some frames: what dropping it frees. Events do not count, since
 //! they go into the caller's list.
 
+#[path = "common/allocator.rs"]
+mod allocator;
 mod common;
 #[path = "update/motion.rs"]
 mod motion;
 
+use allocator::bytes_held;
 use motion::Motion;
-use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
-use std::alloc::System;
 
 #[path = "memory"]
 mod dim2 {
@@ -33,9 +34,6 @@ mod dim3 {
     pub(crate) use dimension::print;
 }
 
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
-
 fn main() {
     common::set_threads();
     println!("| dimension | motion | n | pairs | default, bytes a collider | unisize | aim |");
@@ -44,12 +42,4 @@ fn main() {
         dim2::print(motion);
         dim3::print(motion);
     }
-}
-
-/// The bytes that dropping a value frees.
-fn bytes_held<T>(thing: T) -> usize {
-    let before = ALLOCATOR.stats();
-    drop(thing);
-    let freed = ALLOCATOR.stats() - before;
-    freed.bytes_deallocated - freed.bytes_allocated
 }

@@ -8,14 +8,15 @@
 //! The kernel gets bare boxes; for an update all bodies move and all are listed. Memory is what dropping the broad phase frees
 //! after the updates. The largest world takes some 10 GB.
 
+#[path = "common/allocator.rs"]
+mod allocator;
 mod common;
 #[allow(dead_code, reason = "here everything moves")]
 #[path = "update/motion.rs"]
 mod motion;
 
+use allocator::bytes_held;
 use motion::Motion;
-use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
-use std::alloc::System;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder};
@@ -39,9 +40,6 @@ mod dim3 {
     mod dimension;
     pub(crate) use dimension::{DENSITY, measure};
 }
-
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 const COUNTS: [usize; 4] = [100_000, 300_000, 1_000_000, 4_000_000];
 
@@ -174,12 +172,4 @@ fn draw(rows: &[Vec<Row>; 2]) -> Chart {
         )
     });
     Chart::new("Time a body, all moving", panels)
-}
-
-/// The bytes that dropping a value frees.
-fn bytes_held<T>(thing: T) -> usize {
-    let before = ALLOCATOR.stats();
-    drop(thing);
-    let freed = ALLOCATOR.stats() - before;
-    freed.bytes_deallocated - freed.bytes_allocated
 }

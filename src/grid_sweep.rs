@@ -86,8 +86,7 @@ struct Class<R, const D: usize> {
     /// The first `slab_count` cover the grid. The others are kept for their memory.
     slabs: Vec<Slab<R, D>>,
     slab_count: usize,
-    /// The number of parts of the members, if they are dealt to a table of tubes; 0 if they are [`Scattered`].
-    part_count: usize,
+    /// Scratch: the boxes by tubes, where there is no table of tubes.
     scattered: Scattered<R, D>,
     /// The boxes too large for this class: the members of all following classes.
     outsize: Vec<u32>,
@@ -99,7 +98,6 @@ impl<R: Real, const D: usize> Default for Class<R, D> {
             grid: Grid::default(),
             slabs: Vec::new(),
             slab_count: 0,
-            part_count: 0,
             scattered: Scattered::default(),
             outsize: Vec::new(),
         }
@@ -166,8 +164,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// order of the members for [`look_up`](Self::look_up).
     ///
     /// # Errors
-    /// [`InvalidBoxReason::TooMany`] if there are more members than entries can be numbered for; then no pair is found,
-    /// and no order remembered.
+    /// [`InvalidBoxReason::TooMany`] if there are more boxes than there are numbers for; then no pair is found, and no order
+    /// remembered.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
@@ -227,18 +225,13 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             self.classes.push(Class::default());
         }
         let class = &mut self.classes[self.class_count];
-        let is_valid = class.deal(boxes, members, slab_count, &mut self.parts, stopwatch);
-        self.class_count += 1;
-        if !is_valid {
+        let dealt = class.deal(boxes, members, slab_count, &mut self.parts, stopwatch);
+        let Some(part_count) = dealt else {
             return false;
-        }
-        class.find(
-            &self.parts[..class.part_count],
-            slab_count,
-            keeps,
-            pairs,
-            stopwatch,
-        );
+        };
+        self.class_count += 1;
+        let parts = &self.parts[..part_count];
+        class.find(parts, slab_count, keeps, pairs, stopwatch);
         if !class.outsize.is_empty() {
             let lap = stopwatch.start();
             class.prepare_lookup();
@@ -318,8 +311,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Chooses a grid and deals the members to its tubes, except the outsize ones. Says whether the boxes are valid; if
-    /// not, nothing is dealt.
+    /// Chooses a grid and deals the members to its tubes, except the outsize ones: to `parts`, whose number is returned, or, if
+    /// that is 0, to [`Scattered`]. None if a box is invalid; then nothing is dealt.
     ///
     /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
     /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
@@ -330,77 +323,62 @@ impl<R: Real, const D: usize> Class<R, D> {
         slab_count: usize,
         parts: &mut Vec<Part<R, D>>,
         stopwatch: &mut Stopwatch,
-    ) -> bool {
+    ) -> Option<usize> {
         let count = members.count();
-        if count > ONE_TUBE_UP_TO {
-            for widening in STRIP_WIDENINGS {
-                self.grid = Grid::choose(boxes, members, widening);
-                if !self.deal_to(boxes, members, slab_count, parts, stopwatch) {
-                    return false;
-                }
-                if self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
-                    return true;
-                }
-            }
-        }
-        self.grid = Grid::default();
-        self.deal_to(boxes, members, 1, parts, stopwatch)
-    }
-
-    /// Deals the members to the tubes of the grid.
-    fn deal_to<M: Members>(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        members: M,
-        part_count: usize,
-        parts: &mut Vec<Part<R, D>>,
-        stopwatch: &mut Stopwatch,
-    ) -> bool {
-        let lap = stopwatch.start();
-        let count = members.count();
-        self.part_count = if self.grid.fits_table(count) {
-            part_count.min(count).max(1)
-        } else {
-            0
+        let mut widenings = match count {
+            ..=ONE_TUBE_UP_TO => [].iter(),
+            _ => STRIP_WIDENINGS.iter(),
         };
-        self.outsize.clear();
-        if self.part_count == 0 {
-            let mut is_valid = true;
-            if M::MAY_BE_INVALID {
-                members.for_each(boxes, 0..count, |_, _, aabb| is_valid &= aabb.is_valid());
+        loop {
+            let mut lap = stopwatch.start();
+            let widening = widenings.next();
+            let mut part_count = 1;
+            self.grid = Grid::default();
+            if let Some(&widening) = widening {
+                part_count = slab_count.clamp(1, count);
+                self.grid = Grid::choose(boxes, members, widening);
             }
-            let lap = stopwatch.lap(lap, |times| &mut times.read);
-            if is_valid {
+            self.outsize.clear();
+            if !self.grid.fits_table(count) {
+                part_count = 0;
+                let mut is_valid = true;
+                if M::MAY_BE_INVALID {
+                    members.for_each(boxes, 0..count, |_, _, aabb| is_valid &= aabb.is_valid());
+                }
+                lap = stopwatch.lap(lap, |times| &mut times.read);
+                if !is_valid {
+                    return None;
+                }
                 self.grid.extend::<D>();
                 self.scattered
                     .deal(boxes, members, &self.grid, &mut self.outsize);
             }
-            stopwatch.lap(lap, |times| &mut times.sort);
-            return is_valid;
+            if parts.len() < part_count {
+                parts.resize_with(part_count, Part::default);
+            }
+            let parts = &mut parts[..part_count];
+            for (i, part) in parts.iter_mut().enumerate() {
+                part.range = i * count / part_count..(i + 1) * count / part_count;
+            }
+            let grid = &self.grid;
+            parallel::for_each(parts, |part| part.count(boxes, members, grid));
+            lap = stopwatch.lap(lap, |times| &mut times.read);
+            if !parts.iter().all(|part| part.is_valid) {
+                return None;
+            }
+            for part in &mut *parts {
+                self.outsize.append(&mut part.outsize);
+            }
+            if widening.is_none() || self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
+                parallel::for_each(parts, |part| part.place(boxes, members));
+                stopwatch.lap(lap, |times| &mut times.sort);
+                return Some(part_count);
+            }
         }
-        if parts.len() < self.part_count {
-            parts.resize_with(self.part_count, Part::default);
-        }
-        let parts = &mut parts[..self.part_count];
-        let grid = &self.grid;
-        for (i, part) in parts.iter_mut().enumerate() {
-            part.range = i * count / part_count..(i + 1) * count / part_count;
-        }
-        parallel::for_each(parts, |part| part.count(boxes, members, grid));
-        let lap = stopwatch.lap(lap, |times| &mut times.read);
-        if M::MAY_BE_INVALID && !parts.iter().all(|part| part.is_valid) {
-            return false;
-        }
-        parallel::for_each(parts, |part| part.place(boxes, members));
-        for part in parts {
-            self.outsize.append(&mut part.outsize);
-        }
-        stopwatch.lap(lap, |times| &mut times.sort);
-        true
     }
 
-    /// Sorts and sweeps the tubes, and appends the pairs. What `keeps` asks for, or there are outsize boxes to look up in,
-    /// stays.
+    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if `keeps` asks for it, or there are outsize boxes to
+    /// look up in them.
     fn find(
         &mut self,
         parts: &[Part<R, D>],
@@ -410,7 +388,9 @@ impl<R: Real, const D: usize> Class<R, D> {
         stopwatch: &mut Stopwatch,
     ) {
         let keeps = keeps || !self.outsize.is_empty();
-        let grid = &self.grid;
+        let Self {
+            grid, scattered, ..
+        } = self;
         let ranges = match parts {
             [] => std::iter::once(0..u32::MAX).collect(),
             _ => slab::split(grid, parts, slab_count),
@@ -420,10 +400,9 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.slabs.resize_with(ranges.len(), Slab::default);
         }
         for (slab, range) in self.slabs.iter_mut().zip(ranges) {
-            slab.range = range;
+            slab.tubes.clear(range);
             slab.stopwatch = stopwatch.reset();
         }
-        let scattered = &self.scattered;
         match &mut self.slabs[..self.slab_count] {
             [slab] if parts.is_empty() => slab.find_scattered(scattered, keeps, pairs),
             [slab] => slab.find(grid, parts, keeps, pairs),
@@ -441,9 +420,11 @@ impl<R: Real, const D: usize> Class<R, D> {
                 }
             }
         }
-        // Slabs work at the same time.
-        for slab in self.slabs() {
-            stopwatch.add_share(slab.stopwatch.times, self.slab_count as u32);
+        // They have worked at the same time.
+        for slab in &self.slabs[..self.slab_count] {
+            let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
+            stopwatch.times.sort += sort / self.slab_count as u32;
+            stopwatch.times.sweep += sweep / self.slab_count as u32;
         }
     }
 

@@ -77,7 +77,7 @@ impl<R: Copy + PartialOrd> Lanes<R> for Portable<R> {
 #[cfg(any(test, not(target_feature = "sse2")))]
 #[inline(always)]
 pub(crate) fn truncated<R: crate::Real>(numbers: [R; 4]) -> [u32; 4] {
-    numbers.map(|number| number.to_u32_saturating().min(1 << 31))
+    numbers.map(|number| (number.to_f64() as u32).min(1 << 31))
 }
 
 /// Vectors of 128 bits, which every x86-64 processor has.

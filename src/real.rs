@@ -28,8 +28,6 @@ mod sealed {
         ///
         /// Only the low bits are used, as many as the scalar has.
         fn order_key(self) -> u64;
-        /// The integer part, non-decreasing in `self`, saturated to `0..=u32::MAX`; 0 for NaN.
-        fn to_u32_saturating(self) -> u32;
         /// The integer parts of four numbers, non-decreasing in each; 0 for NaN and negative ones, 2³¹ for all that are greater.
         fn truncated(numbers: [Self; 4]) -> [u32; 4];
     }
@@ -99,10 +97,6 @@ macro_rules! impl_real {
                 // Negative numbers: all bits flipped. Others: the sign bit set.
                 let mask = (bits >> sign).wrapping_neg() | (1 << sign);
                 u64::from(bits ^ mask)
-            }
-            #[inline]
-            fn to_u32_saturating(self) -> u32 {
-                self as u32
             }
             #[inline(always)]
             fn truncated(numbers: [Self; 4]) -> [u32; 4] {

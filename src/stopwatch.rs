@@ -1,6 +1,6 @@
 //! Where the time goes.
 
-use core::ops::{AddAssign, Div};
+use core::ops::AddAssign;
 use std::time::{Duration, Instant};
 
 /// How long each phase of finding pairs has taken, in wall-clock time. Zero unless it was asked for.
@@ -48,20 +48,6 @@ impl PhaseTimes {
     }
 }
 
-impl Div<u32> for PhaseTimes {
-    type Output = Self;
-
-    fn div(self, by: u32) -> Self {
-        Self {
-            read: self.read / by,
-            sort: self.sort / by,
-            sweep: self.sweep / by,
-            difference: self.difference / by,
-            events: self.events / by,
-        }
-    }
-}
-
 impl AddAssign for PhaseTimes {
     fn add_assign(&mut self, other: Self) {
         self.read += other.read;
@@ -94,11 +80,6 @@ impl Stopwatch {
     /// One that is on if this one is, and starts from zero.
     pub(crate) fn reset(&self) -> Self {
         Self::new(self.is_on)
-    }
-
-    /// Adds the times of one of so many that have worked at the same time.
-    pub(crate) fn add_share(&mut self, times: PhaseTimes, of: u32) {
-        self.times += times / of;
     }
 
     /// Begins the first phase.

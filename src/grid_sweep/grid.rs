@@ -22,14 +22,12 @@ pub(super) struct Strips<R> {
 }
 
 impl<R: Real> Strips<R> {
-    /// The strip of a coordinate. Non-decreasing as long as `origin` is finite and `per_length` not negative:
-    /// subtraction, multiplication and truncation round monotonically. 0 · ∞ is NaN and becomes strip 0: negative
-    /// offsets are in strip 0 too, positive ones in the last.
+    /// How many strips a coordinate lies beyond the origin. Non-decreasing as long as `origin` is finite and `per_length` not
+    /// negative: subtraction and multiplication round monotonically, and so does [`Real::truncated`]. 0 · ∞ is NaN and becomes
+    /// strip 0: negative offsets are in strip 0 too, positive ones in the last.
     #[inline(always)]
-    pub(super) fn strip(&self, coordinate: R) -> u32 {
-        ((coordinate - self.origin) * self.per_length)
-            .to_u32_saturating()
-            .min(self.last)
+    fn offset(&self, coordinate: R) -> R {
+        (coordinate - self.origin) * self.per_length
     }
 
     fn new(origin: f64, width: f64, length: f64) -> Self {
@@ -85,27 +83,13 @@ impl<R: Real> Grid<R> {
     /// Extends the strips to the greatest number that they can have.
     pub(super) fn extend<const D: usize>(&mut self) {
         for axis in &mut self.axes[..cut_axes::<D>()] {
-            axis.last = u32::MAX;
+            axis.last = 1 << 31;
         }
     }
 
-    /// The tubes that a valid box spans.
+    /// The tubes that a box spans; for an invalid one, any.
     #[inline(always)]
     pub(super) fn tube_span<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
-        let mut span = TubeSpan {
-            first: [0; 2],
-            last: [0; 2],
-        };
-        for cut in 0..cut_axes::<D>() {
-            span.first[cut] = self.axes[cut].strip(aabb.mins[cut + 1]);
-            span.last[cut] = self.axes[cut].strip(aabb.maxs[cut + 1]);
-        }
-        span
-    }
-
-    /// The same for a grid of less than 2³¹ tubes.
-    #[inline(always)]
-    pub(super) fn tube_span_in_table<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
         let mut span = TubeSpan {
             first: [0; 2],
             last: [0; 2],
@@ -118,7 +102,7 @@ impl<R: Real> Grid<R> {
         // with which the processor calculates a hundred times slower.
         let offset = |corner: &[R; D], cut: usize| {
             let cut = cut.min(cuts - 1);
-            (corner[cut + 1] - self.axes[cut].origin) * self.axes[cut].per_length
+            self.axes[cut].offset(corner[cut + 1])
         };
         let Aabb { mins, maxs } = aabb;
         let strips = R::truncated([

@@ -70,7 +70,7 @@ impl<R: Real, const D: usize> Part<R, D> {
     ///
     /// Whether a box has a ghost is practically random. So there is no branch on it: ghosts are always written to a list,
     /// which grows by those that exist.
-    pub(super) fn count(&mut self, boxes: &[Aabb<R, D>], members: impl Members, grid: &Grid<R>) {
+    pub(super) fn count<M: Members>(&mut self, boxes: &[Aabb<R, D>], members: M, grid: &Grid<R>) {
         let Self {
             range,
             ends,
@@ -95,8 +95,8 @@ impl<R: Real, const D: usize> Part<R, D> {
             }
             let ghosts = &mut ghosts[..room];
             members.for_each(boxes, start..start + homes.len(), |i, owner, aabb| {
-                is_valid &= aabb.is_valid();
-                let span = grid.tube_span_in_table(aabb);
+                is_valid &= !M::MAY_BE_INVALID || aabb.is_valid();
+                let span = grid.tube_span(aabb);
                 if span.is_outsize() {
                     outsize.push(owner);
                     homes[i] = tube_count;
@@ -154,7 +154,7 @@ impl<R: Real, const D: usize> Part<R, D> {
     }
 
     /// How many entries there are in the tubes before this one.
-    pub(super) fn entries_before(&self, tube: u32) -> u32 {
+    fn entries_before(&self, tube: u32) -> u32 {
         match tube {
             0 => 0,
             _ => self.ends[tube as usize - 1],
@@ -166,4 +166,10 @@ impl<R: Real, const D: usize> Part<R, D> {
     pub(super) fn tube(&self, tube: u32) -> &[Entry<R, D>] {
         &self.entries[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
     }
+}
+
+/// How many entries all parts have in the tubes before this one.
+pub(super) fn entries_before<R: Real, const D: usize>(parts: &[Part<R, D>], tube: u32) -> usize {
+    let counts = parts.iter().map(|part| part.entries_before(tube) as usize);
+    counts.sum()
 }

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::grid::Grid;
-use super::part::{Entry, Part};
+use super::part::{Entry, Part, entries_before};
 use super::scattered::Scattered;
 use super::sweep::Emitter;
 use super::tubes::Tubes;
@@ -17,8 +17,6 @@ use crate::stopwatch::{Lap, Stopwatch};
 #[derive(Clone, Debug)]
 pub(super) struct Slab<R, const D: usize> {
     pub(super) tubes: Tubes<R, D>,
-    /// The numbers of the tubes in the grid.
-    pub(super) range: Range<u32>,
     /// Scratch: the entries of one tube, and the pairs.
     entries: Vec<Entry<R, D>>,
     pub(super) pairs: Vec<[u32; 2]>,
@@ -29,7 +27,6 @@ impl<R: Real, const D: usize> Default for Slab<R, D> {
     fn default() -> Self {
         Self {
             tubes: Tubes::default(),
-            range: 0..0,
             entries: Vec::new(),
             pairs: Vec::new(),
             stopwatch: Stopwatch::default(),
@@ -38,8 +35,8 @@ impl<R: Real, const D: usize> Default for Slab<R, D> {
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Puts each tube together from the parts, sorts and sweeps it while it is in the cache, and appends the pairs. Only if it
-    /// `keeps` the tubes, boxes can be looked up in them later.
+    /// Puts each tube of the range together from the parts, sorts and sweeps it while it is in the cache, and appends the pairs.
+    /// Only if it `keeps` the tubes, boxes can be looked up in them later.
     pub(super) fn find(
         &mut self,
         grid: &Grid<R>,
@@ -47,26 +44,27 @@ impl<R: Real, const D: usize> Slab<R, D> {
         keeps: bool,
         pairs: &mut Vec<[u32; 2]>,
     ) {
-        let range = self.range.clone();
-        let before = |tube| {
-            let counts = parts.iter().map(|part| part.entries_before(tube));
-            counts.sum::<u32>() as usize
-        };
+        let range = self.tubes.range.clone();
         let size = keeps.then(|| {
             let is_occupied = |&tube: &u32| parts.iter().any(|part| !part.tube(tube).is_empty());
-            let entries = before(range.end) - before(range.start);
+            let entries = entries_before(parts, range.end) - entries_before(parts, range.start);
             (entries, range.clone().filter(is_occupied).count())
         });
         let mut gathered = std::mem::take(&mut self.entries);
         let mut pass = Pass::new(self, size, pairs);
         let columns = grid.axes[1].last + 1;
         for tube in range {
-            let strips = [tube / columns, tube % columns];
-            if let [part] = parts {
-                pass.take(strips, part.tube(tube));
+            let entries = if let [part] = parts {
+                part.tube(tube)
             } else {
                 gather(parts, tube, &mut gathered);
-                pass.take(strips, &gathered);
+                &gathered
+            };
+            if keeps {
+                pass.tubes.enter_in_table(!entries.is_empty());
+            }
+            if !entries.is_empty() {
+                pass.take([tube / columns, tube % columns], entries);
             }
         }
         pass.finish();
@@ -86,7 +84,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
             pass.take(strips, entries);
         }
         pass.finish();
-        self.tubes.table.clear();
     }
 
     /// Frees what only a run needs.
@@ -115,13 +112,9 @@ impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
         pairs: &'a mut Vec<[u32; 2]>,
     ) -> Self {
         let Slab {
-            tubes,
-            range,
-            stopwatch,
-            ..
+            tubes, stopwatch, ..
         } = slab;
         let lap = stopwatch.start();
-        tubes.clear(range.clone());
         if let Some((entries, occupied)) = size {
             tubes.reserve(entries, occupied);
         }
@@ -134,13 +127,12 @@ impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
         }
     }
 
-    /// Sorts and sweeps the next tube.
+    /// Sorts and sweeps the next tube that has entries.
     fn take(&mut self, strips: [u32; 2], entries: &[Entry<R, D>]) {
-        if let Some(sorted) = self.tubes.push(strips, entries, self.keeps) {
-            self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sort);
-            self.tubes.columns().sweep(sorted, &mut self.emitter);
-            self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sweep);
-        }
+        let sorted = self.tubes.push(strips, entries, self.keeps);
+        self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sort);
+        self.tubes.columns().sweep(sorted, &mut self.emitter);
+        self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sweep);
     }
 
     fn finish(self) {
@@ -174,35 +166,26 @@ pub(super) fn split<R: Real, const D: usize>(
     count: usize,
 ) -> Vec<Range<u32>> {
     let end = grid.tube_count() as u32;
-    let before = |tube: u32| {
-        let counts = parts
-            .iter()
-            .map(|part| u64::from(part.entries_before(tube)));
-        counts.sum::<u64>()
-    };
-    let total = before(end);
+    let total = entries_before(parts, end);
     let mut ranges = Vec::with_capacity(count);
     let mut start = 0;
-    for part in 1..=count as u64 {
-        let share = total * part / count as u64;
+    for part in 1..count {
+        let share = total * part / count;
         // The first tube that begins at or after the share.
-        let (mut low, mut high) = (start, end);
-        while low < high {
-            let middle = low + (high - low) / 2;
-            if before(middle) < share {
-                low = middle + 1;
+        let (mut border, mut high) = (start, end);
+        while border < high {
+            let middle = border + (high - border) / 2;
+            if entries_before(parts, middle) < share {
+                border = middle + 1;
             } else {
                 high = middle;
             }
         }
-        let border = if part == count as u64 { end } else { low };
-        if border > start {
+        if start < border && border < end {
             ranges.push(start..border);
             start = border;
         }
     }
-    if ranges.is_empty() {
-        ranges.push(0..end);
-    }
+    ranges.push(start..end);
     ranges
 }

@@ -28,8 +28,8 @@ const ONES: [u32; 1 << LANES] = {
     ones
 };
 
-/// How many entries may be read beyond the last sentinel.
-pub(super) const PADDING: usize = 80;
+/// How many entries may be read beyond the last sentinel: [`Columns::emit_blocks`] reads most, 64 beyond the last of eight.
+pub(super) const PADDING: usize = LANES + 64;
 
 /// How many blocks of eight candidates a box may have before it is swept on its own.
 const BLOCKS: usize = 4;
@@ -207,7 +207,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         transposed(hits)
     }
 
-    /// Reports the pairs of eight entries of which some have more than eight candidates, one entry after the other.
+    /// Reports the pairs of eight entries of which some have more than sixteen candidates, one entry after the other.
     #[inline(never)]
     fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, emitter: &mut Emitter) {
         for lane in 0..LANES {
@@ -242,7 +242,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
-        // After the last tube there are a sentinel and eight lanes of padding.
+        // After the last tube there are a sentinel and padding.
         while j <= self.owners.len().saturating_sub(LANES) {
             let reached = load::<R>(self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;

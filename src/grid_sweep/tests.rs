@@ -83,3 +83,24 @@ fn a_sample_that_misleads_costs_time_and_nothing_else() {
         assert!(found == expected);
     }
 }
+
+/// Threads may be more than the boxes, or than those of a class: here three hundred specks and forty slabs across them.
+#[test]
+fn there_may_be_more_slabs_than_boxes() {
+    let specks = rows(300, 20);
+    let across = (0..40).map(|i| Aabb::new([-1.0, i as f32 * 0.5], [30.0, i as f32 * 0.5 + 20.0]));
+    let mixed: Vec<_> = specks.iter().copied().chain(across).collect();
+    for boxes in [&specks[..], &specks[..30], &specks[..2], &[], &mixed] {
+        let [mut found, mut expected] = [Vec::new(), Vec::new()];
+        let mut kernel = GridSweep::with_slabs(NonZero::new(1).unwrap());
+        kernel.find_pairs(boxes, &mut expected).unwrap();
+        for count in [7, 64, 1000] {
+            let mut kernel = GridSweep::with_slabs(NonZero::new(count).unwrap());
+            kernel.find_pairs(boxes, &mut found).unwrap();
+            assert!(found == expected, "{count} slabs, {} boxes", boxes.len());
+        }
+        BruteForce.find_pairs(boxes, &mut expected).unwrap();
+        found.sort_unstable();
+        assert!(found == expected);
+    }
+}

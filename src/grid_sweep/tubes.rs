@@ -81,24 +81,22 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.tubes.reserve_exact(tubes);
     }
 
-    /// Adds the next tube of the table, if it has entries. They are where it says, until the next tube comes unless this one
-    /// is kept.
+    /// Enters in the table where the next tube of the range will be, if it has entries.
+    pub(super) fn enter_in_table(&mut self, is_occupied: bool) {
+        let position = match is_occupied {
+            true => self.tubes.len() as u32,
+            false => NOWHERE,
+        };
+        self.table.push(position);
+    }
+
+    /// Adds the next tube that has entries. They are where it says, until the next tube comes unless this one is kept.
     pub(super) fn push(
         &mut self,
         strips: [u32; 2],
         entries: &[Entry<R, D>],
         keeps: bool,
-    ) -> Option<Range<usize>> {
-        if keeps {
-            let position = match entries {
-                [] => NOWHERE,
-                _ => self.tubes.len() as u32,
-            };
-            self.table.push(position);
-        }
-        if entries.is_empty() {
-            return None;
-        }
+    ) -> Range<usize> {
         let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
         let end = start + entries.len();
         if self.owners.len() < end + 1 + PADDING {
@@ -109,7 +107,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             let (start, end) = (start as u32, end as u32);
             self.tubes.push(Tube { strips, start, end });
         }
-        Some(start..end)
+        start..end
     }
 
     #[cold]

@@ -6,7 +6,6 @@
 use super::World;
 use super::both::{Both, Side};
 use super::journal::Journal;
-
 use super::pair::Pair;
 use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
