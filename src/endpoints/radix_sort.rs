@@ -1,4 +1,4 @@
-//! A stable radix sort that returns the indexes of the keys in order, and leaves the keys in place.
+//! A stable radix sort: of keys, which stay in place and whose indexes are returned in order, or of entries that are moved.
 //!
 //! Least significant digit first, as in section 3 of the paper: each pass deals the entries out by one digit. A pass
 //! keeps the order of equal digits, so entries of equal keys come out in the order of their indexes. All digits are
@@ -72,17 +72,9 @@ impl<K: SortKey> RadixSort<K> {
 
     fn sort_by_digits<const BITS: u32>(&mut self, keys: &[K], order: &mut Vec<u32>) {
         let Self { from, to, counts } = self;
-        count_digits::<K, BITS>(keys, counts);
         let indexed = || keys.iter().copied().zip(0..);
-        let mut passes = counts
-            .chunks_exact_mut(1 << BITS)
-            .zip((0..K::BITS).step_by(BITS as usize))
-            .filter(|(row, shift)| {
-                // Whether the keys have more than one value of this digit.
-                let first = keys.first().map_or(0, |key| key.digit::<BITS>(*shift));
-                row[first] as usize != keys.len()
-            })
-            .peekable();
+        count_digits::<K, BITS>(keys.iter().copied(), counts);
+        let mut passes = passes::<K, BITS>(counts, keys.first(), keys.len()).peekable();
 
         order.clear();
         let Some((row, shift)) = passes.next() else {
@@ -107,10 +99,46 @@ impl<K: SortKey> RadixSort<K> {
             }
         }
     }
+
+    /// Sorts entries by their keys; those of equal keys stay in order. There are at most `u32::MAX`.
+    ///
+    /// Computes in **O(n)** time.
+    pub(crate) fn sort_entries(&mut self, entries: &mut Vec<(K, u32)>) {
+        if entries.len() < FEW {
+            self.sort_entries_by_digits::<SMALL_DIGIT>(entries);
+        } else {
+            self.sort_entries_by_digits::<LARGE_DIGIT>(entries);
+        }
+    }
+
+    fn sort_entries_by_digits<const BITS: u32>(&mut self, entries: &mut Vec<(K, u32)>) {
+        let Self { to, counts, .. } = self;
+        to.resize(entries.len(), Default::default());
+        count_digits::<K, BITS>(entries.iter().map(|&(key, _)| key), counts);
+        let first = entries.first().map(|&(key, _)| key);
+        for (row, shift) in passes::<K, BITS>(counts, first.as_ref(), entries.len()) {
+            deal::<K, BITS>(entries.iter().copied(), row, shift, |at, entry| {
+                to[at] = entry
+            });
+            core::mem::swap(entries, to);
+        }
+    }
+}
+
+/// The digits of which the keys have more than one value, the lowest first: the row of counts, and the digit's first bit.
+fn passes<'a, K: SortKey, const BITS: u32>(
+    counts: &'a mut [u32],
+    first: Option<&K>,
+    len: usize,
+) -> impl Iterator<Item = (&'a mut [u32], u32)> + use<'a, K, BITS> {
+    let first = first.copied().unwrap_or_default();
+    let rows = counts.chunks_exact_mut(1 << BITS);
+    rows.zip((0..K::BITS).step_by(BITS as usize))
+        .filter(move |(row, shift)| row[first.digit::<BITS>(*shift)] as usize != len)
 }
 
 /// Counts the values of every digit, one row of `counts` per digit.
-fn count_digits<K: SortKey, const BITS: u32>(keys: &[K], counts: &mut Vec<u32>) {
+fn count_digits<K: SortKey, const BITS: u32>(keys: impl Iterator<Item = K>, counts: &mut Vec<u32>) {
     counts.clear();
     counts.resize((K::BITS.div_ceil(BITS) as usize) << BITS, 0);
     for key in keys {
@@ -155,6 +183,19 @@ mod tests {
         assert_eq!(order, expected, "{keys:?}");
         sorter.sort(keys, &mut order);
         assert_eq!(order, expected, "{keys:?}");
+
+        let entries: Vec<_> = keys.iter().copied().zip(0..).collect();
+        let expected: Vec<_> = expected.iter().map(|&i| entries[i as usize]).collect();
+        let sorts = [
+            RadixSort::sort_entries_by_digits::<SMALL_DIGIT>,
+            RadixSort::sort_entries_by_digits::<LARGE_DIGIT>,
+            RadixSort::sort_entries,
+        ];
+        for sort in sorts {
+            let mut entries = entries.clone();
+            sort(&mut sorter, &mut entries);
+            assert_eq!(entries, expected);
+        }
     }
 
     /// Keys that differ only in `bits`, so that every choice of constant digits comes up.

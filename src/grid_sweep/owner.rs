@@ -26,6 +26,17 @@ impl Owner {
         Self(index | axes << INDEX_BITS)
     }
 
+    /// The owner of these [`bits`](Self::bits).
+    #[inline(always)]
+    pub(super) fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    #[inline(always)]
+    pub(super) fn bits(self) -> u32 {
+        self.0
+    }
+
     #[inline(always)]
     pub(super) fn index(self) -> u32 {
         self.0 & ((1 << INDEX_BITS) - 1)

@@ -5,14 +5,18 @@ use super::grid::Grid;
 use super::members::Members;
 use super::owner::Owner;
 use super::part::Entry;
+use crate::endpoints::RadixSort;
 use crate::{Aabb, Real};
 
 /// Entries by tube, in the order of strips.
 #[derive(Clone, Debug)]
 pub(super) struct Scattered<R, const D: usize> {
     entries: Vec<Entry<R, D>>,
-    /// The tube, the index of the box, and the owner of each entry.
-    keyed: Vec<(u64, u32, Owner)>,
+    /// Of each entry the tube, its row before its column, and the bits of the owner.
+    keyed: Vec<(u64, u32)>,
+    /// How many bits of a tube are its column.
+    column_bits: u32,
+    sorter: RadixSort<u64>,
 }
 
 impl<R, const D: usize> Default for Scattered<R, D> {
@@ -20,6 +24,8 @@ impl<R, const D: usize> Default for Scattered<R, D> {
         Self {
             entries: Vec::new(),
             keyed: Vec::new(),
+            column_bits: 0,
+            sorter: RadixSort::default(),
         }
     }
 }
@@ -33,23 +39,32 @@ impl<R: Real, const D: usize> Scattered<R, D> {
         grid: &Grid<R>,
         outsize: &mut Vec<u32>,
     ) {
-        let Self { entries, keyed } = self;
+        let Self { entries, keyed, .. } = self;
         keyed.clear();
+        let mut columns = 0;
         members.for_each(boxes, 0..members.count(), |_, index, aabb| {
             let span = grid.tube_span(aabb);
             if span.is_outsize() {
                 outsize.push(index);
             } else {
+                columns |= span.last[1];
                 for_each_tube(&span, index, |[row, column], owner| {
-                    keyed.push((u64::from(row) << 32 | u64::from(column), index, owner));
+                    keyed.push((u64::from(row) << 32 | u64::from(column), owner.bits()));
                 });
             }
         });
-        keyed.sort_unstable_by_key(|&(tube, index, _)| (tube, index));
+        // Without a gap between row and column there are fewer digits to sort by.
+        self.column_bits = u32::BITS - columns.leading_zeros();
+        for (tube, _) in &mut *keyed {
+            let [row, column] = [*tube >> 32, *tube & u64::from(u32::MAX)];
+            *tube = row << self.column_bits | column;
+        }
+        self.sorter.sort_entries(keyed);
         entries.clear();
-        entries.extend(keyed.iter().map(|&(_, index, owner)| Entry {
-            aabb: boxes[index as usize],
-            owner,
+        entries.extend(keyed.iter().map(|&(_, owner)| {
+            let owner = Owner::from_bits(owner);
+            let aabb = boxes[owner.index() as usize];
+            Entry { aabb, owner }
         }));
     }
 
@@ -65,7 +80,11 @@ impl<R: Real, const D: usize> Scattered<R, D> {
             let key = tube[0].0;
             let entries = &self.entries[start..start + tube.len()];
             start += tube.len();
-            ([(key >> 32) as u32, key as u32], entries)
+            let row = key >> self.column_bits;
+            (
+                [row as u32, (key ^ row << self.column_bits) as u32],
+                entries,
+            )
         })
     }
 }
