@@ -1,10 +1,12 @@
 //! Eight numbers compared at once.
 //!
 //! A thin layer over the processor's vectors, so that the sweep is written once for `f32`, `f64` and every
-//! processor. Comparisons are those of single numbers: false when either side is NaN. Where there is no
-//! vector type for a processor here, [`Portable`] leaves vectorization to the compiler.
+//! processor: those of x86-64, 64-bit ARM and, where they are switched on, WebAssembly; single numbers elsewhere. Comparisons
+//! are those of single numbers: false when either side is NaN.
 
 use core::ops::BitAnd;
+
+use wide::{CmpLe, f32x4, f64x2};
 
 /// How many numbers are compared at once.
 pub(crate) const LANES: usize = 8;
@@ -26,52 +28,54 @@ pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     fn bits(self) -> u32;
 }
 
+macro_rules! vectors {
+    ($name:ident, $real:ident, $vector:ident, $parts:literal) => {
+        #[doc = concat!("Eight `", stringify!($real), "` in ", $parts, " vectors of 128 bits.")]
+        #[derive(Clone, Copy)]
+        pub struct $name([$vector; $parts]);
+
+        impl BitAnd for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn bitand(self, other: Self) -> Self {
+                Self(core::array::from_fn(|p| self.0[p] & other.0[p]))
+            }
+        }
+
+        impl Lanes<$real> for $name {
+            #[inline(always)]
+            fn load(numbers: &[$real; LANES]) -> Self {
+                Self(core::array::from_fn(|p| {
+                    $vector::new(core::array::from_fn(|l| numbers[p * LANES / $parts + l]))
+                }))
+            }
+            #[inline(always)]
+            fn splat(number: $real) -> Self {
+                Self([$vector::splat(number); $parts])
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> Self {
+                Self(core::array::from_fn(|p| self.0[p].cmp_le(other.0[p])))
+            }
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                let mut bits = 0;
+                for p in 0..$parts {
+                    bits |= self.0[p].move_mask() << (p * (LANES / $parts));
+                }
+                bits as u32
+            }
+        }
+    };
+}
+
+vectors!(F32x8, f32, f32x4, 2);
+vectors!(F64x8, f64, f64x2, 4);
+
 #[cfg(target_feature = "sse2")]
-pub(crate) use sse2::{F32x8, F64x8, truncated_f32, truncated_f64};
-#[cfg(not(target_feature = "sse2"))]
-pub(crate) type F32x8 = Portable<f32>;
-#[cfg(not(target_feature = "sse2"))]
-pub(crate) type F64x8 = Portable<f64>;
+pub(crate) use sse2::{truncated_f32, truncated_f64};
 #[cfg(not(target_feature = "sse2"))]
 pub(crate) use {truncated as truncated_f32, truncated as truncated_f64};
-
-/// Eight numbers without a vector type; the result of a comparison is a flag in each lane.
-#[cfg(any(test, not(target_feature = "sse2")))]
-#[cfg_attr(
-    target_feature = "sse2",
-    expect(unreachable_pub, reason = "used by tests only")
-)]
-#[derive(Clone, Copy)]
-pub struct Portable<R>([R; LANES], [bool; LANES]);
-
-#[cfg(any(test, not(target_feature = "sse2")))]
-impl<R: Copy> BitAnd for Portable<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(self.0, core::array::from_fn(|l| self.1[l] & other.1[l]))
-    }
-}
-
-#[cfg(any(test, not(target_feature = "sse2")))]
-impl<R: Copy + PartialOrd> Lanes<R> for Portable<R> {
-    #[inline(always)]
-    fn load(numbers: &[R; LANES]) -> Self {
-        Self(*numbers, [false; LANES])
-    }
-    #[inline(always)]
-    fn splat(number: R) -> Self {
-        Self([number; LANES], [false; LANES])
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> Self {
-        Self(self.0, core::array::from_fn(|l| self.0[l] <= other.0[l]))
-    }
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        (0..LANES).fold(0, |bits, l| bits | u32::from(self.1[l]) << l)
-    }
-}
 
 /// The integer parts of four numbers; 0 for NaN and negative ones, and 2³¹ for all that are greater.
 #[cfg(any(test, not(target_feature = "sse2")))]
@@ -80,60 +84,12 @@ pub(crate) fn truncated<R: crate::Real>(numbers: [R; 4]) -> [u32; 4] {
     numbers.map(|number| (number.to_f64() as u32).min(1 << 31))
 }
 
-/// Vectors of 128 bits, which every x86-64 processor has.
+/// Truncation as x86-64 has it in one instruction; its result is 2³¹ for all that does not fit.
 #[cfg(target_feature = "sse2")]
 mod sse2 {
-    use core::ops::BitAnd;
-
     use safe_arch::{
-        cmp_le_mask_m128, cmp_le_mask_m128d, load_unaligned_m128, load_unaligned_m128d, m128,
-        m128d, max_m128, max_m128d, move_mask_m128, move_mask_m128d, set_splat_m128,
-        set_splat_m128d, truncate_m128_to_m128i, truncate_m128d_to_m128i,
+        m128, m128d, max_m128, max_m128d, truncate_m128_to_m128i, truncate_m128d_to_m128i,
     };
-
-    use super::{LANES, Lanes};
-
-    macro_rules! vectors {
-        ($name:ident, $real:ident, $vector:ident, $parts:literal, $load:ident, $splat:ident,
-         $le:ident, $mask:ident) => {
-            #[doc = concat!("Eight `", stringify!($real), "` in ", $parts, " vectors.")]
-            #[derive(Clone, Copy)]
-            pub struct $name([$vector; $parts]);
-
-            impl BitAnd for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn bitand(self, other: Self) -> Self {
-                    Self(core::array::from_fn(|p| self.0[p] & other.0[p]))
-                }
-            }
-
-            impl Lanes<$real> for $name {
-                #[inline(always)]
-                fn load(numbers: &[$real; LANES]) -> Self {
-                    Self(core::array::from_fn(|p| {
-                        $load(&core::array::from_fn(|l| numbers[p * LANES / $parts + l]))
-                    }))
-                }
-                #[inline(always)]
-                fn splat(number: $real) -> Self {
-                    Self([$splat(number); $parts])
-                }
-                #[inline(always)]
-                fn le(self, other: Self) -> Self {
-                    Self(core::array::from_fn(|p| $le(self.0[p], other.0[p])))
-                }
-                #[inline(always)]
-                fn bits(self) -> u32 {
-                    let mut bits = 0;
-                    for p in 0..$parts {
-                        bits |= $mask(self.0[p]) << (p * (LANES / $parts));
-                    }
-                    bits as u32
-                }
-            }
-        };
-    }
 
     /// The integer parts of four numbers; 0 for NaN and negative ones, and 2³¹ for all that are greater.
     #[inline(always)]
@@ -152,27 +108,6 @@ mod sse2 {
         });
         [halves[0][0], halves[0][1], halves[1][0], halves[1][1]].map(|number| number as u32)
     }
-
-    vectors!(
-        F32x8,
-        f32,
-        m128,
-        2,
-        load_unaligned_m128,
-        set_splat_m128,
-        cmp_le_mask_m128,
-        move_mask_m128
-    );
-    vectors!(
-        F64x8,
-        f64,
-        m128d,
-        4,
-        load_unaligned_m128d,
-        set_splat_m128d,
-        cmp_le_mask_m128d,
-        move_mask_m128d
-    );
 }
 
 #[cfg(test)]
@@ -207,8 +142,6 @@ mod tests {
         ];
         agrees_with_single_numbers::<f32, F32x8>(numbers);
         agrees_with_single_numbers::<f64, F64x8>(numbers.map(f64::from));
-        agrees_with_single_numbers::<f32, Portable<f32>>(numbers);
-        agrees_with_single_numbers::<f64, Portable<f64>>(numbers.map(f64::from));
     }
 
     #[test]

@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn samples_grow_with_the_numbers() {
-        let sizes = [1, 137, 1000, 1 << 17, 1 << 20, 1 << 32].map(|n| 3_usize.pow(rounds(n)));
+        let sizes = [1, 137, 1000, 1 << 17, 1 << 20, 1 << 31].map(|n| 3_usize.pow(rounds(n)));
         assert_eq!(sizes, [9, 9, 27, 6561, 59_049, 129_140_163]);
     }
 }
