@@ -8,6 +8,10 @@ use std::ops::Range;
 pub struct Axis {
     pub(crate) title: String,
     is_log: bool,
+    /// The band that stands for zero on a logarithmic axis, as the values that would be at its ends.
+    zero: Option<[f64; 2]>,
+    /// A linear axis reaches at least this value.
+    at_least: f64,
 }
 
 /// A logarithmic axis spans at least this factor, lest small differences look large.
@@ -29,20 +33,52 @@ impl Axis {
         Self {
             title: title.into(),
             is_log: false,
+            zero: None,
+            at_least: 0.0,
         }
     }
 
-    /// Logarithmic; values that are not above zero are not shown.
+    /// Logarithmic; values that are not above zero are not shown, unless [zero has a place](Self::with_zero_between).
     pub fn log(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
             is_log: true,
+            zero: None,
+            at_least: 0.0,
         }
+    }
+
+    /// With a shaded band for zero, labelled "none", on a logarithmic axis: between these two values, which must be less than
+    /// all others. Zero itself is in the middle. What is zero too may be given a value in the band, so that it does not cover
+    /// the rest.
+    pub fn with_zero_between(mut self, from: f64, to: f64) -> Self {
+        self.zero = Some([from, to]);
+        self
+    }
+
+    /// Reaches at least this value, if it is linear: shares then span the same range whatever they are.
+    pub fn reaching(mut self, value: f64) -> Self {
+        self.at_least = value;
+        self
+    }
+
+    /// The places of the two ends of the band for zero, if there is one.
+    pub(crate) fn zero_band(&self) -> Option<[f64; 2]> {
+        self.zero.map(|ends| ends.map(f64::log10))
+    }
+
+    /// Where zero is if it has a place.
+    fn zero_place(&self) -> Option<f64> {
+        self.zero_band().map(|[from, to]| (from + to) / 2.0)
     }
 
     /// Where a value is along the axis: its logarithm to base 10, or itself.
     pub(crate) fn place(&self, value: f64) -> f64 {
-        if self.is_log { value.log10() } else { value }
+        match self.zero_place() {
+            Some(zero) if value == 0.0 => zero,
+            _ if self.is_log => value.log10(),
+            _ => value,
+        }
     }
 
     fn value(&self, place: f64) -> f64 {
@@ -65,6 +101,7 @@ impl Axis {
     /// The places that the axis spans for these values, with some room around them.
     fn range(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
         let places = values.map(|value| self.place(value));
+        let places = places.chain(self.zero_band().into_iter().flatten());
         let wider = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
         let finite = places.filter(|x| x.is_finite());
         let (low, high) = finite.fold((f64::MAX, f64::MIN), wider);
@@ -72,7 +109,8 @@ impl Axis {
             return 0.0..1.0;
         }
         if !self.is_log {
-            return 0.0..(high * (1.0 + ROOM)).max(f64::MIN_POSITIVE);
+            let high = high.max(self.at_least);
+            return 0.0..if high > 0.0 { high * (1.0 + ROOM) } else { 1.0 };
         }
         let span = (high - low).max(LEAST_FACTOR.log10());
         let room = (span - (high - low)) / 2.0 + ROOM * span;
@@ -110,11 +148,18 @@ impl Axis {
             };
             ticks = finer;
         }
+        if let (Some([_, end]), Some(zero)) = (self.zero_band(), self.zero_place()) {
+            ticks.retain(|&place| place > end);
+            ticks.insert(0, zero);
+        }
         ticks
     }
 
     /// The value at a tick, without the noise of its last bits.
     pub(crate) fn label(&self, place: f64) -> String {
+        if self.zero_place() == Some(place) {
+            return "none".to_owned();
+        }
         // Logarithms are not exact: what is just below a power of ten is one.
         let value = self.value(place) * (1.0 + 1e-9);
         let (value, unit) = match value {
@@ -205,10 +250,27 @@ mod tests {
     }
 
     #[test]
+    fn zero_may_have_a_place_on_a_logarithmic_axis() {
+        let axis = Axis::log("x").with_zero_between(1e-5, 1e-3);
+        assert_eq!(axis.place(0.0), -4.0);
+        assert_eq!(axis.place(0.01), -2.0);
+        assert_eq!(labels(&axis, [0.0, 0.2]), ["none", "0.01", "0.1"]);
+        assert!(axis.range([0.5].into_iter()).contains(&-5.0));
+        assert!(Axis::log("x").place(0.0).is_infinite());
+    }
+
+    #[test]
     fn there_is_a_range_for_all_values() {
         let log = Axis::log("x");
         assert_eq!(log.range(std::iter::empty()), 0.0..1.0);
-        assert!(Axis::linear("x").range([0.0].into_iter()).end > 0.0);
+        assert_eq!(Axis::linear("x").range([0.0].into_iter()), 0.0..1.0);
+        assert_eq!(labels(&Axis::linear("x"), [0.0; 2]).len(), 5);
+        assert!(
+            Axis::linear("x")
+                .reaching(100.0)
+                .range([5.0].into_iter())
+                .contains(&100.0)
+        );
         // One value, and one that has no logarithm.
         let range = log.range([5.0, 0.0].into_iter());
         assert!(range.end - range.start > 0.3);

@@ -48,8 +48,11 @@ impl<'a> Legend<'a> {
                 let sample = [(x, y), (x + 24, y)];
                 area.draw(&PathElement::new(sample, entry.line_style()))?;
             }
-            if entry.has_marks() {
-                area.draw(&entry.mark((x + 12, y)))?;
+            let center = (x + 12, y);
+            if let Some(polygon) = entry.polygon().filter(|_| entry.has_marks()) {
+                area.draw(&(EmptyElement::at(center) + polygon()))?;
+            } else if entry.has_marks() {
+                area.draw(&entry.mark(center))?;
             }
             area.draw(&Text::new(
                 entry.name.as_str(),

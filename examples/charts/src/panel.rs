@@ -10,6 +10,9 @@ const AXIS_TITLE: (&str, u32) = ("sans-serif", 14);
 const TICK: (&str, u32) = ("sans-serif", 13);
 const POINT_LABEL: (&str, u32) = ("sans-serif", 12);
 
+/// How dark the band is that stands for zero.
+const ZERO_SHADE: f64 = 0.06;
+
 /// Series over two axes.
 #[derive(Clone, Debug)]
 pub struct Panel {
@@ -87,6 +90,12 @@ impl Panel {
             .x_label_formatter(&|&place| self.x.label(place))
             .y_label_formatter(&|&place| self.y.label(place))
             .draw()?;
+        if let Some([_, end]) = self.x.zero_band() {
+            let [xs, ys] = [chart.x_range(), chart.y_range()];
+            let corners = [(xs.start, ys.start), (end, ys.end)];
+            let shade = BLACK.mix(ZERO_SHADE).filled();
+            chart.draw_series([Rectangle::new(corners, shade)])?;
+        }
         if let Some((axis, series)) = &self.right {
             chart
                 .configure_secondary_axes()
@@ -99,6 +108,14 @@ impl Panel {
             chart.draw_secondary_series(LineSeries::new(places, series.line_style()))?;
         }
 
+        for series in self
+            .series
+            .iter()
+            .rev()
+            .filter(|series| !series.band.is_empty())
+        {
+            chart.draw_series([series.outline(&self.x, &self.y)])?;
+        }
         let mut labels = Labels::default();
         let mut texts = Vec::new();
         for series in self.series.iter().rev() {
@@ -107,7 +124,10 @@ impl Panel {
             if series.has_line() {
                 chart.draw_series(LineSeries::new(line(), series.line_style()))?;
             }
-            if series.has_marks() {
+            if let Some(polygon) = series.polygon().filter(|_| series.has_marks()) {
+                let mark = |place| EmptyElement::at(place) + polygon();
+                chart.draw_series(line().map(mark))?;
+            } else if series.has_marks() {
                 chart.draw_series(line().map(|place| series.mark(place)))?;
             }
             let pixels: Vec<_> = line().map(|place| chart.backend_coord(&place)).collect();
@@ -148,8 +168,11 @@ fn places<'a>(
 }
 
 fn points_of(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
-    panel
-        .series
-        .iter()
-        .flat_map(|series| series.points.iter().copied())
+    panel.series.iter().flat_map(|series| {
+        series
+            .points
+            .iter()
+            .copied()
+            .chain(series.bounds().flatten())
+    })
 }
