@@ -12,59 +12,75 @@
 //!   work from one to the other;
 //! - **fidelity**: how far a whole simulation on each of them is from one with a quarter of the time step.
 //!
-//! It prints tables in Markdown and draws `docs/figures/tradeoff-*.svg`. It exits with 1 if a touching pair was missed or if
-//! the default settings do not simulate what Rapier's broad phase does, and with 2 if it was called wrongly or cannot write.
+//! That study has methods that find every contact. With `--study missed`, methods that trade accuracy for speed are measured
+//! beside them: trees that are updated seldom, a hash grid, a common box size that is too small. See [`missed`].
+//!
+//! It prints tables in Markdown and draws `docs/figures/tradeoff-*.svg`, or `missed-*.svg`. It exits with 1 if a touching pair
+//! was missed, in the second study by unisize, or if the default settings do not simulate what Rapier's broad phase does, and
+//! with 2 if it was called wrongly or cannot write.
 
 mod chart;
 mod course;
 mod method;
+mod missed;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
+mod quantile;
 mod study;
 mod table;
 
 #[path = "."]
 mod dim2 {
     //! The measurements in rapier2d.
+    use rapier2d_0_36 as newest;
     use unisize::rapier2d as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod dimension;
-    pub(super) use dimension::study;
+    pub(super) use dimension::{missed, study};
 }
 
 #[path = "."]
 mod dim3 {
     //! The measurements in rapier3d.
+    use rapier3d_0_36 as newest;
     use unisize::rapier3d as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod dimension;
-    pub(super) use dimension::study;
+    pub(super) use dimension::{missed, study};
 }
 
-use clap::Parser;
-use options::Options;
+use options::{Options, Study};
 use progress::progress_bar;
+use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options = Options::of_command_line();
     let figures = options.out();
     // Before the long run, which a failure would waste.
     if let Err(error) = std::fs::create_dir_all(&figures) {
         eprintln!("error: cannot create {}: {error}", figures.display());
         return ExitCode::from(2);
     }
+    match options.study {
+        Study::Margins => margins(&options, &figures),
+        Study::Missed => missed::run(&options, &figures),
+    }
+}
+
+/// The study of kernels and margins.
+fn margins(options: &Options, figures: &Path) -> ExitCode {
     let bar = progress_bar(options.total_steps() as u64);
     let mut studies = Vec::new();
     for kind in options.scenes() {
         for dim in [2, 3] {
             bar.set_message(format!("{} {dim}D", kind.name()));
             let study = match dim {
-                2 => dim2::study(kind, &options, || bar.inc(1)),
-                _ => dim3::study(kind, &options, || bar.inc(1)),
+                2 => dim2::study(kind, options, || bar.inc(1)),
+                _ => dim3::study(kind, options, || bar.inc(1)),
             };
             bar.suspend(|| table::print_study(&study));
             studies.push(study);

@@ -294,7 +294,7 @@ fn percent(share: f64) -> String {
 }
 
 /// A table whose first column is text and whose others are figures.
-fn table<T: Into<comfy_table::Row>>(head: T) -> Table {
+pub(crate) fn table<T: Into<comfy_table::Row>>(head: T) -> Table {
     let mut table = Table::new();
     table.load_preset(ASCII_MARKDOWN).set_header(head);
     for column in table.column_iter_mut() {

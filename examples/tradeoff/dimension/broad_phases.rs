@@ -1,13 +1,29 @@
 //! The broad phase of a method.
 
+use super::anew::Anew;
 use super::common_box::CommonBox;
 use super::ours::{Kernel, Settings, UnisizeBroadPhase};
 use super::scenes::Observed;
 use super::scenes::rapier::prelude::*;
 use crate::method::{Margin, Method, Search};
+use cpu_time::ThreadTime;
+use std::time::Duration;
 
 /// A broad phase of a kind that is known at run time only. `Box` itself does not implement Rapier's trait.
-pub(super) struct AnyBroadPhase(Box<dyn BroadPhase>);
+pub(super) struct AnyBroadPhase {
+    inner: Box<dyn BroadPhase>,
+    /// The processor time of the last update.
+    pub(super) last: Duration,
+}
+
+impl AnyBroadPhase {
+    pub(super) fn new(inner: Box<dyn BroadPhase>) -> Self {
+        Self {
+            inner,
+            last: Duration::ZERO,
+        }
+    }
+}
 
 impl BroadPhase for AnyBroadPhase {
     fn update(
@@ -19,20 +35,22 @@ impl BroadPhase for AnyBroadPhase {
         removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let Self(inner) = self;
-        inner.update(params, colliders, bodies, modified, removed, events);
+        let start = ThreadTime::now();
+        self.inner
+            .update(params, colliders, bodies, modified, removed, events);
+        self.last = start.elapsed();
     }
 }
 
 /// An empty broad phase under observation, of which nothing is asked yet.
 pub(super) fn create(method: Method, typical_size: Real) -> Observed<AnyBroadPhase> {
-    Observed::new(AnyBroadPhase(boxed(method, typical_size)))
+    Observed::new(AnyBroadPhase::new(boxed(method, typical_size)))
 }
 
 fn boxed(method: Method, typical_size: Real) -> Box<dyn BroadPhase> {
     let kernel = match method.search {
         Search::Rapier => return Box::new(DefaultBroadPhase::new()),
-        Search::CommonBox => return Box::new(CommonBox::default()),
+        Search::CommonBox => return Box::new(Anew::new(CommonBox::new(1.0))),
         Search::GridSweep => Kernel::GridSweep,
         Search::RankSweep => Kernel::RankSweep,
         Search::BruteForce => Kernel::BruteForce,

@@ -1,141 +1,120 @@
-//! The paper's kernel as published: every box is enlarged to the common size, and every pair that is found is reported.
+//! The paper's kernel as published: every box is represented by one of a common size, and every pair that is found is reported.
 //!
 //! It then needs no test of candidates, but reports pairs whose boxes do not overlap, more of them the more sizes differ. Every
-//! update searches all boxes anew. Floors and walls would make the common size that of the world, so boxes larger than any
-//! that can move are compared with all others one by one.
+//! update searches all boxes anew. If the common size is that of the largest box, nothing is missed. If it is less, larger boxes
+//! are represented too small, about their centres, and pairs are missed.
 
+use super::anew::{BySize, FindAll, Proxy, extent, movable_extents};
 use super::scenes::rapier::{math::DIM, prelude::*};
+use crate::quantile::quantile;
 use unisize::{Aabb, PairFinder, RankSweep};
 
 /// The paper's kernel on boxes of one size.
-#[derive(Default)]
 pub(super) struct CommonBox {
-    /// By the index of the collider's handle.
-    proxies: Vec<Option<Proxy>>,
+    /// The common size is this quantile of the extents of movable boxes, on each axis.
+    share: f64,
     sweep: RankSweep<Real, DIM>,
-    /// The pairs held, sorted.
-    held: Vec<[u32; 2]>,
-}
-
-#[derive(Clone, Copy)]
-struct Proxy {
-    handle: ColliderHandle,
-    can_move: bool,
-    aabb: Aabb<Real, DIM>,
+    /// Scratch memory.
+    extents: Vec<Real>,
+    boxes: Vec<Aabb<Real, DIM>>,
 }
 
 impl CommonBox {
-    fn place(&mut self, handle: ColliderHandle, proxy: Option<Proxy>) {
-        let slot = handle.into_raw_parts().0 as usize;
-        if self.proxies.len() <= slot {
-            self.proxies.resize(slot + 1, None);
+    /// The common size is this quantile of the sizes of movable boxes; 1 is the largest.
+    pub(super) fn new(share: f64) -> Self {
+        Self {
+            share,
+            sweep: RankSweep::default(),
+            extents: Vec::new(),
+            boxes: Vec::new(),
         }
-        self.proxies[slot] = proxy;
     }
+}
 
-    /// The largest extent of a movable box on each axis.
-    fn common_size(&self) -> [Real; DIM] {
-        let movable = self.proxies.iter().flatten().filter(|p| p.can_move);
-        movable.fold([0.0; DIM], |size, proxy| {
-            std::array::from_fn(|k| size[k].max(extent(&proxy.aabb, k)))
-        })
+impl Default for CommonBox {
+    fn default() -> Self {
+        Self::new(1.0)
     }
+}
 
-    /// All pairs, sorted.
-    fn pairs(&mut self) -> Vec<[u32; 2]> {
-        let size = self.common_size();
-        let (mut slots, mut boxes) = (Vec::new(), Vec::new());
-        let (mut large, mut pairs) = (Vec::new(), Vec::new());
-        let proxies = self.proxies.iter().enumerate();
-        for (slot, proxy) in
-            proxies.filter_map(|(slot, proxy)| Some((slot as u32, proxy.as_ref()?)))
-        {
-            let aabb = proxy.aabb;
-            if (0..DIM).all(|k| extent(&aabb, k) <= size[k]) {
-                slots.push(slot);
-                let mins = aabb.mins;
-                let maxs = std::array::from_fn(|k| aabb.maxs[k].max(mins[k] + size[k]));
-                boxes.push(Aabb::new(mins, maxs));
-            } else {
-                large.push((slot, aabb));
+impl FindAll for CommonBox {
+    fn find(&mut self, proxies: &[Option<Proxy>], pairs: &mut Vec<[u32; 2]>) {
+        let by_size = BySize::of(proxies);
+        let mut size = by_size.largest;
+        if self.share < 1.0 {
+            for (axis, size) in size.iter_mut().enumerate() {
+                self.extents.clear();
+                self.extents.extend(movable_extents(proxies, axis));
+                *size = quantile(&mut self.extents, self.share).unwrap_or(*size);
             }
         }
-        let swept = self.sweep.find_pairs(&boxes, &mut pairs);
+        self.boxes.clear();
+        let common = by_size.usual.iter().map(|(_, aabb)| resized(aabb, &size));
+        self.boxes.extend(common);
+        let swept = self.sweep.find_pairs(&self.boxes, pairs);
         swept.expect("the boxes of a sane scene are valid");
-        for pair in &mut pairs {
-            *pair = pair.map(|index| slots[index as usize]);
+        for pair in pairs.iter_mut() {
+            // Slots are in order, so the smaller one stays in front.
+            *pair = pair.map(|index| by_size.usual[index as usize].0);
         }
-        for (index, &(slot, aabb)) in large.iter().enumerate() {
-            let others = slots.iter().map(|&other| {
-                let proxy = self.proxies[other as usize].expect("it was just listed");
-                (other, proxy.aabb)
-            });
-            let others = others.chain(large[..index].iter().copied());
-            for (other, _) in others.filter(|(_, other)| aabb.overlaps(other)) {
-                pairs.push([slot.min(other), slot.max(other)]);
-            }
-        }
+        by_size.find_large(pairs);
+    }
+}
+
+/// The box with these extents: enlarged from its lower corner, or made smaller about its centre.
+fn resized(aabb: &Aabb<Real, DIM>, size: &[Real; DIM]) -> Aabb<Real, DIM> {
+    let excess: [Real; DIM] = std::array::from_fn(|k| (extent(aabb, k) - size[k]).max(0.0));
+    let mins = std::array::from_fn(|k| aabb.mins[k] + excess[k] / 2.0);
+    let maxs = std::array::from_fn(|k| match excess[k] > 0.0 {
+        true => aabb.maxs[k] - excess[k] / 2.0,
+        false => aabb.maxs[k].max(aabb.mins[k] + size[k]),
+    });
+    Aabb::new(mins, maxs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scenes::rapier::{math::DIM, prelude::*};
+    use super::{CommonBox, FindAll, Proxy, resized};
+    use unisize::Aabb;
+
+    fn cube(at: Real, size: Real) -> Aabb<Real, DIM> {
+        Aabb::new([at; DIM], [at + size; DIM])
+    }
+
+    fn pairs(share: f64, boxes: &[Aabb<Real, DIM>]) -> Vec<[u32; 2]> {
+        let proxy = |(index, &aabb): (usize, _)| {
+            Some(Proxy {
+                handle: ColliderHandle::from_raw_parts(index as u32, 0),
+                can_move: true,
+                aabb,
+            })
+        };
+        let proxies: Vec<_> = boxes.iter().enumerate().map(proxy).collect();
+        let mut pairs = Vec::new();
+        CommonBox::new(share).find(&proxies, &mut pairs);
         pairs.sort_unstable();
         pairs
     }
 
-    fn event_pair(&self, pair: [u32; 2]) -> ColliderPair {
-        let [first, second] = pair.map(|slot| {
-            let proxy = self.proxies[slot as usize];
-            proxy
-                .expect("the colliders of a held pair are known")
-                .handle
-        });
-        ColliderPair::new(first, second)
+    #[test]
+    fn boxes_get_the_common_size() {
+        let size = [2.0; DIM];
+        assert_eq!(resized(&cube(0.0, 1.0), &size), cube(0.0, 2.0));
+        assert_eq!(resized(&cube(0.0, 2.0), &size), cube(0.0, 2.0));
+        assert_eq!(resized(&cube(0.0, 6.0), &size), cube(2.0, 2.0));
     }
-}
 
-fn extent(aabb: &Aabb<Real, DIM>, axis: usize) -> Real {
-    aabb.maxs[axis] - aabb.mins[axis]
-}
-
-impl BroadPhase for CommonBox {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        if modified.is_empty() && removed.is_empty() {
-            return;
-        }
-        for &handle in removed {
-            self.place(handle, None);
-            let slot = handle.into_raw_parts().0;
-            self.held.retain(|pair| !pair.contains(&slot));
-        }
-        for &handle in modified {
-            let Some(collider) = colliders.get(handle) else {
-                continue;
-            };
-            let aabb = collider.compute_collision_aabb(params.prediction_distance() / 2.0);
-            let body = collider.parent().map(|parent| &bodies[parent]);
-            let proxy = Proxy {
-                handle,
-                can_move: body.is_some_and(|body| !body.is_fixed()),
-                aabb: Aabb::new(aabb.mins.coords.into(), aabb.maxs.coords.into()),
-            };
-            self.place(handle, Some(proxy));
-        }
-        let pairs = self.pairs();
-        let before = std::mem::replace(&mut self.held, pairs);
-        for &pair in &self.held {
-            if before.binary_search(&pair).is_err() {
-                events.push(BroadPhasePairEvent::AddPair(self.event_pair(pair)));
-            }
-        }
-        for &pair in &before {
-            if self.held.binary_search(&pair).is_err() {
-                events.push(BroadPhasePairEvent::DeletePair(self.event_pair(pair)));
-            }
-        }
+    #[test]
+    fn a_size_that_is_too_small_misses_pairs() {
+        // Three of size 1, of which the third meets the large one near its corner only.
+        let boxes = [
+            cube(-20.0, 1.0),
+            cube(-10.0, 1.0),
+            cube(4.5, 1.0),
+            cube(0.0, 5.0),
+        ];
+        assert_eq!(pairs(1.0, &boxes), [[2, 3]]);
+        assert!(pairs(0.5, &boxes).is_empty());
     }
 }

@@ -1,19 +1,19 @@
 //! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
 
-use super::broad_phases::{self, AnyBroadPhase};
+use super::broad_phases::AnyBroadPhase;
 use super::scenes::rapier::prelude::*;
 use super::scenes::{Observed, World};
-use crate::method::Method;
+use cpu_time::ThreadTime;
 use std::time::Duration;
 
 /// A broad phase and a narrow phase of its own.
 pub(super) struct Contestant {
-    pub(super) broad_phase: Observed<AnyBroadPhase>,
+    broad_phase: Ended,
     narrow_phase: NarrowPhase,
     pipeline: CollisionPipeline,
 }
 
-/// How long a step took.
+/// How long a step took, in processor time.
 #[derive(Clone, Copy)]
 pub(super) struct Lap {
     pub(super) broad: Duration,
@@ -21,13 +21,14 @@ pub(super) struct Lap {
 }
 
 impl Contestant {
-    pub(super) fn new(method: Method, typical_size: Real, records_pairs: bool) -> Self {
-        let clocked = broad_phases::create(method, typical_size).clocked();
+    pub(super) fn new(broad_phase: Observed<AnyBroadPhase>, records_pairs: bool) -> Self {
         Self {
-            broad_phase: if records_pairs {
-                clocked.with_held()
-            } else {
-                clocked
+            broad_phase: Ended {
+                inner: match records_pairs {
+                    true => broad_phase.with_held(),
+                    false => broad_phase,
+                },
+                end: Duration::ZERO,
             },
             narrow_phase: NarrowPhase::new(),
             pipeline: CollisionPipeline::new(),
@@ -48,19 +49,46 @@ impl Contestant {
             &JointFilter(&stage.joints),
             &(),
         );
-        let timing = self.broad_phase.timing();
-        let narrow = timing.end.map_or(Duration::ZERO, |end| end.elapsed());
+        let narrow = ThreadTime::now().as_duration() - self.broad_phase.end;
+        let broad = self.broad_phase().inner.last;
         Lap {
-            broad: timing.last,
-            both: timing.last + narrow,
+            broad,
+            both: broad + narrow,
         }
+    }
+
+    pub(super) fn broad_phase(&self) -> &Observed<AnyBroadPhase> {
+        &self.broad_phase.inner
+    }
+}
+
+/// A broad phase that notes when it was over, and all that is observed had been taken down.
+struct Ended {
+    inner: Observed<AnyBroadPhase>,
+    /// The processor time of the thread at the end of the last update.
+    end: Duration,
+}
+
+impl BroadPhase for Ended {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.inner
+            .update(params, colliders, bodies, modified, removed, events);
+        self.end = ThreadTime::now().as_duration();
     }
 }
 
 /// A copy of a world at one step, for all contestants.
 pub(super) struct Stage {
-    colliders: ColliderSet,
-    bodies: RigidBodySet,
+    pub(super) colliders: ColliderSet,
+    pub(super) bodies: RigidBodySet,
     joints: ImpulseJointSet,
     prediction: Real,
 }
@@ -75,6 +103,19 @@ impl Stage {
         }
     }
 
+    /// Has Rapier handle what was changed by hand, so that no contestant has to.
+    pub(super) fn settle(&mut self) {
+        CollisionPipeline::new().step(
+            self.prediction,
+            &mut Nothing,
+            &mut NarrowPhase::new(),
+            &mut self.bodies,
+            &mut self.colliders,
+            &(),
+            &(),
+        );
+    }
+
     /// Marks these colliders, and no others, as moved.
     fn mark(&mut self, moved: &[ColliderHandle]) {
         for &handle in moved {
@@ -86,6 +127,22 @@ impl Stage {
                 }
             }
         }
+    }
+}
+
+/// A broad phase that finds nothing.
+struct Nothing;
+
+impl BroadPhase for Nothing {
+    fn update(
+        &mut self,
+        _: &IntegrationParameters,
+        _: &ColliderSet,
+        _: &RigidBodySet,
+        _: &[ColliderHandle],
+        _: &[ColliderHandle],
+        _: &mut Vec<BroadPhasePairEvent>,
+    ) {
     }
 }
 

@@ -1,13 +1,18 @@
 //! The measurements in one dimension: one source, compiled once for each.
 
-use super::{ours, scenes};
+use super::{newest, ours, scenes};
 
+mod anew;
 mod broad_phases;
 mod common_box;
 mod contestant;
 mod film;
+#[path = "../missed/dimension/mod.rs"]
+mod missed;
 mod replay;
 mod truth;
+
+pub(crate) use missed::study as missed;
 
 use crate::method::Method;
 use crate::options::Options;

@@ -22,7 +22,7 @@ const DRIVER: Method = Method {
 };
 
 /// One in this many steps, the first ones, is not timed: memory is allocated and scenes begin to move.
-const WARM_UP: usize = 10;
+pub(super) const WARM_UP: usize = 10;
 
 /// Measures all methods.
 pub(super) fn run(
@@ -67,7 +67,7 @@ pub(super) fn run(
     teams.iter().map(Team::figures).collect()
 }
 
-fn shuffle<T>(turns: &mut [T], random: &mut oorandom::Rand32) {
+pub(super) fn shuffle<T>(turns: &mut [T], random: &mut oorandom::Rand32) {
     for last in (1..turns.len()).rev() {
         turns.swap(last, random.rand_range(0..last as u32 + 1) as usize);
     }
@@ -94,7 +94,10 @@ impl Team {
             broad: Duration::ZERO,
             both: Duration::ZERO,
         };
-        let member = |index| Contestant::new(method, typical_size, index == 0);
+        let member = |index| {
+            let broad_phase = broad_phases::create(method, typical_size);
+            Contestant::new(broad_phase, index == 0)
+        };
         Self {
             method,
             members: (0..size).map(member).collect(),
@@ -114,7 +117,7 @@ impl Team {
     }
 
     fn compare(&mut self, truth: &Truth) {
-        let broad_phase = &self.members[0].broad_phase;
+        let broad_phase = self.members[0].broad_phase();
         let [touching, near] = truth.recall(broad_phase);
         for (sum, recall) in [(&mut self.touching, touching), (&mut self.near, near)] {
             sum.found += recall.found;
@@ -136,7 +139,7 @@ impl Team {
     }
 }
 
-fn median(times: impl Iterator<Item = Duration>) -> Duration {
+pub(super) fn median(times: impl Iterator<Item = Duration>) -> Duration {
     let mut times: Vec<_> = times.collect();
     times.sort_unstable();
     times[times.len() / 2]

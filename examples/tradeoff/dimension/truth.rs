@@ -11,7 +11,7 @@ use crate::study::Recall;
 use unisize::{Aabb, BruteForce, PairFinder};
 
 /// The slack of boxes in typical sizes: much more than touching pairs need.
-const SLACK: Real = 0.25;
+pub(super) const SLACK: Real = 0.25;
 
 /// The error of a distance, in units in the last place.
 const ROUNDING: Real = 8.0;
@@ -65,14 +65,22 @@ impl Truth {
         truth
     }
 
+    /// The pairs that touch.
+    pub(super) fn into_touching(self) -> Vec<ColliderPair> {
+        self.touching
+    }
+
     /// The recall of the touching pairs, and of all.
     pub(super) fn recall(&self, broad_phase: &Observed<AnyBroadPhase>) -> [Recall; 2] {
-        [&self.touching, &self.near].map(|pairs| Recall {
-            found: pairs
-                .iter()
-                .filter(|&&pair| broad_phase.holds(pair))
-                .count(),
-            all: pairs.len(),
-        })
+        [&self.touching, &self.near].map(|pairs| recall(pairs, broad_phase))
+    }
+}
+
+/// How many of these pairs are held.
+pub(super) fn recall(pairs: &[ColliderPair], broad_phase: &Observed<AnyBroadPhase>) -> Recall {
+    let found = pairs.iter().filter(|&&pair| broad_phase.holds(pair));
+    Recall {
+        found: found.count(),
+        all: pairs.len(),
     }
 }
