@@ -5,6 +5,7 @@ use super::{flavour, rapier, vehicle, version};
 mod comparison;
 mod container;
 mod lattice;
+mod lossy;
 mod observed;
 mod queries;
 mod sanity;
@@ -16,6 +17,7 @@ mod stage;
 mod world;
 
 pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, RayCount, Tally};
+pub use lossy::Lossy;
 pub use observed::{Observed, PairEvent, Tee, Timing, Update};
 pub use queries::{Queries, QueryAccess};
 pub use sanity::Sanity;

@@ -1,0 +1,67 @@
+//! Simulates and measures in one flavour of Rapier: one source, compiled once for each.
+
+use super::{PIN, ours, scenes, version};
+
+mod gauges;
+mod space;
+mod stages;
+#[cfg(test)]
+mod tests;
+
+use crate::case::{Case, FRAMES, Finder, LOST_ONE_IN, Run};
+use cpu_time::ThreadTime;
+use scenes::rapier::prelude::*;
+use scenes::{Lossy, Observed, OwnBroadPhase, Steppable, install};
+use stages::Stage;
+use std::time::Duration;
+
+/// Simulates a case, and measures its errors.
+pub(crate) fn run(case: &Case) -> Run {
+    let stage = Stage::build(case);
+    match case.finder {
+        Finder::Rapier if case.is_sorted => {
+            let sorted = Observed::new(OwnBroadPhase::new()).sorted();
+            simulate(case, stage, &mut install(sorted))
+        }
+        Finder::Unisize if case.is_sorted => {
+            let sorted = Observed::new(ours::UnisizeBroadPhase::new()).sorted();
+            simulate(case, stage, &mut install(sorted))
+        }
+        Finder::Rapier => simulate(case, stage, &mut DefaultBroadPhase::new()),
+        Finder::Unisize => simulate(case, stage, &mut install(ours::UnisizeBroadPhase::new())),
+        Finder::Control => {
+            // Other pairs with each time step: otherwise a seed that loses none would lose none with any.
+            let seed = case.seed << 32 | u64::from(case.frequency);
+            let lossy = Lossy::new(OwnBroadPhase::new(), LOST_ONE_IN, seed);
+            let mut control = install(lossy);
+            let run = simulate(case, stage, &mut control);
+            Run {
+                pairs: Some([control.found, control.lost]),
+                ..run
+            }
+        }
+    }
+}
+
+/// Steps a stage to its end, and measures at the same simulated times whatever the time step.
+fn simulate(case: &Case, mut stage: Stage, broad_phase: &mut impl Steppable) -> Run {
+    stage.world.params.dt = 1.0 / case.frequency as Real;
+    let frames = (case.seconds * f64::from(FRAMES)).round() as u32;
+    let mut elapsed = Duration::ZERO;
+    for frame in 1..=frames {
+        let start = ThreadTime::now();
+        for _ in 0..case.frequency / FRAMES {
+            stage.world.step(broad_phase.for_step(), &(), &());
+        }
+        elapsed += start.elapsed();
+        let time = f64::from(frame) / f64::from(FRAMES);
+        for gauge in &mut stage.gauges {
+            gauge.look(&stage.world, time);
+        }
+    }
+    Run {
+        milliseconds: elapsed.as_secs_f64() * 1e3 / case.seconds,
+        errors: stage.gauges.iter().flat_map(|gauge| gauge.read()).collect(),
+        pairs: None,
+    }
+}

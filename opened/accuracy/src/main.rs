@@ -1,0 +1,86 @@
+//! What the time buys in Rapier 0.36: errors against the computing time for one simulated second, on its own broad phase and on
+//! unisize.
+//!
+//! ```text
+//! cargo run --release --package accuracy-opened
+//! ```
+//!
+//! The same program as `examples/accuracy`, which says what is measured, on an opened copy of Rapier, in `f32` alone. From the
+//! root of the repository it draws `docs/figures/accuracy-*-0-36.svg`.
+
+#[path = "../../../examples/accuracy/case.rs"]
+mod case;
+#[path = "../../../examples/accuracy/chart.rs"]
+mod chart;
+#[path = "../../../examples/accuracy/options.rs"]
+mod options;
+#[path = "../../../examples/progress/bar.rs"]
+mod progress;
+#[path = "../../../examples/accuracy/run.rs"]
+mod run;
+#[path = "../../../examples/accuracy/scene.rs"]
+mod scene;
+#[path = "../../../examples/accuracy/statistics/mod.rs"]
+mod statistics;
+#[path = "../../../examples/accuracy/study.rs"]
+mod study;
+#[path = "../../../examples/accuracy/table.rs"]
+mod table;
+#[path = "../../../examples/accuracy/verdict.rs"]
+mod verdict;
+
+use case::{Case, Run, Scalar};
+use std::process::ExitCode;
+
+/// The version of Rapier.
+const RAPIER: &str = "0.36";
+
+/// What the names of its charts end with.
+const SUFFIX: &str = "-0-36";
+
+/// What there is of it.
+const SCALARS: &[Scalar] = &[Scalar::F32];
+
+#[path = "../../../examples/accuracy"]
+mod dim2 {
+    //! The simulations in rapier2d.
+    use scenes::rapier::prelude::JointAxesMask;
+    use unisize::rapier2d_0_36 as ours;
+    use unisize_scenes::dim2_0_36 as scenes;
+
+    /// What the joint of a pendulum holds together.
+    const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
+
+    mod dimension;
+    #[path = "rapier_0_36.rs"]
+    mod version;
+    pub(super) use dimension::run;
+}
+
+#[path = "../../../examples/accuracy"]
+mod dim3 {
+    //! The simulations in rapier3d.
+    use scenes::rapier::prelude::JointAxesMask;
+    use unisize::rapier3d_0_36 as ours;
+    use unisize_scenes::dim3_0_36 as scenes;
+
+    /// What the joint of a pendulum holds together.
+    const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
+
+    mod dimension;
+    #[path = "rapier_0_36.rs"]
+    mod version;
+    pub(super) use dimension::run;
+}
+
+/// Simulates a case.
+fn simulate(dim: u8, _: Scalar, case: &Case) -> Run {
+    match dim {
+        2 => dim2::run(case),
+        _ => dim3::run(case),
+    }
+}
+
+fn main() -> ExitCode {
+    run::run()
+}
