@@ -1,0 +1,45 @@
+//! What Rapier 0.36 spells in its own way: glam's vectors, and broad phases that boxes are handed over to.
+
+use super::dimension::Clocked;
+use super::scenes::BroadPhase;
+use super::scenes::rapier::{math, prelude::*};
+
+pub(super) type Vector = math::Vector;
+pub(super) type Point = math::Vector;
+pub(super) type AngVector = math::AngVector;
+
+/// The contacts of a pair.
+pub(super) fn manifolds(pair: &ContactPair) -> &[ContactManifold] {
+    pair.manifolds()
+}
+
+impl<B: BroadPhase> BroadPhase for Clocked<B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.time(|inner| inner.update(params, colliders, bodies, modified, removed, events));
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        self.set_aabbs(params, &[(handle, aabb)]);
+    }
+
+    fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
+        self.time(|inner| inner.set_aabbs(params, boxes));
+    }
+
+    fn bvh(&self) -> &Bvh {
+        self.inner.bvh()
+    }
+
+    // A copy is not timed.
+    fn clone_box(&self) -> Box<dyn BroadPhase> {
+        self.inner.clone_box()
+    }
+}
