@@ -1,14 +1,16 @@
 //! Motions on which broad phases break down: how update time and memory grow, for Rapier's own broad phase, for
-//! unisize, and for unisize with the kernel of the paper.
+//! unisize, and for unisize with the kernel of the paper; for Rapier 0.27, and for 0.36, which hands over the boxes of what has
+//! moved.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench hard_motions
+//! cargo bench --all-features --bench hard_motions
 //! ```
 //!
-//! Prints a Markdown table for each dimension. Times are for one update: the mean and the worst of 60, or of as many as
-//! fit in four seconds. *Work* is the mean number of cubes, held pairs and events together, the least that a broad phase
-//! has to process. *Times drifting* is the time per unit of work, relative to drifting cubes. The *slopes* are those of
-//! log mean time and log memory over log work, between the two largest numbers of cubes: 1 where they grow in proportion.
+//! Prints a Markdown table for each dimension. Times are for one update, by the clock of the processor: the mean and the worst
+//! of 60, or of as many as fit in four seconds; the number of cubes then says after how many updates it was stopped.
+//! *Work* is the mean number of cubes, held pairs and events together, the least that a broad phase has to process. *Times
+//! drifting* is the time per unit of work, relative to drifting cubes. The *slopes* are those of log mean time and log
+//! memory over log work, between the two largest numbers of cubes: 1 where they grow in proportion.
 
 mod common;
 
@@ -22,6 +24,19 @@ mod dim2 {
     use unisize::rapier2d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::print;
+}
+
+#[path = "hard_motions"]
+mod dim2_0_36 {
+    use rapier2d_0_36 as rapier;
+    use unisize::rapier2d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 
@@ -31,6 +46,19 @@ mod dim3 {
     use unisize::rapier3d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::print;
+}
+
+#[path = "hard_motions"]
+mod dim3_0_36 {
+    use rapier3d_0_36 as rapier;
+    use unisize::rapier3d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 
@@ -50,8 +78,14 @@ const LONG: Duration = Duration::from_secs(4);
 
 fn main() {
     common::set_threads();
-    dim2::print();
-    dim3::print();
+    print_head(2);
+    dim2::print(true);
+    dim2_0_36::print(false);
+    println!();
+    print_head(3);
+    dim3::print(true);
+    dim3_0_36::print(false);
+    println!();
 }
 
 /// One broad phase in one case.
@@ -92,8 +126,13 @@ fn print_row(motion: &str, name: &str, figures: &[Figures], drifting: &mut Optio
         }
         _ => "–".to_owned(),
     };
+    let stopped = if last.frames < FRAMES {
+        format!(", stopped after {}", last.frames)
+    } else {
+        String::new()
+    };
     println!(
-        "| {motion} | {name} | {} | {} | {} | {:.3} | {:.3} | {each:.1} | {:.1} | {} | {:.0} | {} |",
+        "| {motion} | {name} | {}{stopped} | {} | {} | {:.3} | {:.3} | {each:.1} | {:.1} | {} | {:.0} | {} |",
         last.count,
         last.pairs,
         last.events / last.frames as usize,
@@ -107,7 +146,7 @@ fn print_row(motion: &str, name: &str, figures: &[Figures], drifting: &mut Optio
 }
 
 fn print_head(dimension: usize) {
-    println!("### rapier{dimension}d\n");
+    println!("### {dimension}D\n");
     println!(
         "| motion | broad phase | n | pairs | events | mean ms | worst ms | ns a piece of work | times drifting | slope of time | bytes a cube | slope of memory |"
     );

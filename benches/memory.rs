@@ -1,7 +1,7 @@
 //! The memory that a broad phase holds, ours and Rapier's own, measured by a counting allocator.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench memory
+//! cargo bench --all-features --bench memory
 //! ```
 //!
 //! Bytes per collider after the broad phase has followed some frames: what dropping it frees. Events do not count, since
@@ -22,6 +22,19 @@ mod dim2 {
     use unisize::rapier2d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::print;
+}
+
+#[path = "memory"]
+mod dim2_0_36 {
+    use rapier2d_0_36 as rapier;
+    use unisize::rapier2d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 
@@ -31,15 +44,32 @@ mod dim3 {
     use unisize::rapier3d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::print;
+}
+
+#[path = "memory"]
+mod dim3_0_36 {
+    use rapier3d_0_36 as rapier;
+    use unisize::rapier3d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 
 fn main() {
     common::set_threads();
-    println!("| dimension | motion | n | pairs | default, bytes a collider | unisize | aim |");
-    println!("|---|---|---|---|---|---|---|");
+    println!(
+        "| Rapier | dimension | motion | n | pairs | its own, bytes a collider | unisize | aim |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
     for motion in Motion::ALL {
         dim2::print(motion);
         dim3::print(motion);
+        dim2_0_36::print(motion);
+        dim3_0_36::print(motion);
     }
 }

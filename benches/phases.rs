@@ -28,6 +28,8 @@ mod dim2 {
     use unisize::rapier2d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 
@@ -37,6 +39,8 @@ mod dim3 {
     use unisize::rapier3d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
     pub(crate) use dimension::print;
 }
 

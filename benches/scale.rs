@@ -29,6 +29,8 @@ mod dim2 {
     use unisize::rapier2d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
     pub(crate) use dimension::{DENSITY, measure};
 }
 
@@ -38,6 +40,8 @@ mod dim3 {
     use unisize::rapier3d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
     pub(crate) use dimension::{DENSITY, measure};
 }
 

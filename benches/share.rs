@@ -5,6 +5,8 @@
 //! ```
 //!
 //! Prints a Markdown table. Balls fall, land and begin to settle; all steps count.
+//!
+//! The pipelines of Rapier 0.36 take unisize on an opened copy only: `opened/compare` measures both times there.
 
 mod common;
 

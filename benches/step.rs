@@ -6,6 +6,8 @@
 //!
 //! Times the simulation from the start until most of the balls have landed: a pile costs more than balls in the
 //! air, so single steps are not comparable. Throughput is in steps per second.
+//!
+//! The pipelines of Rapier 0.36 take unisize on an opened copy only: `opened/compare` measures whole steps there.
 
 mod common;
 #[path = "common/settings.rs"]

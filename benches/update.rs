@@ -1,11 +1,12 @@
-//! `BroadPhase::update` alone: Rapier's own broad phase against unisize, on the same frames.
+//! One update of colliders without bodies: Rapier's own broad phase against unisize, on the same frames. The bench `peers` has
+//! colliders on bodies.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench update -- 3D/all-move
+//! cargo bench --all-features --bench update -- 3D/all-move
 //! ```
 //!
 //! Colliders are drifting cubes of side 1. Moving some of them and listing them as modified is not timed, only the
-//! update that follows. The same colliders move in every frame; they are spread over the whole environment. Reading
+//! update that follows. In Rapier 0.36 their boxes are handed over, which is timed too. The same colliders move in every frame; they are spread over the whole environment. Reading
 //! the clock takes some 50 ns, which is included and matters for 10 colliders only.
 
 mod common;
@@ -22,6 +23,19 @@ mod dim2 {
     use unisize::rapier2d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::bench;
+}
+
+#[path = "update"]
+mod dim2_0_36 {
+    use rapier2d_0_36 as rapier;
+    use unisize::rapier2d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::bench;
 }
 
@@ -31,6 +45,19 @@ mod dim3 {
     use unisize::rapier3d as ours;
 
     mod dimension;
+    #[path = "../common/rapier_0_27.rs"]
+    mod version;
+    pub(crate) use dimension::bench;
+}
+
+#[path = "update"]
+mod dim3_0_36 {
+    use rapier3d_0_36 as rapier;
+    use unisize::rapier3d_0_36 as ours;
+
+    mod dimension;
+    #[path = "../common/rapier_0_36.rs"]
+    mod version;
     pub(crate) use dimension::bench;
 }
 
@@ -38,5 +65,7 @@ fn main() {
     let mut criterion = settings::criterion();
     dim2::bench(&mut criterion);
     dim3::bench(&mut criterion);
+    dim2_0_36::bench(&mut criterion);
+    dim3_0_36::bench(&mut criterion);
     criterion.final_summary();
 }

@@ -1,4 +1,16 @@
-//! Shared by all benches: the number of threads, and whether this is only a smoke test.
+//! Shared by all benches: the number of threads, the clock, and whether this is only a smoke test.
+
+#[allow(dead_code, reason = "not every bench drives broad phases")]
+mod clock;
+
+/// What updates of so many colliders are timed by. The processor's clock knows nothing of other threads.
+#[allow(dead_code, reason = "not every bench drives broad phases")]
+pub(crate) fn clock_for(count: usize) -> clock::Clock {
+    if rayon::current_num_threads() > 1 {
+        return clock::Clock::Wall;
+    }
+    clock::Clock::for_count(count)
+}
 
 /// One thread, unless `RAYON_NUM_THREADS` says otherwise.
 pub(crate) fn set_threads() {

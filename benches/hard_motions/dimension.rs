@@ -2,19 +2,19 @@
 
 use super::ours::{Kernel, Settings, UnisizeBroadPhase};
 use super::rapier::prelude::*;
-use crate::{ALLOCATOR, COUNTS, FRAMES, Figures, SMALL_COUNT, common, print_head, print_row};
+use super::version::{self, Driven};
+use crate::{ALLOCATOR, COUNTS, FRAMES, Figures, SMALL_COUNT, common, print_row};
 use std::collections::HashSet;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use unisize_scenes::{HardFrames, HardMotion};
 
-/// Prints the table of this dimension.
-pub(crate) fn print() {
+/// Prints the lines of this dimension and version, with those of the kernel of the paper if they are wanted.
+pub(crate) fn print(with_paper: bool) {
     let counts = if common::is_smoke_test() {
         &[SMALL_COUNT][..]
     } else {
         &COUNTS
     };
-    print_head(DIM);
     let mut drifting = [None; 3];
     for motion in HardMotion::ALL {
         let [default, ours, paper] = &mut drifting;
@@ -22,18 +22,21 @@ pub(crate) fn print() {
         let figures = for_counts(counts, |count| {
             follow(motion, count, DefaultBroadPhase::new())
         });
-        print_row(name, "default", &figures, default);
+        print_row(name, version::DEFAULT, &figures, default);
         let figures = for_counts(counts, |count| {
             follow(motion, count, UnisizeBroadPhase::new())
         });
-        print_row(name, "unisize", &figures, ours);
+        print_row(name, version::OURS, &figures, ours);
+        if !with_paper {
+            continue;
+        }
         let settings = Settings::default().with_kernel(Kernel::RankSweep);
         let figures = for_counts(counts, |count| {
             follow(motion, count, UnisizeBroadPhase::with_settings(settings))
         });
-        print_row(name, "unisize, RankSweep", &figures, paper);
+        let with_kernel = format!("{}, RankSweep", version::OURS);
+        print_row(name, &with_kernel, &figures, paper);
     }
-    println!();
 }
 
 fn for_counts(counts: &[usize], measure: impl Fn(usize) -> Figures) -> Vec<Figures> {
@@ -47,7 +50,7 @@ fn for_counts(counts: &[usize], measure: impl Fn(usize) -> Figures) -> Vec<Figur
 }
 
 /// Measures one broad phase on one motion.
-fn follow<B: BroadPhase>(motion: HardMotion, count: usize, mut broad_phase: B) -> Figures {
+fn follow<B: Driven>(motion: HardMotion, count: usize, mut broad_phase: B) -> Figures {
     let mut frames = HardFrames::<DIM>::new(motion, count, 7);
     let params = IntegrationParameters::default();
     let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
@@ -58,7 +61,8 @@ fn follow<B: BroadPhase>(motion: HardMotion, count: usize, mut broad_phase: B) -
         .map(|&mins| colliders.insert(cube(mins)))
         .collect();
     let mut events = Vec::new();
-    broad_phase.update(&params, &colliders, &bodies, &handles, &[], &mut events);
+    let first = [&handles[..], &[], &[]];
+    broad_phase.follow(&params, &colliders, &bodies, first, &mut events);
     let mut figures = Figures {
         count,
         frames: 0,
@@ -73,23 +77,23 @@ fn follow<B: BroadPhase>(motion: HardMotion, count: usize, mut broad_phase: B) -
     while figures.frames < FRAMES && !figures.is_long() {
         figures.frames += 1;
         frames.advance();
-        let mut listed = Vec::new();
+        let mut moved = Vec::new();
         for &i in frames.moved() {
             colliders[handles[i]].set_translation(Vector::from(frames.mins()[i]));
-            listed.push(handles[i]);
+            moved.push(handles[i]);
         }
         let removed: Vec<_> = frames.replaced().iter().map(|&i| handles[i]).collect();
         for &handle in &removed {
-            colliders.remove(handle, &mut islands, &mut bodies, false);
+            version::remove(handle, &mut colliders, &mut islands, &mut bodies);
         }
+        let mut inserted = Vec::new();
         for &i in frames.replaced() {
             handles[i] = colliders.insert(cube(frames.mins()[i]));
-            listed.push(handles[i]);
+            inserted.push(handles[i]);
         }
         events.clear();
-        let start = Instant::now();
-        broad_phase.update(&params, &colliders, &bodies, &listed, &removed, &mut events);
-        let time = start.elapsed();
+        let lists = [&inserted[..], &moved, &removed];
+        let time = broad_phase.follow(&params, &colliders, &bodies, lists, &mut events);
         figures.all += time;
         figures.worst = figures.worst.max(time);
         figures.events += events.len();
@@ -115,7 +119,7 @@ fn note(events: &[BroadPhasePairEvent], held: &mut HashSet<ColliderPair>) {
 }
 
 fn cube(mins: [Real; DIM]) -> Collider {
-    let half = SharedShape::new(Cuboid::new(Vector::repeat(0.5)));
+    let half = SharedShape::new(Cuboid::new(Vector::from([0.5; DIM])));
     ColliderBuilder::new(half)
         .active_collision_types(ActiveCollisionTypes::all())
         .translation(Vector::from(mins))

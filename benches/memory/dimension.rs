@@ -6,6 +6,7 @@ mod frames;
 use super::ours::UnisizeBroadPhase;
 use super::rapier;
 use super::rapier::prelude::*;
+use super::version::{self, Driven};
 use crate::{Motion, bytes_held, common};
 use frames::{Frames, Parents};
 
@@ -33,7 +34,8 @@ pub(crate) fn print(motion: Motion) {
     follow(motion, count, &mut default);
     let per_collider = |bytes: f64| bytes / count as f64;
     println!(
-        "| {DIM}D | {} | {count} | {pairs} | {:.0} | {:.0} | {:.0} |",
+        "| {} | {DIM}D | {} | {count} | {pairs} | {:.0} | {:.0} | {:.0} |",
+        version::DEFAULT,
         motion.name(),
         per_collider(bytes_held(default) as f64),
         per_collider(bytes_held(ours) as f64),
@@ -41,7 +43,7 @@ pub(crate) fn print(motion: Motion) {
     );
 }
 
-fn follow(motion: Motion, count: usize, broad_phase: &mut dyn BroadPhase) {
+fn follow(motion: Motion, count: usize, broad_phase: &mut dyn Driven) {
     let mut frames = Frames::new(count, motion, Parents::None, broad_phase);
     for _ in 0..FRAMES {
         frames.advance();

@@ -6,6 +6,7 @@ mod frames;
 use super::ours::{Settings, UnisizeBroadPhase};
 use super::rapier;
 use super::rapier::math::DIM;
+use super::version;
 use crate::{Motion, common, microseconds};
 use frames::{Frames, Parents};
 use std::time::Duration;

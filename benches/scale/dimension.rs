@@ -6,6 +6,7 @@ mod frames;
 use super::ours::UnisizeBroadPhase;
 use super::rapier;
 use super::rapier::prelude::*;
+use super::version::{self, Driven};
 use crate::{Cost, FRAMES, Motion, bytes_held};
 use frames::{Frames, Parents};
 use std::time::Duration;
@@ -21,7 +22,7 @@ pub(crate) fn measure(count: usize) -> [Cost; 2] {
     ]
 }
 
-fn follow(count: usize, mut broad_phase: impl BroadPhase) -> Cost {
+fn follow(count: usize, mut broad_phase: impl Driven) -> Cost {
     let mut frames = Frames::new(count, Motion::OneIn(1), Parents::Dynamic, &mut broad_phase);
     let times: Vec<_> = (0..FRAMES)
         .map(|_| {

@@ -6,6 +6,7 @@ mod frames;
 use super::ours::UnisizeBroadPhase;
 use super::rapier;
 use super::rapier::prelude::*;
+use super::version::{self, Driven};
 use crate::{Motion, common};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput};
@@ -13,10 +14,7 @@ use frames::{Frames, Parents};
 use std::time::Duration;
 
 /// Numbers of colliders.
-const COUNTS: [usize; 5] = [10, 100, 1_000, 10_000, 1 << 17];
-
-/// The number of colliders where they have bodies.
-const COUNT_ON_BODIES: usize = 10_000;
+const COUNTS: [usize; 3] = [100, 10_000, 1 << 17];
 
 /// The largest number of colliders in a smoke test.
 const SMOKE_TEST_MAX: usize = 10_000;
@@ -27,51 +25,34 @@ const FRAMES_TO_SETTLE: usize = 5;
 /// Every motion with every number of colliders and both broad phases.
 pub(crate) fn bench(criterion: &mut Criterion) {
     for motion in Motion::ALL {
-        let mut group = criterion.benchmark_group(format!("update/{DIM}D/{}", motion.name()));
+        let mut group = criterion.benchmark_group(format!(
+            "update/{}/{DIM}D/{}",
+            version::DEFAULT,
+            motion.name()
+        ));
         for count in COUNTS {
             let is_too_large = common::is_smoke_test() && count > SMOKE_TEST_MAX;
             // With fewer colliders than the stride, only one moves: the same case as a stride of their number.
             if !is_too_large && motion.stride() <= count {
-                both(&mut group, count, motion, Parents::None);
+                both(&mut group, count, motion);
             }
         }
         group.finish();
     }
-    for motion in Motion::ALL {
-        let name = format!("update-on-bodies/{DIM}D/{}", motion.name());
-        let mut group = criterion.benchmark_group(name);
-        both(&mut group, COUNT_ON_BODIES, motion, Parents::Dynamic);
-        group.finish();
-    }
 }
 
-fn both(group: &mut BenchmarkGroup<'_, WallTime>, count: usize, motion: Motion, parents: Parents) {
-    update(
-        group,
-        "default",
-        DefaultBroadPhase::new,
-        count,
-        motion,
-        parents,
-    );
-    update(
-        group,
-        "unisize",
-        UnisizeBroadPhase::new,
-        count,
-        motion,
-        parents,
-    );
+fn both(group: &mut BenchmarkGroup<'_, WallTime>, count: usize, motion: Motion) {
+    update(group, "default", DefaultBroadPhase::new, count, motion);
+    update(group, "unisize", UnisizeBroadPhase::new, count, motion);
 }
 
 /// One broad phase in one case.
-fn update<B: BroadPhase>(
+fn update<B: Driven>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     name: &str,
     create: fn() -> B,
     count: usize,
     motion: Motion,
-    parents: Parents,
 ) {
     // Built only if it is not filtered out.
     let mut state = None;
@@ -79,7 +60,7 @@ fn update<B: BroadPhase>(
     group.bench_function(BenchmarkId::new(name, count), |bencher| {
         let (frames, broad_phase) = state.get_or_insert_with(|| {
             let mut broad_phase = create();
-            let mut frames = Frames::new(count, motion, parents, &mut broad_phase);
+            let mut frames = Frames::new(count, motion, Parents::None, &mut broad_phase);
             for _ in 0..FRAMES_TO_SETTLE {
                 frames.advance();
                 frames.update(&mut broad_phase);

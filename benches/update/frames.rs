@@ -1,9 +1,10 @@
 //! A world of colliders that are moved from frame to frame: one source, compiled once in each dimension.
 
 use super::rapier::prelude::*;
+use super::version::Driven;
 use crate::Motion;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use unisize_scenes::DriftingBoxes;
 
 /// Gives 0.8 overlapping pairs per box in either dimension.
@@ -33,8 +34,8 @@ pub(super) struct Frames {
     params: IntegrationParameters,
     bodies: RigidBodySet,
     colliders: ColliderSet,
-    /// All colliders before the first frame, then those that may move.
-    listed: Vec<ColliderHandle>,
+    /// Those that may move.
+    moving: Vec<ColliderHandle>,
     events: Vec<BroadPhasePairEvent>,
 }
 
@@ -44,26 +45,27 @@ impl Frames {
         count: usize,
         motion: Motion,
         parents: Parents,
-        broad_phase: &mut dyn BroadPhase,
+        broad_phase: &mut dyn Driven,
     ) -> Self {
         let boxes = DriftingBoxes::new(count, DENSITY, 7);
         let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
         let half = DriftingBoxes::<DIM>::SIZE / 2.0;
         let mut insert = |min: &[Real; DIM]| {
-            let cuboid = SharedShape::new(Cuboid::new(Vector::repeat(half)));
+            let cuboid = SharedShape::new(Cuboid::new(Vector::from([half; DIM])));
             let collider = ColliderBuilder::new(cuboid)
                 // Otherwise the narrow phase would drop the pairs of colliders without bodies.
                 .active_collision_types(ActiveCollisionTypes::all());
+            let center = Vector::from(center(min));
             match parents {
-                Parents::None => colliders.insert(collider.translation(center(min))),
+                Parents::None => colliders.insert(collider.translation(center)),
                 Parents::Dynamic => {
-                    let body = RigidBodyBuilder::dynamic().translation(center(min));
+                    let body = RigidBodyBuilder::dynamic().translation(center);
                     let body = bodies.insert(body);
                     colliders.insert_with_parent(collider, body, &mut bodies)
                 }
             }
         };
-        let listed = boxes.mins().iter().map(&mut insert).collect();
+        let all: Vec<_> = boxes.mins().iter().map(&mut insert).collect();
         let mut frames = Self {
             boxes,
             motion,
@@ -71,11 +73,10 @@ impl Frames {
             params: IntegrationParameters::default(),
             bodies,
             colliders,
-            listed,
+            moving: all.iter().step_by(motion.stride()).copied().collect(),
             events: Vec::new(),
         };
-        frames.update(broad_phase);
-        frames.listed = frames.listed.into_iter().step_by(motion.stride()).collect();
+        frames.tell(broad_phase, [&all, &[], &[]]);
         frames
     }
 
@@ -91,9 +92,10 @@ impl Frames {
         };
         self.frame += 1;
         let moving = self.boxes.mins().iter().step_by(self.motion.stride());
-        for (min, &handle) in moving.zip(&self.listed) {
+        for (min, &handle) in moving.zip(&self.moving) {
             let mut center = center(min);
-            center.x += offset;
+            center[0] += offset;
+            let center = Vector::from(center);
             let collider = &mut self.colliders[handle];
             collider.set_translation(center);
             if let Some(parent) = collider.parent() {
@@ -103,23 +105,23 @@ impl Frames {
     }
 
     /// How long the broad phase takes to process this frame.
-    pub(super) fn update(&mut self, broad_phase: &mut dyn BroadPhase) -> Duration {
+    pub(super) fn update(&mut self, broad_phase: &mut dyn Driven) -> Duration {
+        let moving = std::mem::take(&mut self.moving);
+        let time = self.tell(broad_phase, [&[], &moving, &[]]);
+        self.moving = moving;
+        time
+    }
+
+    /// How long an update takes after these were inserted, moved and removed.
+    fn tell(&mut self, broad_phase: &mut dyn Driven, lists: [&[ColliderHandle]; 3]) -> Duration {
         self.events.clear();
-        let start = Instant::now();
-        broad_phase.update(
-            &self.params,
-            &self.colliders,
-            &self.bodies,
-            &self.listed,
-            &[],
-            &mut self.events,
-        );
-        let elapsed = start.elapsed();
+        let (params, colliders, bodies) = (&self.params, &self.colliders, &self.bodies);
+        let time = broad_phase.follow(params, colliders, bodies, lists, &mut self.events);
         black_box(&self.events);
-        elapsed
+        time
     }
 }
 
-fn center(min: &[Real; DIM]) -> Vector<Real> {
-    Vector::from(*min).add_scalar(DriftingBoxes::<DIM>::SIZE / 2.0)
+fn center(min: &[Real; DIM]) -> [Real; DIM] {
+    min.map(|x| x + DriftingBoxes::<DIM>::SIZE / 2.0)
 }

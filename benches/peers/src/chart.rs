@@ -3,12 +3,14 @@
 //! The time is divided by the number of boxes so that the lines are nearly level and lie apart.
 
 use crate::row::Row;
+use crate::updates::WITHOUT_DEFERRED;
 use anyhow::Result;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use unisize_charts::{Axis, Chart, Panel, Series, color};
 
-/// The reference algorithms appear only in the table: CGAL's is drawn as CGAL.
+/// The reference algorithms appear only in the table: CGAL's is drawn as CGAL. So does what Rapier 0.36 takes without what
+/// it defers.
 const NOT_DRAWN: [&str; 1] = ["unisize StreamedSegmentTree"];
 
 /// Draws a chart of each subject that has rows, and returns the files.
@@ -29,7 +31,9 @@ pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
     for (subject, name, title) in charts {
         let is_drawn = |row: &&Row| {
             let mut left_out = NOT_DRAWN.iter();
-            row.subject == subject && !left_out.any(|name| row.contender.starts_with(name))
+            row.subject == subject
+                && !left_out.any(|name| row.contender.starts_with(name))
+                && !row.contender.ends_with(WITHOUT_DEFERRED)
         };
         let rows: Vec<_> = rows.iter().filter(is_drawn).collect();
         let cases = cases(&rows);
@@ -64,7 +68,7 @@ fn cases<'a>(rows: &'a [&'a Row]) -> Vec<Case<'a>> {
     cases.filter(is_drawn).collect()
 }
 
-/// All contenders in the order of their first rows: unisize's own come first.
+/// All contenders in the order of their first rows, but unisize's own first.
 fn contenders<'a>(cases: &[Case<'a>]) -> Vec<&'a str> {
     let mut contenders = Vec::new();
     for row in cases.iter().copied().flatten() {
@@ -72,6 +76,7 @@ fn contenders<'a>(cases: &[Case<'a>]) -> Vec<&'a str> {
             contenders.push(&*row.contender);
         }
     }
+    contenders.sort_by_key(|name| !name.starts_with("unisize"));
     contenders
 }
 

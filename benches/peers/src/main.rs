@@ -8,7 +8,10 @@
 //! Rapier does. Every pair set is compared with that of an oracle before any time of it is reported.
 
 mod chart;
+#[path = "../../common/clock.rs"]
+mod clock;
 mod kernels;
+mod latency;
 mod machine;
 mod options;
 mod pair_set;
@@ -50,6 +53,7 @@ fn main() -> Result<()> {
 
     println!("Machine: {machine}\n");
     table::print(&rows);
+    latency::print(&rows);
 
     for folder in [&results, &figures] {
         std::fs::create_dir_all(folder)

@@ -13,7 +13,7 @@ fn print_one(rows: &[Row]) {
     let Some(first) = rows.first() else { return };
     let figure = match &*first.subject {
         "kernels" => "milliseconds and ratio to unisize",
-        _ => "milliseconds (mean / worst frame), ratio to unisize and held pairs",
+        _ => "milliseconds (mean / longest), ratio to unisize and held pairs",
     };
     let motion = if first.motion.is_empty() {
         String::new()
@@ -68,7 +68,7 @@ fn cell(row: &Row) -> String {
 }
 
 /// Three significant digits, no exponent.
-fn significant(number: f64) -> String {
+pub(crate) fn significant(number: f64) -> String {
     let decimals = match number.abs() {
         x if x >= 100.0 => 0,
         x if x >= 10.0 => 1,

@@ -2,10 +2,11 @@
 
 use super::rapier::prelude::*;
 use super::world::{BroadPhaseOfEngine, Driven, World};
-use crate::updates::peer::Entry;
+use crate::updates::{MULTI_SAP as NAME, OURS, peer::Entry};
 
 pub(crate) const MULTI_SAP: Entry<DIM> = Entry {
-    name: "Rapier 0.26, multi-SAP",
+    name: NAME,
+    ours: OURS,
     create: |start| Box::new(Driven::new(Recorder::default(), start)),
     // It takes minutes to put large boxes into its regions.
     takes_large: false,

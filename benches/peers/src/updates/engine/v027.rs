@@ -3,16 +3,18 @@
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
 use super::world::{BroadPhaseOfEngine, Driven, World};
-use crate::updates::peer::Entry;
+use crate::updates::{self, peer::Entry};
 
 pub(crate) const OURS: Entry<DIM> = Entry {
-    name: "unisize",
+    name: updates::OURS,
+    ours: updates::OURS,
     create: |start| Box::new(Driven::new(UnisizeBroadPhase::new(), start)),
     takes_large: true,
 };
 
 pub(crate) const DEFAULT: Entry<DIM> = Entry {
-    name: "Rapier 0.27, BVH",
+    name: updates::BVH_027,
+    ours: updates::OURS,
     create: |start| Box::new(Driven::new(DefaultBroadPhase::new(), start)),
     takes_large: true,
 };

@@ -2,20 +2,29 @@
 //! of Rapier and each dimension.
 
 use super::rapier::prelude::*;
+use crate::clock::Clock;
 use crate::pair_set::PairSet;
 use crate::updates::choreography::Choreography;
 use crate::updates::peer::Peer;
 use std::collections::HashSet;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How a version of Rapier tells its broad phase of colliders.
 pub(super) trait BroadPhaseOfEngine {
     /// Of all colliders, at the beginning.
     fn introduce(&mut self, world: &mut World);
 
+    /// Of the listed ones, which have moved: what the engine has done by then, whatever its broad phase.
+    fn prepare(&mut self, _: &World) {}
+
     /// Of the listed ones, which have moved.
     fn update(&mut self, world: &mut World);
+
+    /// How much of the next update could be done beside the solver.
+    fn deferred(&mut self, _: &World) -> Duration {
+        Duration::ZERO
+    }
 }
 
 /// The parts of Rapier that a broad phase looks at.
@@ -28,6 +37,7 @@ pub(super) struct World {
     stride: Option<usize>,
     /// All colliders before the first frame, then those that may move.
     pub(super) listed: Vec<ColliderHandle>,
+    pub(super) clock: Clock,
     /// What the update has to say.
     pub(super) events: Vec<BroadPhasePairEvent>,
 }
@@ -55,6 +65,7 @@ impl World {
             all,
             stride: start.motion().stride(),
             listed,
+            clock: Clock::for_count(start.centers().len()),
             events: Vec::new(),
         }
     }
@@ -62,8 +73,8 @@ impl World {
 
 /// A broad phase in its world.
 pub(super) struct Driven<B> {
-    world: World,
-    broad_phase: B,
+    pub(super) world: World,
+    pub(super) broad_phase: B,
     /// All events so far.
     log: Vec<BroadPhasePairEvent>,
 }
@@ -102,12 +113,16 @@ impl<B: BroadPhaseOfEngine> Peer<DIM> for Driven<B> {
     }
 
     fn update(&mut self) -> Duration {
-        let start = Instant::now();
-        self.broad_phase.update(&mut self.world);
-        let elapsed = start.elapsed();
+        self.broad_phase.prepare(&self.world);
+        let clock = self.world.clock;
+        let elapsed = clock.time(|| self.broad_phase.update(&mut self.world));
         black_box(&self.world.events);
         self.log.append(&mut self.world.events);
         elapsed
+    }
+
+    fn deferred(&mut self) -> Duration {
+        self.broad_phase.deferred(&self.world)
     }
 
     fn held_pairs(&self) -> PairSet {

@@ -1,0 +1,64 @@
+//! What Rapier 0.36.1 defers of an update: its tree is optimized after the pairs are found, beside the solver if there is
+//! a thread for it (`PhysicsPipeline::join_deferred_bvh_optimize`), and otherwise before the next boxes are set. Without the
+//! pipeline, the next update does it.
+//!
+//! The tree is copied, and the same is done to the copy. Whether there is anything to do is not to be asked from
+//! outside, so it is decided here as in `broad_phase_bvh/update.rs`.
+
+use super::rapier::parry::partitioning::{Bvh, BvhWorkspace};
+use super::rapier::prelude::*;
+use crate::clock::Clock;
+use std::time::Duration;
+
+#[derive(Default)]
+pub(super) struct Deferred {
+    /// As it was after the last update.
+    last: Option<Bvh>,
+    workspace: BvhWorkspace,
+    updates: u32,
+    /// Leaves that were changed in place since the tree was last optimized.
+    debt: usize,
+    /// Whether leaves that change get another place.
+    reinserts: bool,
+}
+
+impl Deferred {
+    /// How long the next update will take for what the last one has deferred. Once after each update, given what had
+    /// moved for it.
+    pub(super) fn time(&mut self, tree: &Bvh, moved: &[ColliderHandle], clock: Clock) -> Duration {
+        if !self.is_due(tree, moved) {
+            return Duration::ZERO;
+        }
+        let mut copy = tree.clone();
+        let workspace = &mut self.workspace;
+        clock.time(|| {
+            copy.optimize_incremental(workspace);
+            copy.refit_without_resolve(workspace);
+        })
+    }
+
+    fn is_due(&mut self, tree: &Bvh, moved: &[ColliderHandle]) -> bool {
+        self.updates += 1;
+        let leaves = tree.leaf_count() as usize;
+        // The first update inserts all leaves, and owes nothing for that.
+        let Some(last) = self.last.replace(tree.clone()) else {
+            return false;
+        };
+        let box_in = |tree: &Bvh, index| tree.leaf_node(index).map(|leaf| leaf.aabb());
+        let has_changed = |handle: &&ColliderHandle| {
+            let index = handle.into_raw_parts().0;
+            box_in(tree, index) != box_in(&last, index)
+        };
+        let changed = moved.iter().filter(has_changed).count();
+        if !self.reinserts {
+            self.debt += changed;
+        }
+        self.reinserts = changed * 16 < leaves;
+        let is_due = self.debt > 0
+            && (!self.reinserts || (self.updates.is_multiple_of(8) && self.debt * 64 >= leaves));
+        if is_due {
+            self.debt = 0;
+        }
+        is_due
+    }
+}
