@@ -45,7 +45,7 @@ MOTIONS = {
 
 def ratio(value):
     shown = f"{value:.2f}" if value < 10 else f"{value:.0f}"
-    return f"**{shown}**" if value >= 2 else shown
+    return f"**{shown}**" if value >= 2 else f"*{shown}*" if shown < "1" else shown
 
 
 def significant(value):
@@ -217,7 +217,10 @@ def longest(sources):
                     of = lambda name: float(sources.peer("updates", *case, motion, count, name)["worst_ms"])
                     cell = " / ".join(significant(of(name)) for name in (ours, default))
                     cells.append(f"**{cell}**" if of(ours) > of(default) else cell)
-            frames = sources.peer("updates", *CASES[0], motion, count, OURS)["frames"]
+            frames = {sources.peer("updates", *case, motion, count, name)["frames"] for case in CASES for name in (OURS, OURS_036)}
+            if len(frames) > 1:
+                raise Missing(f"rows of {motion}, n = {count}, are of different numbers of updates")
+            frames = frames.pop()
             rows.append([label, f"{count:,}", thousands(frames), *cells])
     return table(["bodies that move", "n", "updates", *in_cases(("0.27", "0.36"))], rows)
 
@@ -246,6 +249,8 @@ def kernels(sources):
 
 def floor(sources):
     tables = [sources.rows("phases", "GridSweep", f"{dim}D", "f32", f"density {density}") for dim, density in CASES]
+    if len({tuple(line["n"] for line in lines) for lines in tables}) > 1:
+        raise Missing("the tables of the floor are of different numbers of boxes")
     rows = [[thousands(lines[0]["n"]), *(line["times the floor"] for line in lines)] for lines in zip(*tables)]
     return table(["boxes", *(f"{dim}D, density {density}" for dim, density in CASES)], rows)
 
@@ -384,8 +389,7 @@ def make(name, sources):
     """A table by its name, or one that a stored file has as it is: `copied FILE: HEADING`."""
     if name.startswith("copied "):
         file, _, heading = name.removeprefix("copied ").partition(": ")
-        rows = sources.rows(file, heading)
-        return table(list(rows[0]), [list(row.values()) for row in rows])
+        return sources.table(file, heading)
     if name not in TABLES:
         raise Missing(f"there is no maker of this name in .ci/table_makers.py")
     return TABLES[name](sources)

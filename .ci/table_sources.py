@@ -1,6 +1,7 @@
 """What the benches and `compare` printed, read from benches/results."""
 
 import csv
+import itertools
 import re
 
 
@@ -36,6 +37,16 @@ class Sources:
             if all(word in heading for word in words):
                 return rows
         raise Missing(f"no table in *-{name}.md whose heading has {words}")
+
+    def table(self, name, heading):
+        """The first table of *-NAME.md below this heading, as it stands, without the spaces that align it."""
+        lines = iter(self._file(f"*-cores-{name}.md").read_text().splitlines())
+        if not any(line.lstrip("# ") == heading for line in lines if line.startswith("#")):
+            raise Missing(f"no heading {heading!r} in *-{name}.md")
+        lines = itertools.dropwhile(lambda line: not line.startswith("|"), lines)
+        rows = [cells_of(line) for line in itertools.takewhile(lambda line: line.startswith("|"), lines)]
+        rows[1:2] = [["---:" if cell.endswith(":") or all(map(is_figure, column)) else "---" for cell, *column in zip(*rows[1:])]]
+        return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def rows_with(self, name, column):
         """The rows of the table of *-NAME.md that has a column of this name."""
@@ -101,6 +112,11 @@ def tables_of(text):
             else:
                 found[-1][1].append(dict(zip(head, cells)))
     return found
+
+
+def is_figure(cell):
+    """Whether a cell holds a number, or says that there is none."""
+    return re.fullmatch(r"[+-]?[0-9.,]+(e-?[0-9]+)?( %)?|[-–]", cell) is not None
 
 
 def cells_of(line):

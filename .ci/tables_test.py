@@ -90,7 +90,7 @@ class Tables(unittest.TestCase):
         return subprocess.run(command, capture_output=True, text=True)
 
     def test_numbers_are_written_as_in_text(self):
-        self.assertEqual([ratio(x) for x in (0.987, 1.995, 2, 9.99, 10.4)], ["0.99", "2.00", "**2.00**", "**9.99**", "**10**"])
+        self.assertEqual([ratio(x) for x in (0.987, 1.995, 2, 9.99, 10.4)], ["*0.99*", "2.00", "**2.00**", "**9.99**", "**10**"])
         self.assertEqual([significant(x) for x in (9097.8, 272.0, 17.94, 5.0, 0.0336, 0.00012, 0.0)], ["9,098", "272", "17.9", "5", "0.0336", "0.00012", "0"])
         self.assertEqual(fewer("65536", 65536), "")
         self.assertEqual(fewer("16384, stopped after 6", 65536), " (n = 16,384, stopped after 6)")

@@ -352,6 +352,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 self.grid.extend::<D>();
                 self.scattered
                     .deal(boxes, members, &self.grid, &mut self.outsize);
+                lap = stopwatch.lap(lap, |times| &mut times.sort);
             }
             if parts.len() < part_count {
                 parts.resize_with(part_count, Part::default);

@@ -94,6 +94,8 @@ pub(crate) struct Run {
     pub(crate) errors: Vec<Reading>,
     /// How many pairs the control found, and how many of them it lost.
     pub(crate) pairs: Option<[usize; 2]>,
+    /// A hash of the poses and velocities of all bodies at the end. Where it differs, the runs do.
+    pub(crate) state: u64,
 }
 
 /// A measured error.
@@ -102,4 +104,33 @@ pub(crate) struct Reading {
     /// What it is, with its unit.
     pub(crate) name: &'static str,
     pub(crate) value: f64,
+}
+
+impl Reading {
+    /// The reading, or infinity if it is not a number, which would compare with nothing.
+    pub(crate) fn or_infinite(self) -> Self {
+        let value = match self.value.is_nan() {
+            true => f64::INFINITY,
+            false => self.value,
+        };
+        Self { value, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Reading;
+
+    #[test]
+    fn what_is_not_a_number_is_infinitely_wrong() {
+        let read = |value| {
+            let reading = Reading {
+                name: "an error",
+                value,
+            };
+            reading.or_infinite().value
+        };
+        assert_eq!(read(f64::NAN), f64::INFINITY);
+        assert_eq!(read(1.5), 1.5);
+    }
 }

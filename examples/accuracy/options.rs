@@ -28,7 +28,7 @@ pub(super) struct Options {
     /// In how many dimensions
     #[arg(long, value_enum, default_value = "both")]
     dim: Dim,
-    /// How many seeds [default: 20; with --quick 2]
+    /// How many seeds; fewer than 15 give no verdict [default: 20; with --quick 2]
     #[arg(long, value_name = "N", value_parser = RangedU64ValueParser::<u64>::new().range(1..=1000))]
     seeds: Option<u64>,
     /// The first seed: another one gives another sample of the same ensemble

@@ -61,8 +61,9 @@ pub(crate) fn print_verdict(verdict: &Verdict) {
     print_comparisons("unisize", &verdict.ours);
     println!("\n## Would it be noticed?\n");
     println!(
-        "The control is Rapier's own broad phase, of whose pairs one in {LOST_ONE_IN} is lost. Its p-values are multiplied by the \
-         number of tests above, which is stricter than Holm's correction.\n"
+        "The control is Rapier's own broad phase, of whose pairs one in {LOST_ONE_IN} is lost. Its p-values are multiplied by {}: \
+         the number of tests above, or of its own if those are more. That is at least as strict as Holm's correction.\n",
+        verdict.control_factor
     );
     print_comparisons("control", &verdict.control);
 }

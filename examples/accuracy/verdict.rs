@@ -77,14 +77,16 @@ pub(crate) struct Verdict {
     pub(crate) control: Vec<Comparison>,
     /// How many comparisons of unisize are tests.
     pub(crate) tests: usize,
+    /// What the p-values of the control are multiplied by: that, or the number of its own tests.
+    pub(crate) control_factor: usize,
 }
 
 impl Verdict {
     /// Compares everything.
     ///
     /// The tests of unisize are corrected by Holm's method. Where all runs came out the same, there is nothing to test. The tests
-    /// of the control are each multiplied by the number of the tests of unisize, which is stricter: what tells the control apart
-    /// would have told unisize apart.
+    /// of the control are each multiplied by the number of the tests of unisize, or by that of its own if that is larger, which is
+    /// at least as strict as Holm's method: what tells the control apart would have told unisize apart.
     pub(crate) fn of(studies: &[Study]) -> Self {
         let compare = |finder: Finder| {
             let of_study = move |study: &Study| {
@@ -113,13 +115,16 @@ impl Verdict {
         }
         let tests = tests.len();
         let mut control = compare(Finder::Control);
+        let own_tests = control.iter().filter(|comparison| comparison.is_test());
+        let control_factor = tests.max(own_tests.count());
         for comparison in &mut control {
-            comparison.adjusted = (comparison.p * tests.max(1) as f64).min(1.0);
+            comparison.adjusted = (comparison.p * control_factor.max(1) as f64).min(1.0);
         }
         Self {
             ours,
             control,
             tests,
+            control_factor,
         }
     }
 
@@ -177,6 +182,7 @@ mod tests {
                         milliseconds: 1.0,
                         errors: errors.into(),
                         pairs: Some([1000, 1]).filter(|_| method.finder == Finder::Control),
+                        state: 0,
                     };
                     study.push(method, frequency, run);
                 }
@@ -198,6 +204,8 @@ mod tests {
                 .iter()
                 .all(|comparison| comparison.worse == 40)
         );
+        // unisize has no test, and the control has two.
+        assert!((verdict.control[0].adjusted - 2.0 * verdict.control[0].p).abs() < 1e-12);
 
         let verdict = Verdict::of(&[study(0.9, 1.0)]);
         assert!(!verdict.is_same());

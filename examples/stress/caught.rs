@@ -36,16 +36,21 @@ fn message(panic: &(dyn Any + Send)) -> String {
     text.unwrap_or("no message").to_owned()
 }
 
-/// The file within its package, whose folder differs from one machine to the next.
 fn place(location: &Location<'_>) -> String {
-    let file = location.file();
-    let start = file.rfind("src/").unwrap_or(0);
-    format!("{}:{}", &file[start..], location.line())
+    format!("{}:{}", within_package(location.file()), location.line())
+}
+
+/// A file from the folder of its package on: what is before differs from one machine to the next.
+fn within_package(file: &str) -> String {
+    let folders: Vec<_> = file.split(['/', '\\']).collect();
+    let src = folders.iter().rposition(|&folder| folder == "src");
+    let start = src.map_or(0, |src| src.saturating_sub(1));
+    folders[start..].join("/")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::caught;
+    use super::{caught, within_package};
 
     #[test]
     fn a_panic_is_told() {
@@ -55,5 +60,23 @@ mod tests {
         assert!(told.starts_with("so and so ("), "{told}");
         assert!(told.contains("caught.rs:"), "{told}");
         assert!(caught(|| panic!("so")).unwrap_err().starts_with("so ("));
+    }
+
+    #[test]
+    fn a_place_has_the_package_and_nothing_of_the_machine() {
+        for (file, within) in [
+            (
+                "/a/src/b/parry2d-0.22.1/src/bvh/c.rs",
+                "parry2d-0.22.1/src/bvh/c.rs",
+            ),
+            (
+                r"C:\a\parry2d-0.22.1\src\bvh/c.rs",
+                "parry2d-0.22.1/src/bvh/c.rs",
+            ),
+            ("src/grid.rs", "src/grid.rs"),
+            ("examples/a/b.rs", "examples/a/b.rs"),
+        ] {
+            assert_eq!(within_package(file), within);
+        }
     }
 }

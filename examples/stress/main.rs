@@ -7,20 +7,23 @@
 //! takes small worlds to their limits: high stacks, heavy things on light ones, chains with a heavy end, long time steps, places far
 //! from the origin, tiny and huge sizes, fast spin and flight. Each case is run from several starts on Rapier's own broad phase and
 //! on unisize, alone, and judged by a criterion that is computed (`criterion.rs`). Who fails is told by one rule for all cases
-//! (`verdict.rs`): neither, both alike, or one alone. Two more checks leave nothing to chance:
+//! (`verdict.rs`): neither, both alike, or one alone. What is too little to be told in a case is told in all of them together
+//! (`discordance.rs`). Three more checks leave nothing to chance:
 //!
+//! - unisize must not panic from a start from which Rapier's own does not;
 //! - with the events of each update in order, both worlds must end alike to the bit;
 //! - in one world, both must hold the same pairs after each step.
 //!
 //! Then whole worlds of 10,000 bodies are shifted by one vector between two steps, and it is measured what that costs.
 //!
-//! It prints tables in Markdown and draws `docs/figures/stress-*.svg`. It exits with 1 if unisize fails alone or if a check finds a
-//! difference, and with 2 if it was called wrongly or cannot write.
+//! It prints tables in Markdown and draws `docs/figures/stress-*.svg`. It exits with 1 if unisize fails alone in a case or more often
+//! in all of them, or if a check finds a difference, and with 2 if it was called wrongly or cannot write.
 
 mod case;
 mod caught;
 mod chart;
 mod criterion;
+mod discordance;
 mod end;
 mod family;
 mod options;

@@ -29,6 +29,8 @@ pub(crate) struct Exact {
     pub(crate) differing: usize,
     /// In how many runs Rapier's own broad phase panicked, so that there is nothing to compare with.
     pub(crate) panicked: usize,
+    /// In how many runs Rapier's own came out differently as well, once its tree was another one.
+    pub(crate) by_tree: usize,
     /// The first difference.
     pub(crate) difference: Option<String>,
 }
@@ -40,6 +42,8 @@ pub(crate) enum Found {
     Difference(String),
     /// Rapier's own broad phase panicked.
     Panic,
+    /// There is a difference, and there is one between two runs of Rapier's own with different trees.
+    ByTree,
 }
 
 impl Found {
@@ -52,6 +56,13 @@ impl Found {
     }
 }
 
+impl Exact {
+    /// All runs.
+    pub(crate) fn runs(&self) -> usize {
+        self.equal + self.differing + self.panicked + self.by_tree
+    }
+}
+
 impl FromIterator<Found> for Exact {
     fn from_iter<I: IntoIterator<Item = Found>>(runs: I) -> Self {
         let mut exact = Self::default();
@@ -59,6 +70,7 @@ impl FromIterator<Found> for Exact {
             match found {
                 Found::Equal => exact.equal += 1,
                 Found::Panic => exact.panicked += 1,
+                Found::ByTree => exact.by_tree += 1,
                 Found::Difference(difference) => {
                     exact.differing += 1;
                     exact.difference.get_or_insert(difference);
@@ -104,10 +116,55 @@ impl Row {
         Verdict::of(default, ours, cases)
     }
 
-    /// Whether unisize does not fail alone, and does exactly what Rapier's does where that is asked.
+    /// What unisize said at its first panic from a start from which Rapier's own does not panic.
+    pub(crate) fn panic_alone(&self) -> Option<&str> {
+        let mut starts = self.default.iter().zip(&self.ours);
+        starts.find_map(
+            |(default, ours)| match (&default.measured, &ours.measured) {
+                (Ok(_), Err(message)) => Some(message.as_str()),
+                _ => None,
+            },
+        )
+    }
+
+    /// Whether unisize neither fails alone nor panics alone, from however few starts, and does exactly what Rapier's does where that
+    /// is asked.
     pub(crate) fn is_sound(&self, cases: usize) -> bool {
         self.verdict(cases) != Verdict::OursAlone
+            && self.panic_alone().is_none()
             && self.in_order.difference.is_none()
             && self.pairs.difference.is_none()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{End, Exact, Row, Verdict};
+    use crate::end::Measured;
+    use crate::family::Family;
+
+    #[test]
+    fn one_panic_alone_is_never_sound() {
+        let calm = End {
+            measured: Ok(Measured::default()),
+        };
+        let panic = End {
+            measured: Err("why".to_owned()),
+        };
+        let row = |default: &End, ours: &End| Row {
+            dim: 2,
+            case: Family::Extremes.cases().swap_remove(0),
+            default: vec![calm.clone(), default.clone()],
+            ours: vec![calm.clone(), ours.clone()],
+            in_order: Exact::default(),
+            pairs: Exact::default(),
+        };
+        assert!(row(&calm, &calm).is_sound(1));
+        assert!(row(&panic, &panic).is_sound(1));
+        assert!(row(&panic, &calm).is_sound(1));
+        let alone = row(&calm, &panic);
+        assert_eq!(alone.verdict(1), Verdict::Alike);
+        assert_eq!(alone.panic_alone(), Some("why"));
+        assert!(!alone.is_sound(1));
     }
 }

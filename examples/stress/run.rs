@@ -1,5 +1,6 @@
 //! The whole run: all cases, the shifts, the tables and charts, and the exit code.
 
+use crate::discordance::Discordance;
 use crate::options::Options;
 use crate::progress::progress_bar;
 use crate::row::Row;
@@ -13,6 +14,12 @@ const SHIFTS: usize = 8;
 
 /// Runs what the command line asks for.
 pub(super) fn run() -> ExitCode {
+    // The processor time of a thread stands still while a pool of others works for it.
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(1);
+    if let Err(error) = threads.build_global() {
+        eprintln!("error: cannot have one thread: {error}");
+        return ExitCode::from(2);
+    }
     let options = Options::parse();
     let figures = options.out();
     // Before the long run, which a failure would waste.
@@ -39,7 +46,8 @@ pub(super) fn run() -> ExitCode {
     }
     bar.finish_and_clear();
     let shifts = shifts(&options);
-    table::print_summary(&rows, cases);
+    let discordance = Discordance::of(&rows);
+    table::print_summary(&rows, cases, discordance);
     for &dim in options.dims() {
         let of_dim: Vec<_> = rows.iter().filter(|row| row.dim == dim).collect();
         if of_dim.is_empty() {
@@ -52,7 +60,7 @@ pub(super) fn run() -> ExitCode {
         }
         println!("Drawn: {}", file.display());
     }
-    exit_code(&rows, cases, &shifts)
+    exit_code(&rows, cases, discordance, &shifts)
 }
 
 fn shifts(options: &Options) -> Vec<Shift> {
@@ -71,18 +79,22 @@ fn shifts(options: &Options) -> Vec<Shift> {
     shifts
 }
 
-fn exit_code(rows: &[Row], cases: usize, shifts: &[Shift]) -> ExitCode {
+fn exit_code(rows: &[Row], cases: usize, discordance: Discordance, shifts: &[Shift]) -> ExitCode {
     let unsound = rows.iter().filter(|row| !row.is_sound(cases)).count();
     let differing = shifts.iter().filter(|shift| !shift.is_sound());
     let differing = differing.count();
-    if unsound + differing == 0 {
+    if unsound + differing == 0 && !discordance.is_worse() {
         println!(
-            "unisize fails alone in none of {} cases, and did what Rapier's own did wherever both were compared.",
+            "unisize fails alone in none of {} cases and not more often in all of them, and did what Rapier's own did wherever both were compared.",
             rows.len()
         );
         ExitCode::SUCCESS
     } else {
-        println!("WRONG: {unsound} cases and {differing} shifts.");
+        let more_often = match discordance.is_worse() {
+            true => ", and unisize fails more often in all cases together",
+            false => "",
+        };
+        println!("WRONG: {unsound} cases and {differing} shifts{more_often}.");
         ExitCode::FAILURE
     }
 }

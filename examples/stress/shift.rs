@@ -83,6 +83,11 @@ impl Kept {
             lost: twin(rounding).difference(&shifted(-rounding)).count(),
         }
     }
+
+    /// Whether anything touches: if not, there was no contact that the shift could have changed.
+    pub(crate) fn touches(&self) -> bool {
+        self.both + self.new + self.lost > 0
+    }
 }
 
 /// Steps after a shift that are told apart from ordinary ones.
@@ -118,7 +123,7 @@ impl Shift {
     /// Whether both broad phases hold the same pairs, and a shift of what is at rest changes no contact by more than rounding.
     ///
     /// What moves goes on for a step before its contacts are looked at: two balls that touch by a last bit bounce in one world and
-    /// not in the other.
+    /// not in the other. Where nothing [touches](Kept::touches), the pairs alone decide.
     pub(crate) fn is_sound(&self) -> bool {
         let is_kept = self.kept.new + self.kept.lost == 0;
         self.difference.is_none() && (self.scenery.is_moving || is_kept)
@@ -187,6 +192,7 @@ mod tests {
             [both, new, lost]
         };
         assert_eq!(kept([1.0, 0.0, -1.0], [1.0, 0.0, -1.0]), [2, 0, 0]);
+        assert!(!Kept::of(world([-1.0; 3]), world([-1.0; 3]), 0.1).touches());
         // One touches here and not there, but hardly.
         assert_eq!(kept([1.0, 0.05, -1.0], [1.0, -0.05, -1.0]), [1, 0, 0]);
         assert_eq!(kept([1.0, 0.5, -1.0], [1.0, -0.5, -1.0]), [1, 1, 0]);

@@ -1,9 +1,10 @@
 //! The tables on standard output, in Markdown.
 
+use crate::discordance::Discordance;
 use crate::family::Family;
 use crate::row::{Exact, Row};
-use crate::shift::{Shift, Step, median};
-use crate::verdict::{Verdict, probability};
+use crate::shift::{Kept, Shift, Step, median};
+use crate::verdict::{Verdict, least_told, probability};
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{CellAlignment, ColumnConstraint, Table};
 
@@ -65,6 +66,9 @@ pub(crate) fn print_family(family: Family, rows: &[Row], cases: usize) {
                 println!("DIFFERENCE in {}, {what}: {difference}\n", row.case.label);
             }
         }
+        if let Some(message) = row.panic_alone() {
+            println!("PANIC in {} on unisize alone: {message}\n", row.case.label);
+        }
         for (side, ends) in [("Rapier's", &row.default), ("unisize", &row.ours)] {
             let panic = ends.iter().find_map(|end| end.measured.as_ref().err());
             if let Some(message) = panic {
@@ -75,7 +79,8 @@ pub(crate) fn print_family(family: Family, rows: &[Row], cases: usize) {
 }
 
 /// Prints how many cases fail on whom.
-pub(crate) fn print_summary(rows: &[Row], cases: usize) {
+pub(crate) fn print_summary(rows: &[Row], cases: usize, discordance: Discordance) {
+    let Some(first) = rows.first() else { return };
     println!("### Who fails, by number of cases\n");
     let mut table = table([
         "",
@@ -101,11 +106,16 @@ pub(crate) fn print_summary(rows: &[Row], cases: usize) {
                 found.count().to_string()
             };
             let runs = |check: fn(&Row) -> &Exact| {
-                let sum = of_family.iter().fold([0, 0], |[equal, all], row| {
-                    let check = check(row);
-                    [equal + check.equal, all + check.equal + check.differing]
-                });
-                format!("{} of {} runs", sum[0], sum[1])
+                let [equal, all, by_tree] =
+                    of_family.iter().fold([0; 3], |[equal, all, by_tree], row| {
+                        let check = check(row);
+                        let all = all + check.runs() - check.panicked;
+                        [equal + check.equal, all, by_tree + check.by_tree]
+                    });
+                match by_tree {
+                    0 => format!("{equal} of {all} runs"),
+                    _ => format!("{equal} of {all} runs, {by_tree} by the tree"),
+                }
             };
             table.add_row([
                 format!("{dim}D {}", family.title()),
@@ -120,6 +130,21 @@ pub(crate) fn print_summary(rows: &[Row], cases: usize) {
         }
     }
     println!("{table}\n");
+    let runs = first.ours.len();
+    match least_told(runs, cases) {
+        Some(failed) => println!(
+            "In a single case, one fails alone from {failed} of {runs} against 0 on; what is less is \"both alike\".\n"
+        ),
+        None => println!(
+            "In a single case, not even {runs} of {runs} against 0 would tell that one fails alone: there are too few starts for {cases} cases.\n"
+        ),
+    }
+    println!(
+        "All cases together, starts without a panic: unisize alone fails from {}, Rapier's own alone from {}. Sign test, one-sided, whether unisize fails more often: p = {}.\n",
+        discordance.ours,
+        discordance.default,
+        figure(discordance.probability()),
+    );
 }
 
 /// Prints what shifts cost in one dimension.
@@ -177,6 +202,13 @@ pub(crate) fn print_shifts(dim: u8, shifts: &[Shift]) {
         let mean = ordinary.iter().map(|step| step.full_runs).sum::<u64>() as f64
             / ordinary.len().max(1) as f64;
         let candidates = |steps: &[Step]| median(steps, |step| step.candidates as f64).to_string();
+        let [kept, new, lost] = match shift.kept.touches() {
+            true => {
+                let Kept { both, new, lost } = shift.kept;
+                [both, new, lost].map(|pairs| pairs.to_string())
+            }
+            false => ["none touch", "-", "-"].map(str::to_owned),
+        };
         counts.add_row([
             shift.scenery.name(),
             most.unwrap_or(0).to_string(),
@@ -188,9 +220,9 @@ pub(crate) fn print_shifts(dim: u8, shifts: &[Shift]) {
                 Some(_) => "NO",
             }
             .to_owned(),
-            shift.kept.both.to_string(),
-            shift.kept.new.to_string(),
-            shift.kept.lost.to_string(),
+            kept,
+            new,
+            lost,
         ]);
     }
     println!("{times}\n\n{counts}\n");
@@ -204,8 +236,10 @@ pub(crate) fn print_shifts(dim: u8, shifts: &[Shift]) {
 fn exact(check: &Exact) -> String {
     match check {
         Exact { differing: 1.., .. } => {
-            let runs = check.equal + check.differing + check.panicked;
-            format!("{} of {runs} DIFFER", check.differing)
+            format!("{} of {} DIFFER", check.differing, check.runs())
+        }
+        Exact { by_tree: 1.., .. } => {
+            format!("{} of {} by the tree", check.by_tree, check.runs())
         }
         Exact { panicked: 1.., .. } => "Rapier's panics".to_owned(),
         Exact { equal: 1.., .. } => "equal".to_owned(),

@@ -27,14 +27,13 @@ pub(crate) enum Verdict {
     OursAlone,
 }
 
-/// The probability of a wrong "alone" in a whole run of the program.
-const LEVEL: f64 = 0.01;
+/// The probability of a wrong "alone" in a whole run of the program, and of a wrong "more often" in all cases together.
+pub(crate) const LEVEL: f64 = 0.01;
 
 impl Verdict {
     /// The verdict on one of so many cases.
     pub(crate) fn of(default: Failures, ours: Failures, cases: usize) -> Self {
-        let tests = 2.0 * cases as f64;
-        let is_significant = |a, b| probability(a, b) * tests < LEVEL;
+        let is_significant = |more, less| is_told(more, less, cases);
         if default.failed + ours.failed == 0 {
             Self::Neither
         } else if is_significant(ours, default) {
@@ -57,6 +56,19 @@ impl Verdict {
     }
 }
 
+/// Whether so many more failures on one side are significant in one of so many cases.
+fn is_told(more: Failures, less: Failures, cases: usize) -> bool {
+    let tests = 2.0 * cases as f64;
+    probability(more, less) * tests < LEVEL
+}
+
+/// How many runs of so many have to fail on one side, if none does on the other, to be told in one of so many cases: against more
+/// than none, the difference must not be smaller. None if even all of them are not enough.
+pub(crate) fn least_told(runs: usize, cases: usize) -> Option<usize> {
+    let of = |failed| Failures { failed, runs };
+    (1..=runs).find(|&failed| is_told(of(failed), of(0), cases))
+}
+
 /// How probable it is that of all these failures so many or more fall on `more`, if both fail equally often.
 pub(crate) fn probability(more: Failures, less: Failures) -> f64 {
     let table = [more, less].map(|f| [f.failed as u64, (f.runs - f.failed) as u64]);
@@ -67,7 +79,7 @@ pub(crate) fn probability(more: Failures, less: Failures) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Failures, Verdict, probability};
+    use super::{Failures, Verdict, least_told, probability};
 
     fn of(failed: usize, runs: usize) -> Failures {
         Failures { failed, runs }
@@ -100,5 +112,18 @@ mod tests {
         // The more cases, the more is a matter of chance.
         assert_eq!(Verdict::of(of(0, 9), of(9, 9), 100_000), Verdict::Alike);
         assert_eq!(Verdict::of(of(0, 0), of(0, 0), 1), Verdict::Neither);
+    }
+
+    #[test]
+    fn the_least_that_is_told_is_told() {
+        for (runs, cases) in [(9, 122), (25, 122), (25, 5), (5, 1)] {
+            let least = least_told(runs, cases).unwrap();
+            let verdict = |failed| Verdict::of(of(0, runs), of(failed, runs), cases);
+            assert_eq!(verdict(least), Verdict::OursAlone);
+            assert_eq!(verdict(least - 1), Verdict::Alike);
+        }
+        assert_eq!(least_told(25, 122), Some(13));
+        assert_eq!(least_told(9, 122), Some(9));
+        assert_eq!(least_told(8, 122), None);
     }
 }

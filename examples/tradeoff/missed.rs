@@ -47,9 +47,16 @@ pub(super) fn run(options: &Options, figures: &Path) -> ExitCode {
     for file in charts {
         println!("Drawn: {}", file.display());
     }
+    for study in studies.iter().filter(|study| study.touching() == 0) {
+        println!(
+            "NOTHING TOUCHES in {}: nothing could be missed.",
+            study.title()
+        );
+    }
+    let touching: usize = studies.iter().map(Study::touching).sum();
     let faults: Vec<_> = studies.iter().flat_map(faults).collect();
-    if faults.is_empty() {
-        println!("unisize, updated in every step, missed nothing.");
+    if faults.is_empty() && touching > 0 {
+        println!("unisize, updated in every step, missed nothing of {touching} pairs that touch.");
         return ExitCode::SUCCESS;
     }
     for fault in faults {

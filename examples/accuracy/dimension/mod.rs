@@ -8,11 +8,12 @@ mod stages;
 #[cfg(test)]
 mod tests;
 
-use crate::case::{Case, FRAMES, Finder, LOST_ONE_IN, Run};
+use crate::case::{Case, FRAMES, Finder, LOST_ONE_IN, Reading, Run};
 use cpu_time::ThreadTime;
 use scenes::rapier::prelude::*;
-use scenes::{Lossy, Observed, OwnBroadPhase, Steppable, install};
+use scenes::{Lossy, Observed, OwnBroadPhase, Steppable, World, install};
 use stages::Stage;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Duration;
 
 /// Simulates a case, and measures its errors.
@@ -59,9 +60,24 @@ fn simulate(case: &Case, mut stage: Stage, broad_phase: &mut impl Steppable) -> 
             gauge.look(&stage.world, time);
         }
     }
+    let readings = stage.gauges.iter().flat_map(|gauge| gauge.read());
     Run {
         milliseconds: elapsed.as_secs_f64() * 1e3 / case.seconds,
-        errors: stage.gauges.iter().flat_map(|gauge| gauge.read()).collect(),
+        errors: readings.map(Reading::or_infinite).collect(),
         pairs: None,
+        state: state(&stage.world),
     }
+}
+
+/// A hash of the poses and velocities of all bodies, and of which of them sleep.
+///
+/// Of the numbers as text, which has as many digits as tell a number from all others, and the sign of zero: it differs if any
+/// bit does, unless both are NaN.
+fn state(world: &World) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for (_, body) in world.bodies.iter() {
+        let motion = (body.position(), body.linvel(), body.angvel());
+        format!("{motion:?} {}", body.is_sleeping()).hash(&mut hasher);
+    }
+    hasher.finish()
 }

@@ -1,8 +1,8 @@
 //! What is known of a scene comes out with a small time step, and a seed gives the same start.
 
-use super::Stage;
-use super::run;
-use super::space::{distance, place_of};
+use super::scenes::rapier::prelude::*;
+use super::space::{UP, along, distance, place_of, vector};
+use super::{Stage, run, state};
 use crate::case::{Case, Finder, Run};
 use crate::scene::{Continuous, Scene};
 
@@ -87,10 +87,31 @@ fn sorted_both_are_the_same_bit_for_bit() {
                 is_sorted: true,
                 ..case(scene, 60)
             };
-            run(&case).errors
+            let run = run(&case);
+            (run.state, run.errors)
         });
         assert_eq!(own, ours);
     }
+}
+
+#[test]
+fn the_state_differs_with_the_smallest_bit() {
+    let mut world = Stage::build(&case(Scene::Pile, 60)).world;
+    let mut states = vec![state(&world)];
+    assert_eq!(state(&world), states[0]);
+    let handles = world.bodies.iter().map(|(handle, _)| handle);
+    let last = handles.last().expect("a pile has bodies");
+    let body = &mut world.bodies[last];
+    let mut place = place_of(body);
+    place[0] += place[0].abs() * 2.0 * f64::from(Real::EPSILON);
+    body.set_translation(vector(place), false);
+    states.push(state(&world));
+    let slow = along(UP, 1e-30);
+    world.bodies[last].set_linvel(vector(slow), false);
+    states.push(state(&world));
+    states.sort_unstable();
+    states.dedup();
+    assert_eq!(states.len(), 3);
 }
 
 #[test]

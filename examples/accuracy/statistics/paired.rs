@@ -5,13 +5,17 @@
 //! to differ as much as they do. What is compared are signed ranks, as in the test of Wilcoxon: one error that is a thousand times
 //! as large as all others must not decide alone. Ranks are within a time step, and a seed is exchanged with all its time steps at
 //! once, since they have the start in common.
+//!
+//! The test sees that one is worse on the whole, over all time steps. It does **not** see an effect that changes its sign with the
+//! time step, as ranks of opposite signs cancel, nor a change of the spread alone, with as many runs better as worse.
 
 use oorandom::Rand64;
 
 /// How often outcomes are exchanged at random.
 const EXCHANGES: u32 = 100_000;
 
-/// The chance that two methods alike differ by so much, in either direction. The errors are by time step, then by seed.
+/// The chance that two methods alike differ by so much, in either direction. The errors are by time step, then by seed; they may be
+/// infinite, but must be numbers.
 ///
 /// The smallest possible value is one in 100,001.
 pub(crate) fn paired_test(first: &[Vec<f64>], second: &[Vec<f64>]) -> f64 {

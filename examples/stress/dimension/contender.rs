@@ -1,7 +1,7 @@
 //! The broad phases that a case is run on.
 
 use super::ours::UnisizeBroadPhase;
-use super::scenes::rapier::prelude::DefaultBroadPhase;
+use super::scenes::rapier::geometry::{BvhOptimizationStrategy, DefaultBroadPhase};
 use super::scenes::{Observed, OwnBroadPhase, Steppable, install};
 
 /// A broad phase that a case is run on.
@@ -13,11 +13,16 @@ pub(super) enum Contender {
     Ours,
     /// Rapier's own, with the events of each update sorted.
     RapierInOrder,
+    /// The same, but its tree is never optimized.
+    RapierOtherTree,
     /// unisize, with the events of each update sorted.
     OursInOrder,
     /// One that reports nothing, which must be found out.
     #[cfg(test)]
     Blind,
+    /// One that panics, which must not be taken for Rapier's fault.
+    #[cfg(test)]
+    Panicking,
 }
 
 impl Contender {
@@ -25,9 +30,10 @@ impl Contender {
     pub(super) fn in_order(self) -> Self {
         match self {
             Self::Rapier | Self::RapierInOrder => Self::RapierInOrder,
+            Self::RapierOtherTree => Self::RapierOtherTree,
             Self::Ours | Self::OursInOrder => Self::OursInOrder,
             #[cfg(test)]
-            Self::Blind => Self::Blind,
+            Self::Blind | Self::Panicking => self,
         }
     }
 
@@ -37,9 +43,14 @@ impl Contender {
             Self::Rapier => Box::new(DefaultBroadPhase::new()),
             Self::Ours => Box::new(install(UnisizeBroadPhase::new())),
             Self::RapierInOrder => Box::new(install(Observed::new(OwnBroadPhase::new()).sorted())),
+            Self::RapierOtherTree => {
+                let other =
+                    OwnBroadPhase::with_optimization_strategy(BvhOptimizationStrategy::None);
+                Box::new(install(Observed::new(other).sorted()))
+            }
             Self::OursInOrder => Box::new(install(self.observed().sorted())),
             #[cfg(test)]
-            Self::Blind => Box::new(install(self.observed())),
+            Self::Blind | Self::Panicking => Box::new(install(self.observed())),
         }
     }
 
@@ -49,6 +60,8 @@ impl Contender {
         match self {
             #[cfg(test)]
             Self::Blind => observed.silent(),
+            #[cfg(test)]
+            Self::Panicking => panic!("on purpose"),
             _ => observed,
         }
     }

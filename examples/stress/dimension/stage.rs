@@ -3,6 +3,7 @@
 use super::scenes::World;
 use super::scenes::rapier::{math::DIM, prelude::*};
 use super::version::{Point, Vector};
+use super::{flavour, version};
 use crate::case::Case;
 use crate::end::Measured;
 use std::borrow::Borrow;
@@ -88,8 +89,8 @@ fn distance(a: [f64; DIM], b: [f64; DIM]) -> f64 {
 }
 
 fn is_finite(body: &RigidBody) -> bool {
-    let vectors = [components(body.translation()), components(body.linvel())];
-    vectors.as_flattened().iter().all(|x| x.is_finite())
+    let moves = components(body.linvel()).iter().all(|x| x.is_finite());
+    moves && version::is_finite(body.position()) && flavour::has_finite_spin(body)
 }
 
 /// The largest figure, or NaN if one is.
@@ -99,4 +100,25 @@ fn worst(figures: impl Iterator<Item = f64>) -> f64 {
         false if worst.is_nan() => worst,
         false => worst.max(figure),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::flavour;
+    use super::super::scenes::rapier::prelude::*;
+    use super::is_finite;
+
+    #[test]
+    fn a_spin_must_be_finite_as_well() {
+        let spinning = |speed| {
+            let spin = flavour::spin(speed, [0.0, 0.0, 1.0]);
+            is_finite(&RigidBodyBuilder::dynamic().angvel(spin).build())
+        };
+        assert!(spinning(1.0));
+        assert!(!spinning(Real::NAN));
+        assert!(!spinning(Real::INFINITY));
+        let turned =
+            RigidBodyBuilder::dynamic().rotation(flavour::spin(Real::NAN, [0.0, 0.0, 1.0]));
+        assert!(!is_finite(&turned.build()));
+    }
 }

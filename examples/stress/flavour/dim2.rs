@@ -11,6 +11,11 @@ pub(super) fn lying() -> AngVector {
     core::f64::consts::FRAC_PI_2 as Real
 }
 
+/// Whether a body spins at a finite speed.
+pub(super) fn has_finite_spin(body: &RigidBody) -> bool {
+    body.angvel().is_finite()
+}
+
 /// A spin at this speed.
 pub(super) fn spin(speed: Real, _share: [Real; 3]) -> AngVector {
     speed

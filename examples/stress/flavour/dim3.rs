@@ -11,6 +11,11 @@ pub(super) fn lying() -> AngVector {
     spin(core::f64::consts::FRAC_PI_2 as Real, [0.0, 0.0, 1.0])
 }
 
+/// Whether a body spins at a finite speed.
+pub(super) fn has_finite_spin(body: &RigidBody) -> bool {
+    (0..3).all(|axis| body.angvel()[axis].is_finite())
+}
+
 /// A spin at this speed, on each axis this share of it.
 pub(super) fn spin(speed: Real, share: [Real; 3]) -> AngVector {
     let mut spin = AngVector::default();

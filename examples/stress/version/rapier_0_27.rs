@@ -7,6 +7,12 @@ pub(super) type Vector = math::Vector<Real>;
 pub(super) type Point = math::Point<Real>;
 pub(super) type AngVector = math::AngVector<Real>;
 
+/// Whether no part of a pose is infinite or NaN.
+pub(super) fn is_finite(pose: &Isometry<Real>) -> bool {
+    let matrix = pose.to_homogeneous();
+    matrix.iter().all(|entry| entry.is_finite())
+}
+
 /// The contacts of a pair.
 pub(super) fn manifolds(pair: &ContactPair) -> &[ContactManifold] {
     &pair.manifolds

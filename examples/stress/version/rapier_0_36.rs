@@ -8,6 +8,11 @@ pub(super) type Vector = math::Vector;
 pub(super) type Point = math::Vector;
 pub(super) type AngVector = math::AngVector;
 
+/// Whether no part of a pose is infinite or NaN.
+pub(super) fn is_finite(pose: &Pose) -> bool {
+    pose.is_finite()
+}
+
 /// The contacts of a pair.
 pub(super) fn manifolds(pair: &ContactPair) -> &[ContactManifold] {
     pair.manifolds()

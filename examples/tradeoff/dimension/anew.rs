@@ -2,6 +2,9 @@
 //!
 //! Floors and walls are many times larger than anything that moves, and would spoil a method that relies on a common size. So
 //! boxes larger than any that can move are set apart and compared with all others, one by one.
+//!
+//! Memory is kept from update to update. The pairs found are sorted by comparison, in **O(p log p)**, to be compared with those
+//! held.
 
 use super::scenes::rapier::{math::DIM, prelude::*};
 use unisize::Aabb;
@@ -119,6 +122,7 @@ impl<F: FindAll> BroadPhase for Anew<F> {
 }
 
 /// All boxes: those that are larger on some axis than any that can move, and the others.
+#[derive(Default)]
 pub(super) struct BySize {
     /// The largest extent of a box that can move, on each axis.
     pub(super) largest: [Real; DIM],
@@ -127,19 +131,24 @@ pub(super) struct BySize {
 }
 
 impl BySize {
-    pub(super) fn of(proxies: &[Option<Proxy>]) -> Self {
+    /// Parts these boxes, in the order of their slots.
+    pub(super) fn part(&mut self, proxies: &[Option<Proxy>]) {
         let movable = proxies.iter().flatten().filter(|p| p.can_move);
-        let largest = movable.fold([0.0; DIM], |size: [Real; DIM], proxy| {
+        self.largest = movable.fold([0.0; DIM], |size: [Real; DIM], proxy| {
             std::array::from_fn(|k| size[k].max(extent(&proxy.aabb, k)))
         });
         let slots = (0..).zip(proxies);
         let boxes = slots.filter_map(|(slot, proxy)| Some((slot, proxy.as_ref()?.aabb)));
-        let (usual, large) =
-            boxes.partition(|(_, aabb)| (0..DIM).all(|k| extent(aabb, k) <= largest[k]));
-        Self {
-            largest,
-            usual,
-            large,
+        self.usual.clear();
+        self.large.clear();
+        for (slot, aabb) in boxes {
+            let is_usual = (0..DIM).all(|k| extent(&aabb, k) <= self.largest[k]);
+            let part = if is_usual {
+                &mut self.usual
+            } else {
+                &mut self.large
+            };
+            part.push((slot, aabb));
         }
     }
 

@@ -15,6 +15,7 @@ pub(super) struct CommonBox {
     share: f64,
     sweep: RankSweep<Real, DIM>,
     /// Scratch memory.
+    by_size: BySize,
     extents: Vec<Real>,
     boxes: Vec<Aabb<Real, DIM>>,
 }
@@ -25,6 +26,7 @@ impl CommonBox {
         Self {
             share,
             sweep: RankSweep::default(),
+            by_size: BySize::default(),
             extents: Vec::new(),
             boxes: Vec::new(),
         }
@@ -39,7 +41,8 @@ impl Default for CommonBox {
 
 impl FindAll for CommonBox {
     fn find(&mut self, proxies: &[Option<Proxy>], pairs: &mut Vec<[u32; 2]>) {
-        let by_size = BySize::of(proxies);
+        self.by_size.part(proxies);
+        let by_size = &self.by_size;
         let mut size = by_size.largest;
         if self.share < 1.0 {
             for (axis, size) in size.iter_mut().enumerate() {

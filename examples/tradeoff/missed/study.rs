@@ -53,6 +53,11 @@ impl Study {
         &self.figures[0]
     }
 
+    /// How many pairs touch, summed over all steps that were examined: the same for all methods.
+    pub(crate) fn touching(&self) -> usize {
+        self.default().touching.all
+    }
+
     /// The time of a method in broad and narrow phase, as a multiple of that of the default settings.
     pub(crate) fn relative(&self, figures: &Figures) -> f64 {
         figures.both / self.default().both
@@ -119,6 +124,7 @@ pub(super) mod tests {
         let study = study(&[(Search::HashGrid, 150, 1.0)]);
         assert_eq!(study.default().share_missed(), 0.0);
         assert_eq!(study.figures[1].share_missed(), 0.25);
+        assert_eq!(study.touching(), 200);
         let nothing = Figures {
             touching: Recall::default(),
             ..study.figures[1].clone()

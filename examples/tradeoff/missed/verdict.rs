@@ -5,7 +5,7 @@ use super::study::{Figures, Study};
 /// Whether anything beats the default settings, in one line. It is about scenes where contacts are looked for at the end of a
 /// step, and where there are any.
 pub(crate) fn verdict(studies: &[Study]) -> String {
-    let is_counted = |study: &&Study| !study.is_fast && study.default().touching.all > 0;
+    let is_counted = |study: &&Study| !study.is_fast && study.touching() > 0;
     let studies: Vec<_> = studies.iter().filter(is_counted).collect();
     let of = |study: &Study, figures: &Figures| {
         let ratio = study.relative(figures);

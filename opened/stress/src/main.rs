@@ -15,6 +15,8 @@ mod caught;
 mod chart;
 #[path = "../../../examples/stress/criterion.rs"]
 mod criterion;
+#[path = "../../../examples/stress/discordance.rs"]
+mod discordance;
 #[path = "../../../examples/stress/end.rs"]
 mod end;
 #[path = "../../../examples/stress/family.rs"]

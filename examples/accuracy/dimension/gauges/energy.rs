@@ -12,7 +12,8 @@ pub(crate) struct Energy {
 }
 
 impl Energy {
-    /// Whatever is gained is an error. What was put in is all energy above height zero.
+    /// Whatever is gained is an error. What was put in is all energy at the start, above height zero if there is
+    /// gravity.
     pub(crate) fn gained(world: &World) -> Self {
         let start = energies(world).iter().sum();
         Self {

@@ -1,7 +1,7 @@
 //! What measures an error while a stage is simulated, each in its own file.
 
-use super::scenes::{self, World};
-use super::space::{self, GRAVITY, Place, UP};
+use super::scenes::{self, World, rapier::math::DIM};
+use super::space::{self, Place};
 use super::version;
 use crate::case::Reading;
 
@@ -54,15 +54,16 @@ impl Tally {
     }
 }
 
-/// The energy of everything that is dynamic: that of motion, and the potential one above height zero.
+/// The energy of everything that is dynamic: that of motion, and the potential one in the world's gravity, above height zero.
 fn energies(world: &World) -> [f64; 2] {
     let bodies = world.bodies.iter().map(|(_, body)| body);
     let bodies = bodies.filter(|body| body.is_dynamic());
     bodies.fold([0.0; 2], |[kinetic, potential], body| {
-        let height = f64::from(body.center_of_mass()[UP]);
+        let center = body.center_of_mass();
+        let along = |axis: usize| f64::from(world.gravity[axis]) * f64::from(center[axis]);
         [
             kinetic + f64::from(body.kinetic_energy()),
-            potential + f64::from(body.mass()) * GRAVITY * height,
+            potential - f64::from(body.mass()) * (0..DIM).map(along).sum::<f64>(),
         ]
     })
 }

@@ -7,7 +7,10 @@ use super::scenes::rapier::{
 };
 use super::{Gauge, Reading, Tally, World};
 
-/// The depth of overlaps, in sizes of a body.
+/// The depth of overlaps, in sizes of a body: the largest, and the mean.
+///
+/// The mean is over the pairs that overlap, at all looks, and not over all pairs or bodies. So it does not grow with the number of
+/// overlaps, and can fall if more pairs overlap a little.
 pub(crate) struct Penetration {
     size: f64,
     from: f64,

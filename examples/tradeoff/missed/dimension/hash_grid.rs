@@ -2,8 +2,9 @@
 //!
 //! Cells have the median size of what can move, so that a pair is missed whose centres are further apart than its boxes allow
 //! for: two that are larger than a cell. Floors and walls are compared with all others one by one. The cells are not hashed but
-//! sorted, which is faster: the three cells of a row are then neighbours, and each row of them is followed by an index that only
-//! grows. **O(n log n + candidates)**.
+//! sorted: the three cells of a row are then neighbours, and each row of them is followed by an index that only grows. They are
+//! sorted anew at each update, by comparison; whether hashing or another way to sort is faster has not been measured.
+//! **O(n log n + candidates)**.
 
 use super::anew::{BySize, FindAll, Proxy, extent};
 use super::scenes::rapier::{math::DIM, prelude::*};
@@ -16,7 +17,8 @@ const MOST_CELLS: u64 = 1 << 20;
 /// Cells of one size, and what is in them.
 #[derive(Default)]
 pub(super) struct HashGrid {
-    /// Scratch memory: the sizes of what can move, and the boxes with the keys of their cells.
+    /// Scratch memory: all boxes, the sizes of what can move, and the boxes with the keys of their cells.
+    by_size: BySize,
     sizes: Vec<Real>,
     entries: Vec<Entry>,
 }
@@ -31,8 +33,22 @@ struct Entry {
 
 impl FindAll for HashGrid {
     fn find(&mut self, proxies: &[Option<Proxy>], pairs: &mut Vec<[u32; 2]>) {
-        let by_size = BySize::of(proxies);
+        let mut by_size = std::mem::take(&mut self.by_size);
+        by_size.part(proxies);
         by_size.find_large(pairs);
+        self.find_usual(&by_size.usual, proxies, pairs);
+        self.by_size = by_size;
+    }
+}
+
+impl HashGrid {
+    /// Finds the pairs of these boxes, which are not large.
+    fn find_usual(
+        &mut self,
+        boxes: &[(u32, Aabb<Real, DIM>)],
+        proxies: &[Option<Proxy>],
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
         let movable = proxies.iter().flatten().filter(|proxy| proxy.can_move);
         let size =
             |proxy: &Proxy| (0..DIM).fold(0.0, |max: Real, k| max.max(extent(&proxy.aabb, k)));
@@ -41,20 +57,18 @@ impl FindAll for HashGrid {
         let Some(cell) = quantile(&mut self.sizes, 0.5) else {
             return;
         };
-        let strides = self.enter(&by_size.usual, cell);
+        let strides = self.enter(boxes, cell);
         // Half of the rows around a cell, its own first; the other half finds the same pairs.
         let up = strides[1];
-        let rows = match strides.get(2) {
-            None => vec![0, up],
-            Some(&far) => vec![0, up, far - up, far, far + up],
+        let rows: &[u64] = match strides.get(2) {
+            None => &[0, up],
+            Some(&far) => &[0, up, far - up, far, far + up],
         };
-        for row in rows {
+        for &row in rows {
             self.find_in_row(row, pairs);
         }
     }
-}
 
-impl HashGrid {
     /// Sorts the boxes into cells, and says by how much the key grows from a cell to the next one on each axis.
     fn enter(&mut self, boxes: &[(u32, Aabb<Real, DIM>)], cell: Real) -> [u64; DIM] {
         let center = |aabb: &Aabb<Real, DIM>| -> [Real; DIM] {
