@@ -29,7 +29,7 @@ pub(crate) struct Exact {
     pub(crate) differing: usize,
     /// In how many runs Rapier's own broad phase panicked, so that there is nothing to compare with.
     pub(crate) panicked: usize,
-    /// In how many runs Rapier's own came out differently as well, once its tree was another one.
+    /// In how many runs there was a difference, and none once a step found the tree of Rapier's own.
     pub(crate) by_tree: usize,
     /// The first difference.
     pub(crate) difference: Option<String>,
@@ -42,7 +42,7 @@ pub(crate) enum Found {
     Difference(String),
     /// Rapier's own broad phase panicked.
     Panic,
-    /// There is a difference, and there is one between two runs of Rapier's own with different trees.
+    /// There is a difference, and none once a step finds the tree of Rapier's own.
     ByTree,
 }
 

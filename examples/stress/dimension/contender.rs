@@ -1,8 +1,9 @@
 //! The broad phases that a case is run on.
 
 use super::ours::UnisizeBroadPhase;
-use super::scenes::rapier::geometry::{BvhOptimizationStrategy, DefaultBroadPhase};
+use super::scenes::rapier::prelude::DefaultBroadPhase;
 use super::scenes::{Observed, OwnBroadPhase, Steppable, install};
+use super::version;
 
 /// A broad phase that a case is run on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,10 +14,10 @@ pub(super) enum Contender {
     Ours,
     /// Rapier's own, with the events of each update sorted.
     RapierInOrder,
-    /// The same, but its tree is never optimized.
-    RapierOtherTree,
     /// unisize, with the events of each update sorted.
     OursInOrder,
+    /// The same, where a step finds the tree of Rapier's own.
+    OursOnRapiersTree,
     /// One that reports nothing, which must be found out.
     #[cfg(test)]
     Blind,
@@ -30,7 +31,7 @@ impl Contender {
     pub(super) fn in_order(self) -> Self {
         match self {
             Self::Rapier | Self::RapierInOrder => Self::RapierInOrder,
-            Self::RapierOtherTree => Self::RapierOtherTree,
+            Self::OursOnRapiersTree => Self::OursOnRapiersTree,
             Self::Ours | Self::OursInOrder => Self::OursInOrder,
             #[cfg(test)]
             Self::Blind | Self::Panicking => self,
@@ -43,12 +44,10 @@ impl Contender {
             Self::Rapier => Box::new(DefaultBroadPhase::new()),
             Self::Ours => Box::new(install(UnisizeBroadPhase::new())),
             Self::RapierInOrder => Box::new(install(Observed::new(OwnBroadPhase::new()).sorted())),
-            Self::RapierOtherTree => {
-                let other =
-                    OwnBroadPhase::with_optimization_strategy(BvhOptimizationStrategy::None);
-                Box::new(install(Observed::new(other).sorted()))
-            }
             Self::OursInOrder => Box::new(install(self.observed().sorted())),
+            Self::OursOnRapiersTree => {
+                Box::new(install(version::on_rapiers_tree(self.observed().sorted())))
+            }
             #[cfg(test)]
             Self::Blind | Self::Panicking => Box::new(install(self.observed())),
         }

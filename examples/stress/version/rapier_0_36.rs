@@ -1,8 +1,8 @@
 //! What Rapier 0.36 spells in its own way: glam's vectors, and broad phases that boxes are handed over to.
 
 use super::dimension::Clocked;
-use super::scenes::BroadPhase;
 use super::scenes::rapier::{math, prelude::*};
+use super::scenes::{BroadPhase, OwnBroadPhase};
 
 pub(super) type Vector = math::Vector;
 pub(super) type Point = math::Vector;
@@ -16,6 +16,54 @@ pub(super) fn is_finite(pose: &Pose) -> bool {
 /// The contacts of a pair.
 pub(super) fn manifolds(pair: &ContactPair) -> &[ContactManifold] {
     pair.manifolds()
+}
+
+/// The events of one broad phase, and the tree of Rapier's own, through which a step sweeps what is fast.
+struct OnRapiersTree<B> {
+    events: B,
+    tree: OwnBroadPhase,
+}
+
+/// This broad phase, where a step finds the tree of Rapier's own.
+pub(super) fn on_rapiers_tree<B: BroadPhase>(events: B) -> impl BroadPhase {
+    let tree = OwnBroadPhase::new();
+    OnRapiersTree { events, tree }
+}
+
+impl<B: BroadPhase> BroadPhase for OnRapiersTree<B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let unheard = &mut Vec::new();
+        self.tree
+            .update(params, colliders, bodies, modified, removed, unheard);
+        self.events
+            .update(params, colliders, bodies, modified, removed, events);
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        self.set_aabbs(params, &[(handle, aabb)]);
+    }
+
+    fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
+        self.tree.set_aabbs(params, boxes);
+        self.events.set_aabbs(params, boxes);
+    }
+
+    fn bvh(&self) -> &Bvh {
+        self.tree.bvh()
+    }
+
+    // A copy has a tree of its own.
+    fn clone_box(&self) -> Box<dyn BroadPhase> {
+        self.events.clone_box()
+    }
 }
 
 impl<B: BroadPhase> BroadPhase for Clocked<B> {

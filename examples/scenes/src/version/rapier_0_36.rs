@@ -102,11 +102,6 @@ impl OwnBroadPhase {
     pub fn new() -> Self {
         Self::default()
     }
-
-    /// The same with another way to keep its tree.
-    pub fn with_optimization_strategy(strategy: BvhOptimizationStrategy) -> Self {
-        Self(DefaultBroadPhase::with_optimization_strategy(strategy))
-    }
 }
 
 impl Deref for OwnBroadPhase {
