@@ -16,7 +16,6 @@ pub(super) struct Scattered<R, const D: usize> {
     keyed: Vec<(u64, u32)>,
     /// How many bits of a tube are its column.
     column_bits: u32,
-    sorter: RadixSort<u64>,
 }
 
 impl<R, const D: usize> Default for Scattered<R, D> {
@@ -25,7 +24,6 @@ impl<R, const D: usize> Default for Scattered<R, D> {
             entries: Vec::new(),
             keyed: Vec::new(),
             column_bits: 0,
-            sorter: RadixSort::default(),
         }
     }
 }
@@ -59,7 +57,8 @@ impl<R: Real, const D: usize> Scattered<R, D> {
             let [row, column] = [*tube >> 32, *tube & u64::from(u32::MAX)];
             *tube = row << self.column_bits | column;
         }
-        self.sorter.sort_entries(keyed);
+        // Its memory is not kept: boxes are rarely scattered, and it is as much again as that of the entries.
+        RadixSort::default().sort_entries(keyed);
         entries.clear();
         entries.extend(keyed.iter().map(|&(_, owner)| {
             let owner = Owner::from_bits(owner);
