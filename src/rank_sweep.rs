@@ -164,15 +164,17 @@ impl Sweep {
         };
         let swept = usize::from(sort_both);
         let lap = stopwatch.lap(lap, |times| &mut times.sort);
-        let overlap = |p: u32, q: u32, first_axis: usize| {
-            let (a, b) = (&boxes[p as usize], &boxes[q as usize]);
-            (first_axis..D).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k])
-        };
         if exact {
-            // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D.
-            self.sweep(swept, pairs, |p, q| overlap(p, q, 2));
+            // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D, not even a look at the boxes.
+            self.sweep(swept, pairs, |p, q| {
+                (2..D).all(|k| {
+                    let (a, b) = (&boxes[p as usize], &boxes[q as usize]);
+                    (a.mins[k] <= b.maxs[k]) & (b.mins[k] <= a.maxs[k])
+                })
+            });
         } else {
-            self.sweep(swept, pairs, |p, q| overlap(p, q, 0));
+            let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
+            self.sweep(swept, pairs, overlap);
         }
         stopwatch.lap(lap, |times| &mut times.sweep);
     }
