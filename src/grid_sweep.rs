@@ -337,6 +337,10 @@ impl<R: Real, const D: usize> Class<R, D> {
             if let Some(&widening) = widening {
                 part_count = slab_count.clamp(1, count);
                 self.grid = Grid::choose(boxes, members, widening);
+                if !self.grid.fits_table(count) {
+                    let cut_once = self.grid.cut_once(boxes, members);
+                    self.grid = cut_once.unwrap_or(self.grid);
+                }
             }
             self.outsize.clear();
             if !self.grid.fits_table(count) {

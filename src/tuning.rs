@@ -56,6 +56,18 @@ pub(crate) mod kernel {
     /// small worlds are sorted, which takes longer.
     pub(crate) const SPARE_TUBES: u64 = 64;
 
+    /// Candidates a box. Where two cut axes make more tubes than a table can have, one axis alone is cut if no more candidates are
+    /// to be expected. Above: the sweep compares longer than sorting into tubes without a table takes. Below: boxes along a curve
+    /// are sorted.
+    pub(crate) const ONE_CUT_CANDIDATES: f64 = 16.0;
+
+    /// One box in this many is looked at to foresee that, within the range of [`ONE_CUT_SAMPLE`]. Above: a few pairs of boxes
+    /// decide. Below: looking takes a part of the run.
+    pub(crate) const ONE_CUT_SAMPLE_ONE_IN: usize = 256;
+
+    /// Boxes, a range. At least and at most so many are looked at. Above: hundreds of microseconds a run. Below: chance decides.
+    pub(crate) const ONE_CUT_SAMPLE: [usize; 2] = [128, 4096];
+
     /// Factors on the width of the strips, tried in turn where most boxes are too large for the grid that was chosen. Fewer:
     /// mixed sizes end in one tube. More: each try is a pass over the boxes.
     pub(crate) const STRIP_WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];

@@ -8,7 +8,8 @@
 use super::members::Members;
 use crate::tuning::kernel::{
     BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
-    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, POINTS_A_TUBE, SPARE_TUBES,
+    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES, ONE_CUT_SAMPLE,
+    ONE_CUT_SAMPLE_ONE_IN, POINTS_A_TUBE, SPARE_TUBES,
 };
 use crate::{Aabb, Real};
 
@@ -78,6 +79,57 @@ impl<R: Real> Grid<R> {
     /// Whether there are so few tubes that a table of them does not cost more than the boxes do.
     pub(super) fn fits_table(&self, members: usize) -> bool {
         self.tube_count() <= (members as u64 + SPARE_TUBES).min(1 << 30)
+    }
+
+    /// The same grid with one of its two cut axes only, if that makes tubes few enough for a table, and leaves few enough boxes
+    /// in each that overlap along the first axis. So it does where boxes lie along a curve: a rope, or the diagonal of a cube.
+    pub(super) fn cut_once<const D: usize>(
+        &self,
+        boxes: &[Aabb<R, D>],
+        members: impl Members,
+    ) -> Option<Self> {
+        if cut_axes::<D>() < 2 {
+            return None;
+        }
+        let n = members.count();
+        let sample: Vec<_> = spread(n, ONE_CUT_SAMPLE_ONE_IN, ONE_CUT_SAMPLE)
+            .map(|i| &boxes[members.index(i) as usize])
+            .collect();
+        // Of `n` boxes, each has `n / k²` times as many candidates as `k` of them have in all.
+        let k = sample.len();
+        let most = (ONE_CUT_CANDIDATES * (k as f64 * k as f64 / n as f64)) as usize;
+        let only = |cut| {
+            let mut grid = Self::default();
+            grid.axes[cut] = self.axes[cut];
+            grid
+        };
+        [0, 1]
+            .into_iter()
+            .find(|&cut| only(cut).fits_table(n) && self.candidates(cut, &sample, most) <= most)
+            .map(only)
+    }
+
+    /// How many pairs of a sample share a strip and overlap along the first axis, or any number above `most`.
+    fn candidates<const D: usize>(&self, cut: usize, sample: &[&Aabb<R, D>], most: usize) -> usize {
+        let mut entries: Vec<_> = sample
+            .iter()
+            .map(|aabb| (self.tube_span(aabb).first[cut], aabb))
+            .collect();
+        entries.sort_unstable_by(|(strip, a), (other, b)| {
+            let [a, b] = [a, b].map(|aabb| aabb.mins[0].to_f64());
+            strip.cmp(other).then(a.total_cmp(&b))
+        });
+        let mut count = 0;
+        for (i, (strip, aabb)) in entries.iter().enumerate() {
+            let following = entries[i + 1..].iter();
+            let reached =
+                following.take_while(|(other, b)| other == strip && b.mins[0] <= aabb.maxs[0]);
+            count += reached.count();
+            if count > most {
+                break;
+            }
+        }
+        count
     }
 
     /// Extends the strips to the greatest number that they can have.
@@ -170,12 +222,15 @@ fn root(x: f64, cuts: usize) -> f64 {
     if cuts > 1 { x.sqrt() } else { x }
 }
 
-/// Some of the numbers below `n`, or all of them if they are few: the same ones each time, but irregularly spaced, so
-/// that a pattern in the order of the boxes does not mislead.
+/// Which of `n` boxes are looked at to choose a grid.
 pub(super) fn scattered(n: usize) -> impl Iterator<Item = usize> {
-    let count = (n / GRID_SAMPLE_ONE_IN)
-        .clamp(GRID_SAMPLE[0], GRID_SAMPLE[1])
-        .min(n);
+    spread(n, GRID_SAMPLE_ONE_IN, GRID_SAMPLE)
+}
+
+/// One in so many of the numbers below `n`, at least and at most so many, or all of them if they are few: the same ones each
+/// time, but irregularly spaced, so that a pattern in the order of the boxes does not mislead.
+fn spread(n: usize, one_in: usize, [least, most]: [usize; 2]) -> impl Iterator<Item = usize> {
+    let count = (n / one_in).clamp(least, most).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| i * n / count);

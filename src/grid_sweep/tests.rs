@@ -84,6 +84,45 @@ fn a_sample_that_misleads_costs_time_and_nothing_else() {
     }
 }
 
+#[test]
+fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
+    let cube = |mins: [f32; 3]| Aabb::new(mins, mins.map(|x| x + 1.0));
+    let along = |direction: [f32; 3]| -> Vec<_> {
+        let mins = |i: usize| direction.map(|step| step * 0.9 * i as f32);
+        (0..3000).map(|i| cube(mins(i))).collect()
+    };
+    // In groups, of which many share a strip of either axis, and all overlap along the first one.
+    let grouped: Vec<_> = (0..3000_u64)
+        .map(|i| {
+            let hash = i.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            let place =
+                |group: u64, bit: u32| (group % 7 * 600) as f32 + (hash >> bit) as u8 as f32 / 12.0;
+            cube([0.0, place(i, 20), place(i / 7, 40)])
+        })
+        .collect();
+    // The first of the two axes goes over the same places again and again, and the second does not.
+    let mut zigzag = along([0.0, 0.0, 1.0]);
+    for (i, aabb) in zigzag.iter_mut().enumerate() {
+        let y = (i % 100) as f32 * 30.0;
+        *aabb = cube([0.0, y, aabb.mins[2]]);
+    }
+    for (boxes, are_cut) in [
+        (along([1.0, 1.0, 1.0]), [true, false]),
+        (along([0.0, 1.0, -1.0]), [true, false]),
+        (zigzag, [false, true]),
+        (grouped, [true, true]),
+    ] {
+        let mut kernel = GridSweep::default();
+        let [mut found, mut expected] = [Vec::new(), Vec::new()];
+        kernel.find_pairs(&boxes, &mut found).unwrap();
+        let strips = kernel.classes[0].grid.axes.map(|axis| axis.last > 0);
+        assert_eq!(strips, are_cut);
+        BruteForce.find_pairs(&boxes, &mut expected).unwrap();
+        found.sort_unstable();
+        assert!(found == expected && found.len() < 5000);
+    }
+}
+
 /// Threads may be more than the boxes, or than those of a class: here three hundred specks and forty slabs across them.
 #[test]
 fn there_may_be_more_slabs_than_boxes() {
