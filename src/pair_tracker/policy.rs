@@ -96,7 +96,11 @@ impl Known {
         }
         let [escaped, slots, found] = [self.escaped, self.slots, self.candidates].map(to_u64);
         let full_run = SEARCHED * slots + FOUND * found;
-        let look_ups = LOOKED_UP * escaped + SEARCHED * (to_u64(above_base.recent) + escaped);
+        // Each finds all candidates of its own, which are those of another as well.
+        let found_by_look_ups = found.min(found.saturating_mul(2 * escaped) / slots);
+        let look_ups = LOOKED_UP * escaped
+            + SEARCHED * (to_u64(above_base.recent) + escaped)
+            + FOUND * found_by_look_ups;
         // As long as an update costs less than the mean since the last full run, that run still pays. Fat boxes that were drawn
         // at one time tend to be left at one time; then it no longer does.
         let mean = self.spent.searching / self.spent.updates.max(1);

@@ -27,8 +27,9 @@ fn world() -> Known {
 /// What a full run costs in this world.
 const FULL_RUN: u64 = 1000 * SEARCHED + 4000 * FOUND;
 
-/// What it costs more to look one up than not to, with none in the upper layers.
-const LOOK_UP: u64 = LOOKED_UP + SEARCHED;
+/// What it costs more to look one up than not to, with none in the upper layers: it finds both ends' share of four
+/// candidates a slot.
+const LOOK_UP: u64 = LOOKED_UP + SEARCHED + 8 * FOUND;
 
 const PICKED_ONLY: Extent = Extent::Picked {
     lists_are_missed: false,
@@ -197,9 +198,31 @@ fn a_full_run_that_finds_more_may_be_put_off_for_more() {
     };
     for candidates in [0, 2000, 100_000] {
         let full_run = 1000 * SEARCHED + candidates as u64 * FOUND;
-        let most = full_run / FULL_RUN_SLACK / LOOK_UP;
+        let look_up = LOOKED_UP + SEARCHED + candidates as u64 / 500 * FOUND;
+        let most = full_run / FULL_RUN_SLACK / look_up;
         assert_eq!(plan(known(candidates, most)), Plan::LookUp(Extent::All));
         assert!(is_full_run(known(candidates, most + 1)));
+    }
+}
+
+#[test]
+fn look_ups_of_all_find_no_more_than_there_is() {
+    let known = |escaped: u64, searching| Known {
+        touched: 1000,
+        escaped: escaped as usize,
+        candidates: 100_000,
+        spent: Spent {
+            searching,
+            ..world().spent
+        },
+        ..world()
+    };
+    let slack = (1000 * SEARCHED + 100_000 * FOUND) / FULL_RUN_SLACK;
+    // From half of all on, each candidate is found; dense worlds are searched in full long before.
+    for escaped in [500, 501, 1000] {
+        let equal = escaped * (LOOKED_UP + SEARCHED) + 100_000 * FOUND - slack;
+        assert_eq!(plan(known(escaped, equal)), Plan::LookUp(Extent::All));
+        assert!(is_full_run(known(escaped, equal - 1)));
     }
 }
 
