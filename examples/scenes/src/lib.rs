@@ -23,7 +23,7 @@
 //! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
-//! its versions in `version/`. `dim2_0_36` and `dim3_0_36` are for an opened copy of Rapier 0.36, and exist if there is one.
+//! its versions in `version/`. `dim2_0_36` and the like are for opened copies of Rapier 0.36, and exist if there are such.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod backbone;
@@ -156,6 +156,48 @@ pub mod dim3_0_36 {
     //! The scenes for an opened rapier3d 0.36.
 
     pub use rapier3d_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod soft;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
+}
+
+#[cfg(all(feature = "rapier2d-f64_0_36", opened_rapier2d_f64))]
+#[path = "dim2"]
+pub mod dim2_f64_0_36 {
+    //! The scenes for an opened rapier2d-f64 0.36.
+
+    pub use rapier2d_f64_0_36 as rapier;
+
+    #[path = "../engine/mod.rs"]
+    mod engine;
+    mod flavour;
+    mod soft;
+    mod vehicle;
+    #[path = "../version/rapier_0_36.rs"]
+    mod version;
+
+    pub use engine::*;
+    pub use version::{
+        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
+    };
+}
+
+#[cfg(all(feature = "rapier3d-f64_0_36", opened_rapier3d_f64))]
+#[path = "dim3"]
+pub mod dim3_f64_0_36 {
+    //! The scenes for an opened rapier3d-f64 0.36.
+
+    pub use rapier3d_f64_0_36 as rapier;
 
     #[path = "../engine/mod.rs"]
     mod engine;

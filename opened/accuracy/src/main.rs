@@ -5,7 +5,7 @@
 //! cargo run --release --package accuracy-opened
 //! ```
 //!
-//! The same program as `examples/accuracy`, which says what is measured, on an opened copy of Rapier, in `f32` alone. From the
+//! The same program as `examples/accuracy`, which says what is measured, on opened copies of Rapier. From the
 //! root of the repository it draws `docs/figures/accuracy-*-0-36.svg`.
 
 #[path = "../../../examples/accuracy/case.rs"]
@@ -39,7 +39,7 @@ const RAPIER: &str = "0.36";
 const SUFFIX: &str = "-0-36";
 
 /// What there is of it.
-const SCALARS: &[Scalar] = &[Scalar::F32];
+const SCALARS: &[Scalar] = &[Scalar::F32, Scalar::F64];
 
 #[path = "../../../examples/accuracy"]
 mod dim2 {
@@ -73,11 +73,45 @@ mod dim3 {
     pub(super) use dimension::run;
 }
 
-/// Simulates a case.
-fn simulate(dim: u8, _: Scalar, case: &Case) -> Run {
-    match dim {
-        2 => dim2::run(case),
-        _ => dim3::run(case),
+#[path = "../../../examples/accuracy"]
+mod dim2_f64 {
+    //! The simulations in rapier2d-f64.
+    use scenes::rapier::prelude::JointAxesMask;
+    use unisize::rapier2d_f64_0_36 as ours;
+    use unisize_scenes::dim2_f64_0_36 as scenes;
+
+    /// What the joint of a pendulum holds together.
+    const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
+
+    mod dimension;
+    #[path = "rapier_0_36.rs"]
+    mod version;
+    pub(super) use dimension::run;
+}
+
+#[path = "../../../examples/accuracy"]
+mod dim3_f64 {
+    //! The simulations in rapier3d-f64.
+    use scenes::rapier::prelude::JointAxesMask;
+    use unisize::rapier3d_f64_0_36 as ours;
+    use unisize_scenes::dim3_f64_0_36 as scenes;
+
+    /// What the joint of a pendulum holds together.
+    const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
+
+    mod dimension;
+    #[path = "rapier_0_36.rs"]
+    mod version;
+    pub(super) use dimension::run;
+}
+
+/// Simulates a case in one flavour of Rapier.
+fn simulate(dim: u8, scalar: Scalar, case: &Case) -> Run {
+    match (dim, scalar) {
+        (2, Scalar::F32) => dim2::run(case),
+        (2, Scalar::F64) => dim2_f64::run(case),
+        (_, Scalar::F32) => dim3::run(case),
+        (_, Scalar::F64) => dim3_f64::run(case),
     }
 }
 
