@@ -85,8 +85,9 @@ pub(crate) mod kernel {
     /// crowd. Below: a call where a few moves would do.
     pub(crate) const CROWDED_BUCKET: u32 = 24;
 
-    /// Boxes. Fewer are not worth a second thread. Below: the threads wait for each other longer than they work.
-    pub(crate) const THREADS_FROM: usize = 1 << 13;
+    /// Boxes. Fewer are not worth a second thread. Above: the second core idles. Below: waking a thread, a tenth of a millisecond on
+    /// a virtual machine, costs more than it saves. Debug builds have less to do before they share, so that tests need not be long.
+    pub(crate) const THREADS_FROM: usize = 1 << if cfg!(debug_assertions) { 13 } else { 17 };
 
     /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads. Above: the second thread idles. Below:
     /// waking it takes longer than the sort.
@@ -102,9 +103,13 @@ pub(crate) mod update {
     /// Below: a pass over the bits of all slots for a handful.
     pub(crate) const READ_AS_LISTED_UP_TO: usize = 256;
 
-    /// Items: listed colliders, candidates. Fewer are not worth a second thread. Below: slower, because the work moves
-    /// to a core whose caches are cold.
-    pub(crate) const THREADS_FROM: usize = 1 << 14;
+    /// Listed colliders. So many are read by index in whatever order they are listed: they are most of a large world.
+    pub(crate) const READ_BY_INDEX_FROM: usize = 1 << 14;
+
+    /// Items: listed colliders, candidates, slots. Fewer are not worth a second thread. Below: slower, because waking a thread takes a
+    /// tenth of a millisecond on a virtual machine, and the work moves to a core whose caches are cold. Fewer in debug builds, so that tests
+    /// need not be long.
+    pub(crate) const THREADS_FROM: usize = 1 << if cfg!(debug_assertions) { 14 } else { 16 };
 
     /// Slots. A box may be handed over for a collider that is not known, and that may not exist. Up to this far beyond all
     /// known slots it is shown to queries at once. Above: a wrong handle takes more memory. Below: a program that hands over
@@ -112,7 +117,7 @@ pub(crate) mod update {
     pub(crate) const ROOM_AHEAD: usize = 1 << 16;
 
     /// Items that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
-    pub(crate) const ITEMS_A_TASK: usize = THREADS_FROM / 4;
+    pub(crate) const ITEMS_A_TASK: usize = 1 << 12;
 
     /// Parts for each thread that reads. Above: handing out costs more. Below: threads wait for the one whose part is the
     /// slowest.

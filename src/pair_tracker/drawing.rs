@@ -2,7 +2,7 @@
 
 use super::policy::are_most_touched;
 use super::{FilterKey, PairTracker};
-use crate::tuning::update::SLOTS_A_TASK;
+use crate::tuning::update::{SLOTS_A_TASK, THREADS_FROM};
 use crate::{Aabb, Real, parallel};
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -40,7 +40,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 }
             }
         };
-        if boxes.len() <= SLOTS_A_TASK {
+        if boxes.len() < THREADS_FROM {
             return draw(fat_boxes, boxes, previous);
         }
         let boxes = boxes

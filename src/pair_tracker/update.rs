@@ -24,7 +24,7 @@ use super::layers::retain_from;
 use super::policy::{self, Extent, Known, Plan, are_most_touched};
 use super::{FilterKey, PairChange, PairTracker};
 use crate::stopwatch::Lap;
-use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK};
+use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK, THREADS_FROM};
 use crate::{Real, Work, parallel};
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -218,7 +218,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             for &slot in &self.touched {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
-        } else if self.boxes.len() <= SLOTS_A_TASK {
+        } else if self.boxes.len() < THREADS_FROM {
             self.previous.copy_from_slice(&self.boxes);
         } else {
             let boxes = self.boxes.chunks(SLOTS_A_TASK);

@@ -11,7 +11,9 @@ use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::FilterKey;
-use crate::tuning::update::{PARTS_A_THREAD, READ_AS_LISTED_UP_TO, THREADS_FROM};
+use crate::tuning::update::{
+    PARTS_A_THREAD, READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM, THREADS_FROM,
+};
 use crate::{Aabb, Real, parallel};
 
 /// Goes through listed colliders; keeps its memory between updates.
@@ -147,13 +149,12 @@ impl Reader {
         margin: R,
     ) {
         // The order must not depend on the number of threads.
-        let are_many = handles.len() >= THREADS_FROM;
-        if !are_many && is_favourable(handles) {
+        if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
             self.findings.resize_with(1, Findings::default);
             let mut all = Rest::of(table).part(usize::MAX, &mut self.findings[0]);
             all.read_as_listed(handles, source, margin);
         } else {
-            let is_shared = are_many && parallel::threads() > 1;
+            let is_shared = handles.len() >= THREADS_FROM && parallel::threads() > 1;
             for handle in self.list(handles, &table.generations, is_shared) {
                 table.admit(handle, margin, |memo| source.read(handle, memo));
             }
