@@ -120,7 +120,31 @@ fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
         BruteForce.find_pairs(&boxes, &mut expected).unwrap();
         found.sort_unstable();
         assert!(found == expected && found.len() < 5000);
+        #[cfg(feature = "_adapter")]
+        check_look_ups(&boxes, &expected);
     }
+}
+
+/// Looks every box up among all: each pair is found from both ends, and each box meets itself.
+#[cfg(feature = "_adapter")]
+fn check_look_ups(boxes: &[Aabb<f32, 3>], pairs: &[[u32; 2]]) {
+    let everyone: Vec<u32> = (0..).take(boxes.len()).collect();
+    let mut kernel = GridSweep::default();
+    let mut found = Vec::new();
+    let run = kernel.find_among(boxes, &everyone, &mut found, &mut Stopwatch::default());
+    run.unwrap();
+    found.clear();
+    kernel.prepare_lookup();
+    kernel.look_up(boxes, everyone.iter().copied(), &mut found);
+    found.sort_unstable();
+    let with_itself = everyone.iter().map(|&i| [i, i]);
+    let mut expected: Vec<_> = pairs
+        .iter()
+        .flat_map(|&pair| [pair; 2])
+        .chain(with_itself)
+        .collect();
+    expected.sort_unstable();
+    assert!(found == expected);
 }
 
 /// Threads may be more than the boxes, or than those of a class: here three hundred specks and forty slabs across them.
