@@ -7,7 +7,8 @@
 //! Prints Markdown tables. For the kernel, each phase is the median over some frames, between which the boxes drift. The
 //! *floor* is measured on the same frames: reading every box once, moving every box to its strip by one counting sort
 //! (one pass over the boxes to count, one to place them), and writing every pair once. The *slope* is that of log time
-//! over the log of the number of boxes, between two lines of the table: 1 where time is proportional to the number.
+//! over the log of the number of boxes, between two lines of the table: 1 where time is proportional to the number. Then come other
+//! ways to sort boxes into strips, to see whether the floor could be lower.
 //!
 //! For an update, it is the mean over 60 frames, since only some frames search, and the worst frame.
 
@@ -48,8 +49,15 @@ fn main() {
     common::set_threads();
     kernel::print::<2>([0.2, 0.8]);
     kernel::print::<3>([0.1, 0.4]);
+    kernel::print_floors();
     dim2::print();
     dim3::print();
+}
+
+fn median(times: impl IntoIterator<Item = Duration>) -> Duration {
+    let mut times: Vec<_> = times.into_iter().collect();
+    times.sort_unstable();
+    times[times.len() / 2]
 }
 
 /// Microseconds, with significant digits only.

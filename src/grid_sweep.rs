@@ -65,7 +65,7 @@ pub struct GridSweep<R, const D: usize> {
     classes: Vec<Class<R, D>>,
     class_count: usize,
     /// Scratch: the boxes of a class by tubes, a part for each thread.
-    parts: Vec<Part<R, D>>,
+    parts: Vec<Part>,
     /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
     slab_count: Option<usize>,
     stopwatch: Stopwatch,
@@ -87,7 +87,7 @@ struct Class<R, const D: usize> {
     slabs: Vec<Slab<R, D>>,
     slab_count: usize,
     /// Scratch: the boxes by tubes, where there is no table of tubes.
-    scattered: Scattered<R, D>,
+    scattered: Scattered,
     /// The boxes too large for this class: the members of all following classes.
     outsize: Vec<u32>,
 }
@@ -231,7 +231,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         };
         self.class_count += 1;
         let parts = &self.parts[..part_count];
-        class.find(parts, slab_count, keeps, pairs, stopwatch);
+        class.find(boxes, parts, slab_count, keeps, pairs, stopwatch);
         if !class.outsize.is_empty() {
             let lap = stopwatch.start();
             class.prepare_lookup();
@@ -321,7 +321,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         boxes: &[Aabb<R, D>],
         members: M,
         slab_count: usize,
-        parts: &mut Vec<Part<R, D>>,
+        parts: &mut Vec<Part>,
         stopwatch: &mut Stopwatch,
     ) -> Option<usize> {
         let count = members.count();
@@ -368,14 +368,14 @@ impl<R: Real, const D: usize> Class<R, D> {
             let grid = &self.grid;
             parallel::for_each(parts, |part| part.count(boxes, members, grid));
             lap = stopwatch.lap(lap, |times| &mut times.read);
-            if !parts.iter().all(|part| part.is_valid) {
+            if !parts.iter().all(|part| !part.is_invalid) {
                 return None;
             }
             for part in &mut *parts {
                 self.outsize.append(&mut part.outsize);
             }
             if widening.is_none() || self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
-                parallel::for_each(parts, |part| part.place(boxes, members));
+                parallel::for_each(parts, |part| part.place(members));
                 stopwatch.lap(lap, |times| &mut times.sort);
                 return Some(part_count);
             }
@@ -386,7 +386,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// look up in them.
     fn find(
         &mut self,
-        parts: &[Part<R, D>],
+        boxes: &[Aabb<R, D>],
+        parts: &[Part],
         slab_count: usize,
         keeps: bool,
         pairs: &mut Vec<[u32; 2]>,
@@ -409,14 +410,14 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.stopwatch = stopwatch.reset();
         }
         match &mut self.slabs[..self.slab_count] {
-            [slab] if parts.is_empty() => slab.find_scattered(scattered, keeps, pairs),
-            [slab] => slab.find(grid, parts, keeps, pairs),
+            [slab] if parts.is_empty() => slab.find_scattered(boxes, scattered, keeps, pairs),
+            [slab] => slab.find(boxes, grid, parts, keeps, pairs),
             slabs => {
                 // The first one need not copy its pairs.
                 std::mem::swap(&mut slabs[0].pairs, pairs);
                 parallel::for_each(slabs, |slab| {
                     let mut pairs = std::mem::take(&mut slab.pairs);
-                    slab.find(grid, parts, keeps, &mut pairs);
+                    slab.find(boxes, grid, parts, keeps, &mut pairs);
                     slab.pairs = pairs;
                 });
                 std::mem::swap(&mut slabs[0].pairs, pairs);

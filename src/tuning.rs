@@ -81,6 +81,10 @@ pub(crate) mod kernel {
     /// buckets costs more than it saves.
     pub(crate) const INSERTION_UP_TO: usize = 12;
 
+    /// Buckets for each entry of a tube. Above: walking along empty buckets. Below: more entries are left to insertion, and each
+    /// is a branch mispredicted.
+    pub(crate) const BUCKETS_AN_ENTRY: usize = 2;
+
     /// Entries of a bucket. With more, the bucket is sorted on its own before insertion. Above: quadratic time where entries
     /// crowd. Below: a call where a few moves would do.
     pub(crate) const CROWDED_BUCKET: u32 = 24;

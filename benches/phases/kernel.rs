@@ -1,7 +1,7 @@
 //! The phases of `GridSweep`, and its distance from the floor.
 
-use super::floor::Floor;
-use super::microseconds;
+use super::floor::{self, Floor};
+use super::{median, microseconds};
 use crate::common;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder};
@@ -34,6 +34,22 @@ pub(super) fn print<const D: usize>(densities: [f64; 2]) {
         }
         println!();
     }
+}
+
+/// The ways to sort that the floor was chosen from, on squares of the lower density.
+pub(super) fn print_floors() {
+    let sizes = [14, 17, 20].map(|size| {
+        if common::is_smoke_test() {
+            SMOKE_TEST_MAX
+        } else {
+            size
+        }
+    });
+    let cases = sizes.map(|size| {
+        let drifting = DriftingBoxes::<2>::new(1 << size, 0.2, 7);
+        drifting.mins().iter().map(unit_box).collect()
+    });
+    floor::print_ways(&cases);
 }
 
 /// Prints one line, and returns the number of boxes and the seconds for the next one.
@@ -77,12 +93,6 @@ fn print_row<const D: usize>(count: usize, density: f64, last: Option<[f64; 2]>)
         all.as_secs_f64() / floor.as_secs_f64(),
     );
     this
-}
-
-fn median(times: impl IntoIterator<Item = Duration>) -> Duration {
-    let mut times: Vec<_> = times.into_iter().collect();
-    times.sort_unstable();
-    times[times.len() / 2]
 }
 
 fn unit_box<const D: usize>(mins: &[f32; D]) -> Aabb<f32, D> {

@@ -1,17 +1,19 @@
 //! The order of a tube's entries along the first axis.
 //!
 //! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits in the first- or
-//! second-level cache. Entries are dealt into as many buckets as there are entries by a linear guess. What the
-//! guess misplaces, about one in four, is put right by insertion.
+//! second-level cache. Entries are dealt into twice as many buckets as there are entries by a linear guess. What the
+//! guess misplaces, about one in eight, is put right by insertion.
 
 use crate::Real;
-use crate::tuning::kernel::{CROWDED_BUCKET, INSERTION_UP_TO};
+use crate::tuning::kernel::{BUCKETS_AN_ENTRY, CROWDED_BUCKET, INSERTION_UP_TO};
 
 /// Sorts numbers into an order; keeps its memory between calls.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Order<R> {
     /// The numbers and their positions.
     sorted: Vec<(R, u32)>,
+    /// The bucket of each number.
+    buckets: Vec<u32>,
     /// For each bucket, where its next number goes.
     cursors: Vec<u32>,
 }
@@ -37,23 +39,36 @@ impl<R: Real> Order<R> {
     /// stable.
     #[inline]
     fn deal(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
-        let Self { sorted, cursors } = self;
+        let Self {
+            sorted,
+            buckets,
+            cursors,
+        } = self;
         let count = numbers.len();
+        let bucket_count = BUCKETS_AN_ENTRY * count;
         let [low, high] = range(numbers.clone());
         let length = (high.to_f64() - low.to_f64()).max(0.0);
-        let per_length = R::from_f64(count as f64 / length);
+        let per_length = R::from_f64(bucket_count as f64 / length);
         cursors.clear();
-        cursors.resize(count, 0);
+        cursors.resize(bucket_count, 0);
         let cursors = &mut cursors[..];
         let last = cursors.len() - 1;
-        // Non-decreasing in x, like the strips of a grid.
-        let bucket_of = |x: R| {
-            let offset = (x - low) * per_length;
-            let [bucket, ..] = R::truncated([offset, R::ZERO, R::ZERO, R::ZERO]);
-            (bucket as usize).min(last)
+        // Non-decreasing in the numbers, like the strips of a grid.
+        let buckets_of = |numbers: [R; FOUR]| {
+            let offsets = numbers.map(|x| (x - low) * per_length);
+            R::truncated(offsets).map(|bucket| (bucket as usize).min(last))
         };
-        for x in numbers.clone() {
-            cursors[bucket_of(x)] += 1;
+        buckets.clear();
+        let mut rest = numbers.clone();
+        for _ in 0..count / FOUR {
+            let four = buckets_of([(); FOUR].map(|()| rest.next().expect("counted")));
+            four.into_iter().for_each(|bucket| cursors[bucket] += 1);
+            buckets.extend_from_slice(&four.map(|bucket| bucket as u32));
+        }
+        for x in rest {
+            let [bucket, ..] = buckets_of([x; FOUR]);
+            cursors[bucket] += 1;
+            buckets.push(bucket as u32);
         }
         let mut end = 0;
         let mut most = 0;
@@ -64,8 +79,8 @@ impl<R: Real> Order<R> {
         // All of it is written below.
         sorted.resize(count, (R::ZERO, 0));
         let sorted = &mut sorted[..count];
-        for number in numbers.zip(0..) {
-            let cursor = &mut cursors[bucket_of(number.0)];
+        for (number, &bucket) in numbers.zip(0..).zip(&buckets[..count]) {
+            let cursor = &mut cursors[bucket as usize];
             sorted[*cursor as usize] = number;
             *cursor += 1;
         }
@@ -83,16 +98,29 @@ impl<R: Real> Order<R> {
     }
 }
 
+/// How many numbers are dealt with at once.
+const FOUR: usize = 4;
+
 /// The least and the greatest of the finite numbers. Infinite ones must not spoil the guess.
 #[inline]
 fn range<R: Real>(numbers: impl Iterator<Item = R> + Clone) -> [R; 2] {
-    fn widest<R: Real>(numbers: impl Iterator<Item = R>) -> [R; 2] {
-        numbers.fold([R::MAX, R::ZERO - R::MAX], |[low, high], x| {
-            [
-                if x < low { x } else { low },
-                if x > high { x } else { high },
-            ]
-        })
+    fn widest<R: Real>(mut numbers: impl Iterator<Item = R>) -> [R; 2] {
+        let less = |a: R, b: R| if a < b { a } else { b };
+        let more = |a: R, b: R| if a > b { a } else { b };
+        // In four rows: in one, each comparison would wait for the last.
+        let mut lows = [R::MAX; FOUR];
+        let mut highs = [R::ZERO - R::MAX; FOUR];
+        'all: loop {
+            for k in 0..FOUR {
+                let Some(x) = numbers.next() else {
+                    break 'all;
+                };
+                (lows[k], highs[k]) = (less(x, lows[k]), more(x, highs[k]));
+            }
+        }
+        let low = lows.into_iter().reduce(less);
+        let high = highs.into_iter().reduce(more);
+        [low, high].map(|x| x.expect("four rows"))
     }
     let found = widest(numbers.clone());
     if found.iter().all(|x| x.is_finite()) {

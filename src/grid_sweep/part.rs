@@ -11,33 +11,20 @@ use super::members::Members;
 use super::owner::Owner;
 use crate::{Aabb, Real};
 
-/// A box on its way into a tube.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Entry<R, const D: usize> {
-    pub(super) aabb: Aabb<R, D>,
-    pub(super) owner: Owner,
-}
-
-impl<R: Real, const D: usize> Default for Entry<R, D> {
-    fn default() -> Self {
-        Self {
-            aabb: Aabb::new([R::ZERO; D], [R::ZERO; D]),
-            owner: Owner::default(),
-        }
-    }
-}
-
 /// How many boxes are looked at before there is made room for the ghosts of as many more.
 const BATCH: usize = 256;
 
-/// Entries by tube: in each first the boxes whose own tube it is, then ghosts, both in the order of the members.
-#[derive(Clone, Debug)]
-pub(super) struct Part<R, const D: usize> {
+/// The entries by tube, in each first the boxes whose own tube it is, then ghosts, both in the order of the members.
+///
+/// An entry is no more than its owner. To write the boxes themselves to hundreds of places takes longer than to read them
+/// again, once for each tube: these reads do not wait for each other.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Part {
     /// Which of the members.
     pub(super) range: Range<usize>,
-    /// Whether their boxes are valid.
-    pub(super) is_valid: bool,
-    entries: Vec<Entry<R, D>>,
+    /// Whether one of their boxes is invalid.
+    pub(super) is_invalid: bool,
+    owners: Vec<Owner>,
     /// For each tube of the grid, where its entries end, once they are there; before, how many there are. One more for
     /// outsize boxes, in the place of a tube of their own.
     ends: Vec<u32>,
@@ -50,27 +37,17 @@ pub(super) struct Part<R, const D: usize> {
     pub(super) outsize: Vec<u32>,
 }
 
-impl<R, const D: usize> Default for Part<R, D> {
-    fn default() -> Self {
-        Self {
-            range: 0..0,
-            is_valid: true,
-            entries: Vec::new(),
-            ends: Vec::new(),
-            homes: Vec::new(),
-            ghosts: Vec::new(),
-            ghost_count: 0,
-            outsize: Vec::new(),
-        }
-    }
-}
-
-impl<R: Real, const D: usize> Part<R, D> {
-    /// Counts the entries of each tube for the members of the range, and takes down whether all their boxes are valid.
+impl Part {
+    /// Counts the entries of each tube for the members of the range, and takes down whether one of their boxes is invalid.
     ///
     /// Whether a box has a ghost is practically random. So there is no branch on it: ghosts are always written to a list,
     /// which grows by those that exist.
-    pub(super) fn count<M: Members>(&mut self, boxes: &[Aabb<R, D>], members: M, grid: &Grid<R>) {
+    pub(super) fn count<R: Real, M: Members, const D: usize>(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        members: M,
+        grid: &Grid<R>,
+    ) {
         let Self {
             range,
             ends,
@@ -87,7 +64,7 @@ impl<R: Real, const D: usize> Part<R, D> {
         let ends = &mut ends[..];
         homes.resize(range.len(), 0);
         let mut ghost_count = 0;
-        let mut is_valid = true;
+        let mut is_invalid = false;
         for (start, homes) in range.clone().step_by(BATCH).zip(homes.chunks_mut(BATCH)) {
             let room = ghost_count + homes.len() * MAX_GHOSTS;
             if ghosts.len() < room {
@@ -95,7 +72,7 @@ impl<R: Real, const D: usize> Part<R, D> {
             }
             let ghosts = &mut ghosts[..room];
             members.for_each(boxes, start..start + homes.len(), |i, owner, aabb| {
-                is_valid &= !M::MAY_BE_INVALID || aabb.is_valid();
+                is_invalid |= M::MAY_BE_INVALID && !aabb.is_valid();
                 let span = grid.tube_span(aabb);
                 if span.is_outsize() {
                     outsize.push(owner);
@@ -116,14 +93,14 @@ impl<R: Real, const D: usize> Part<R, D> {
             ends[ghost.tube as usize] += 1;
         }
         self.ghost_count = ghost_count;
-        self.is_valid = is_valid;
+        self.is_invalid = is_invalid;
     }
 
     /// Places the entries that were counted.
-    pub(super) fn place(&mut self, boxes: &[Aabb<R, D>], members: impl Members) {
+    pub(super) fn place(&mut self, members: impl Members) {
         let Self {
             range,
-            entries,
+            owners,
             ends,
             homes,
             ghosts,
@@ -135,21 +112,20 @@ impl<R: Real, const D: usize> Part<R, D> {
             total += std::mem::replace(end, total);
         }
         // All that is read later is written below, so what the last call left need not be cleared.
-        if entries.len() < total as usize {
-            entries.resize(total as usize, Entry::default());
+        if owners.len() < total as usize {
+            owners.resize(total as usize, Owner::default());
         }
-        let (entries, ends, homes) = (&mut entries[..], &mut ends[..], &homes[..range.len()]);
-        let mut place = |tube: u32, owner: Owner, aabb: &Aabb<R, D>| {
+        let (owners, ends) = (&mut owners[..], &mut ends[..]);
+        let mut place = |tube: u32, owner: Owner| {
             let cursor = &mut ends[tube as usize];
-            entries[*cursor as usize] = Entry { aabb: *aabb, owner };
+            owners[*cursor as usize] = owner;
             *cursor += 1;
         };
-        members.for_each(boxes, range.clone(), |i, index, aabb| {
-            place(homes[i], Owner::at_home(index), aabb);
-        });
+        for (i, &home) in range.clone().zip(&*homes) {
+            place(home, Owner::at_home(members.index(i)));
+        }
         for ghost in &ghosts[..*ghost_count] {
-            let aabb = &boxes[ghost.owner.index() as usize];
-            place(ghost.tube, ghost.owner, aabb);
+            place(ghost.tube, ghost.owner);
         }
     }
 
@@ -161,15 +137,15 @@ impl<R: Real, const D: usize> Part<R, D> {
         }
     }
 
-    /// The entries of a tube.
+    /// Whose the entries of a tube are.
     #[inline]
-    pub(super) fn tube(&self, tube: u32) -> &[Entry<R, D>] {
-        &self.entries[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
+    pub(super) fn tube(&self, tube: u32) -> &[Owner] {
+        &self.owners[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
     }
 }
 
 /// How many entries all parts have in the tubes before this one.
-pub(super) fn entries_before<R: Real, const D: usize>(parts: &[Part<R, D>], tube: u32) -> usize {
+pub(super) fn entries_before(parts: &[Part], tube: u32) -> usize {
     let counts = parts.iter().map(|part| part.entries_before(tube) as usize);
     counts.sum()
 }

@@ -6,12 +6,13 @@
 use std::ops::Range;
 
 use super::grid::Grid;
-use super::part::{Entry, Part, entries_before};
+use super::owner::Owner;
+use super::part::{Part, entries_before};
 use super::scattered::Scattered;
 use super::sweep::Emitter;
-use super::tubes::Tubes;
-use crate::Real;
+use super::tubes::{Entry, Tubes};
 use crate::stopwatch::{Lap, Stopwatch};
+use crate::{Aabb, Real};
 
 /// Some of the tubes of a grid, and the pairs found in them.
 #[derive(Clone, Debug)]
@@ -39,8 +40,9 @@ impl<R: Real, const D: usize> Slab<R, D> {
     /// Only if it `keeps` the tubes, boxes can be looked up in them later.
     pub(super) fn find(
         &mut self,
+        boxes: &[Aabb<R, D>],
         grid: &Grid<R>,
-        parts: &[Part<R, D>],
+        parts: &[Part],
         keeps: bool,
         pairs: &mut Vec<[u32; 2]>,
     ) {
@@ -50,40 +52,45 @@ impl<R: Real, const D: usize> Slab<R, D> {
             let entries = entries_before(parts, range.end) - entries_before(parts, range.start);
             (entries, range.clone().filter(is_occupied).count())
         });
-        let mut gathered = std::mem::take(&mut self.entries);
+        let mut entries = std::mem::take(&mut self.entries);
         let mut pass = Pass::new(self, size, pairs);
         let columns = grid.axes[1].last + 1;
         for tube in range {
-            let entries = if let [part] = parts {
-                part.tube(tube)
+            entries.clear();
+            if let [part] = parts {
+                gather(boxes, part.tube(tube).iter().copied(), &mut entries);
             } else {
-                gather(parts, tube, &mut gathered);
-                &gathered
-            };
+                gather_parts(boxes, parts, tube, &mut entries);
+            }
             if keeps {
                 pass.tubes.enter_in_table(!entries.is_empty());
             }
             if !entries.is_empty() {
-                pass.take([tube / columns, tube % columns], entries);
+                pass.take([tube / columns, tube % columns], &entries);
             }
         }
         pass.finish();
-        self.entries = gathered;
+        self.entries = entries;
     }
 
     /// The same where there is no table of tubes.
     pub(super) fn find_scattered(
         &mut self,
-        scattered: &Scattered<R, D>,
+        boxes: &[Aabb<R, D>],
+        scattered: &Scattered,
         keeps: bool,
         pairs: &mut Vec<[u32; 2]>,
     ) {
         let size = keeps.then(|| (scattered.len(), scattered.tubes().count()));
+        let mut entries = std::mem::take(&mut self.entries);
         let mut pass = Pass::new(self, size, pairs);
-        for (strips, entries) in scattered.tubes() {
-            pass.take(strips, entries);
+        for (strips, owners) in scattered.tubes() {
+            entries.clear();
+            gather(boxes, owners, &mut entries);
+            pass.take(strips, &entries);
         }
         pass.finish();
+        self.entries = entries;
     }
 
     /// Frees what only a run needs.
@@ -141,30 +148,39 @@ impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
     }
 }
 
-/// Puts the entries of a tube together in the order that they have in a single part.
+/// Reads the boxes of some entries of a tube, which are anywhere in memory. They are copied before they are sorted, so that no read
+/// waits for anything but the memory.
+#[inline]
 fn gather<R: Real, const D: usize>(
-    parts: &[Part<R, D>],
+    boxes: &[Aabb<R, D>],
+    owners: impl Iterator<Item = Owner>,
+    entries: &mut Vec<Entry<R, D>>,
+) {
+    entries.extend(owners.map(|owner| Entry {
+        aabb: boxes[owner.index() as usize],
+        owner,
+    }));
+}
+
+/// Puts the entries of a tube together in the order that they have in a single part.
+fn gather_parts<R: Real, const D: usize>(
+    boxes: &[Aabb<R, D>],
+    parts: &[Part],
     tube: u32,
     entries: &mut Vec<Entry<R, D>>,
 ) {
-    entries.clear();
     let tubes = parts.iter().map(|part| part.tube(tube));
-    let halves =
-        tubes.map(|tube| tube.split_at(tube.partition_point(|entry| entry.owner.is_at_home())));
+    let halves = tubes.map(|tube| tube.split_at(tube.partition_point(|owner| owner.is_at_home())));
     for (homes, _) in halves.clone() {
-        entries.extend_from_slice(homes);
+        gather(boxes, homes.iter().copied(), entries);
     }
     for (_, ghosts) in halves {
-        entries.extend_from_slice(ghosts);
+        gather(boxes, ghosts.iter().copied(), entries);
     }
 }
 
 /// Cuts the tubes of a grid into at most `count` ranges that are about equally full.
-pub(super) fn split<R: Real, const D: usize>(
-    grid: &Grid<R>,
-    parts: &[Part<R, D>],
-    count: usize,
-) -> Vec<Range<u32>> {
+pub(super) fn split<R: Real>(grid: &Grid<R>, parts: &[Part], count: usize) -> Vec<Range<u32>> {
     let end = grid.tube_count() as u32;
     let total = entries_before(parts, end);
     let mut ranges = Vec::with_capacity(count);

@@ -9,9 +9,15 @@ use std::ops::Range;
 
 use super::order::Order;
 use super::owner::Owner;
-use super::part::Entry;
 use super::sweep::PADDING;
-use crate::Real;
+use crate::{Aabb, Real};
+
+/// A box on its way into a tube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry<R, const D: usize> {
+    pub(super) aabb: Aabb<R, D>,
+    pub(super) owner: Owner,
+}
 
 /// The entries of one tube are `start..end`; the sentinel is at `end`.
 #[derive(Clone, Copy, Debug)]
@@ -132,13 +138,25 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         // All of one length, so that bounds are checked once.
         let lows = mins.each_mut().map(|column| &mut column[start..end]);
         let highs = maxs.each_mut().map(|column| &mut column[start..end]);
-        for (position, (&(_, i), owner)) in order.iter().zip(&mut owners[start..end]).enumerate() {
+        let owners_here = &mut owners[start..end];
+        // Four at a time, so that four numbers are written at once.
+        let mut position = 0;
+        while let Some(four) = order[position..].first_chunk::<4>() {
+            let four = four.map(|(_, i)| &entries[i as usize]);
+            for k in 0..D {
+                *four_at(lows[k], position) = four.map(|entry| entry.aabb.mins[k]);
+                *four_at(highs[k], position) = four.map(|entry| entry.aabb.maxs[k]);
+            }
+            *four_at(owners_here, position) = four.map(|entry| entry.owner);
+            position += 4;
+        }
+        for (position, &(_, i)) in order.iter().enumerate().skip(position) {
             let entry = &entries[i as usize];
             for k in 0..D {
                 lows[k][position] = entry.aabb.mins[k];
                 highs[k][position] = entry.aabb.maxs[k];
             }
-            *owner = entry.owner;
+            owners_here[position] = entry.owner;
         }
         for column in mins.iter_mut().chain(maxs.iter_mut()) {
             column[end] = R::NAN;
@@ -154,15 +172,23 @@ impl<R: Real, const D: usize> Tubes<R, D> {
 
     /// The boxes in their own tubes, with their indices.
     #[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
-    pub(super) fn homes(&self) -> impl Iterator<Item = (u32, crate::Aabb<R, D>)> + '_ {
+    pub(super) fn homes(&self) -> impl Iterator<Item = (u32, Aabb<R, D>)> + '_ {
         let entries = self.tubes.iter().flat_map(|tube| tube.start..tube.end);
         let entries = entries.map(|entry| entry as usize);
         entries.filter(|&i| self.owners[i].is_at_home()).map(|i| {
             let mins = core::array::from_fn(|k| self.mins[k][i]);
             let maxs = core::array::from_fn(|k| self.maxs[k][i]);
-            (self.owners[i].index(), crate::Aabb::new(mins, maxs))
+            (self.owners[i].index(), Aabb::new(mins, maxs))
         })
     }
+}
+
+/// The four items from `start` on.
+#[inline(always)]
+fn four_at<T>(items: &mut [T], start: usize) -> &mut [T; 4] {
+    items[start..]
+        .first_chunk_mut()
+        .expect("there are as many places as entries")
 }
 
 /// Resizes a list: what it held is kept, `filler` follows, and no more room than that is reserved.
