@@ -58,7 +58,7 @@ const EFFORTS: [Effort; 4] = [
     effort(1 << 10, 20, 5, 80),
     effort(1 << 14, 10, 5, 16),
     effort(1 << 17, 5, 5, 6),
-    effort(1 << 20, 1, 3, 1),
+    effort(1 << 20, 1, 5, 2),
 ];
 
 /// Beyond this, a case in 3D takes more than a minute, and only the higher density is measured.
