@@ -3,7 +3,7 @@
 use super::floor::{self, Floor};
 use super::{median, microseconds};
 use crate::common;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use unisize::{Aabb, GridSweep, PairFinder};
 use unisize_scenes::DriftingBoxes;
 
