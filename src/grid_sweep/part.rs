@@ -24,6 +24,7 @@ pub(super) struct Part {
     pub(super) range: Range<usize>,
     /// Whether one of their boxes is invalid.
     pub(super) is_invalid: bool,
+    /// Whose the entries are, tube after tube.
     owners: Vec<Owner>,
     /// For each tube of the grid, where its entries end, once they are there; before, how many there are. One more for
     /// outsize boxes, in the place of a tube of their own.
