@@ -99,6 +99,8 @@ mod snapshot_format;
 mod stats;
 mod stopwatch;
 mod tuning;
+#[cfg(feature = "_adapter")]
+mod volume;
 
 #[cfg(feature = "rapier2d")]
 pub mod rapier2d;

@@ -12,7 +12,8 @@
 /// | a map of many fixed colliders that touch | [`Bodies`](Self::Bodies) |
 /// | bodies of hundreds of colliders | [`Bodies`](Self::Bodies) |
 /// | crowds of which most members ignore each other | [`Groups`](Self::Groups) |
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// | balls, capsules and boxes that move freely or lie in heaps | [`Shapes`](Self::Shapes) |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
@@ -37,4 +38,23 @@ pub enum PairFilter {
     ///
     /// In Rapier 0.27, changing a collider does not wake sleeping neighbours that its groups forbid.
     Groups,
+    /// Also pairs whose boxes overlap and whose shapes cannot meet, which the narrow phase would look at in every step to find
+    /// nothing: in the corners of boxes around balls, beside tilted capsules, and within the margins.
+    ///
+    /// A pair begins when the two are within the prediction distance and their contact skins, by their boxes *and* by bounding
+    /// volumes of their shapes, as they are in this update. It ends when the boxes with their margins part, or the volumes are
+    /// farther apart than both margins. So the margin saves work and costs no pairs.
+    ///
+    /// | shape | volume |
+    /// |---|---|
+    /// | ball, capsule, cuboid, round cuboid, half-space | the shape |
+    /// | other convex shapes, segments, triangles, compounds | the oriented box around them |
+    /// | meshes, polylines, height fields, voxels, custom shapes | none: their pairs are those of [`Groups`](Self::Groups) |
+    ///
+    /// Colliders with physics hooks have none either, so hooks are called for the same pairs, and so have those whose box is
+    /// larger than the shape: with soft CCD, or soft. Where boxes are handed over one by one, only balls have volumes.
+    ///
+    /// Contacts and intersections are the same. What differs is what Rapier tells by pairs without a contact: changing or
+    /// removing a collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
+    Shapes,
 }

@@ -21,16 +21,19 @@ mod snapshot;
 mod tests;
 mod update;
 mod validation;
+mod volumes;
 
 use std::fmt::Debug;
 
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
+use crate::volume::Volume;
 use crate::{Aabb, Kernel, Real, Stats, Work};
 use candidates::Candidates;
 use foresight::{Foresight, Spent};
 use layers::{Layers, retain_from};
 use mover::Mover;
+pub(crate) use volumes::{Volumes, VolumesPart};
 
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
@@ -68,8 +71,14 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     former_keys: Vec<(u32, K)>,
     /// Whether a slot has had another key than the default one, with which all may meet.
     are_filtered: bool,
+    /// The volume of each slot, if pairs are told apart by them.
+    volumes: Volumes<R, D>,
+    /// How far the volumes of held pairs may be apart, as of the last `finish`.
+    slack: R,
     /// Slots touched since the last `finish`; may repeat.
     touched: Vec<u32>,
+    /// Slots whose volume has changed since the last `finish`, and possibly not their box; may repeat.
+    stirred: Vec<u32>,
     /// The same for the update before.
     last_touched: Vec<u32>,
     /// Those of `touched` that have left their fat box, have none yet, or are gone.
@@ -90,7 +99,8 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker without proxies. `foresight` fixes for how many moves ahead it searches; without `layers`, every search
     /// is for all pairs.
-    pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>) -> Self {
+    /// With `volumes`, pairs whose boxes overlap are told apart by their volumes.
+    pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>, volumes: bool) -> Self {
         Self {
             boxes: Vec::new(),
             previous: Vec::new(),
@@ -98,7 +108,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             keys: Vec::new(),
             are_filtered: false,
             former_keys: Vec::new(),
+            volumes: Volumes::new(volumes),
+            slack: R::ZERO,
             touched: Vec::new(),
+            stirred: Vec::new(),
             last_touched: Vec::new(),
             escaped: SlotSet::default(),
             foresight: Foresight::new(foresight),
@@ -135,7 +148,21 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             fat_boxes: &self.fat_boxes,
             touched: &mut self.touched,
             escaped: &mut self.escaped,
+            volumes: self.volumes.part(),
+            stirred: &mut self.stirred,
         }
+    }
+
+    /// Sets the volume of a slot, for which there must be room.
+    pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>) {
+        if self.volumes.set(slot, volume) {
+            self.stirred.push(slot);
+        }
+    }
+
+    /// The volumes, if pairs are told apart by them.
+    pub(crate) fn volumes(&self) -> &Volumes<R, D> {
+        &self.volumes
     }
 
     /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew.
@@ -163,12 +190,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// The boxes, the fat boxes and the filter keys of all slots, to move proxies in place. Each move is to be
     /// [noted](Self::note).
-    pub(crate) fn parts(&mut self) -> (&mut [Aabb<R, D>], &[Aabb<R, D>], &[K]) {
-        (&mut self.boxes, &self.fat_boxes, &self.keys)
+    pub(crate) fn parts(
+        &mut self,
+    ) -> (
+        &mut [Aabb<R, D>],
+        &[Aabb<R, D>],
+        &[K],
+        VolumesPart<'_, R, D>,
+    ) {
+        let volumes = self.volumes.part();
+        (&mut self.boxes, &self.fat_boxes, &self.keys, volumes)
     }
 
-    /// Takes note of proxies that were moved in place, and of the ones among `moved` that have left their fat box.
-    pub(crate) fn note(&mut self, moved: &[u32], escaped: &[u32]) {
+    /// Takes note of proxies that were moved in place, of the ones among `moved` that have left their fat box, and of those
+    /// that have another volume.
+    pub(crate) fn note(&mut self, moved: &[u32], escaped: &[u32], stirred: &[u32]) {
+        self.stirred.extend_from_slice(stirred);
         self.touched.extend_from_slice(moved);
         for &slot in escaped {
             self.escaped.insert(slot);
@@ -188,6 +225,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 boxes.resize(slots, Aabb::ABSENT);
             }
             self.keys.resize(slots, K::default());
+            self.volumes.make_room(slots);
             self.escaped.make_room(slots);
         }
     }

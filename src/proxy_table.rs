@@ -21,7 +21,8 @@ use std::fmt::Debug;
 
 use crate::pair_tracker::{FilterKey, PairChange, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
-use crate::{Aabb, Kernel, Real, Settings, Stats};
+use crate::volume::Volume;
+use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
 use handing_over::Awaited;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
@@ -47,6 +48,36 @@ pub(crate) trait BoxSource<R, const D: usize>: Sync {
 
     /// Whether keys differ at all. If not, they need not be compared.
     fn has_keys(&self) -> bool;
+
+    /// The volume of a collider that was just read, in the box that was read.
+    fn volume(
+        &self,
+        handle: Self::Handle,
+        memo: &mut Self::Memo,
+        aabb: &Aabb<R, D>,
+    ) -> Volume<R, D>;
+}
+
+/// What was read of a collider.
+pub(crate) struct Reading<R, const D: usize, K> {
+    aabb: Aabb<R, D>,
+    key: K,
+    volume: Volume<R, D>,
+}
+
+impl<R: Real, const D: usize, K> Reading<R, D, K> {
+    /// Reads a collider, its volume if volumes are used.
+    fn of<S>(source: &S, handle: S::Handle, memo: &mut S::Memo, are_used: bool) -> Option<Self>
+    where
+        S: BoxSource<R, D, Key = K>,
+    {
+        let (aabb, key) = source.read(handle, memo)?;
+        let volume = match are_used {
+            true => source.volume(handle, memo, &aabb),
+            false => Volume::BOX,
+        };
+        Some(Self { aabb, key, volume })
+    }
 }
 
 /// The proxies of all colliders, and the pairs that they form.
@@ -86,12 +117,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let Settings {
             kernel,
+            filter,
             layers,
             foresight,
             timed,
             ..
         } = *settings;
-        let mut tracker = PairTracker::new(kernel, layers, foresight);
+        let volumes = filter == Some(PairFilter::Shapes);
+        let mut tracker = PairTracker::new(kernel, layers, foresight, volumes);
         tracker.stopwatch = Stopwatch::new(timed);
         Self {
             tracker,
@@ -207,7 +240,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &mut self,
         handle: H,
         margin: R,
-        read: impl FnOnce(&mut M) -> Option<(Aabb<R, D>, K)>,
+        read: impl FnOnce(&mut M) -> Option<Reading<R, D, K>>,
     ) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
@@ -215,7 +248,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             Some(_) => std::mem::take(&mut self.memos[index]),
             None => M::default(),
         };
-        let Some((aabb, key)) = read(&mut memo) else {
+        let Some(Reading { aabb, key, volume }) = read(&mut memo) else {
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
@@ -237,6 +270,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.memos[index] = memo;
         let renews_box = key.renews_box(self.tracker.key(slot));
         self.tracker.set_key(slot, key);
+        self.tracker.set_volume(slot, &volume);
         let held = self.tracker.slot_box(slot);
         let verdict = match Verdict::of(&held, &aabb, margin) {
             Verdict::Keep | Verdict::Renew(_) if renews_box => Verdict::Renew(aabb),
@@ -278,14 +312,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Ends an update: appends how the set of pairs has changed. `changes` is scratch.
+    /// Ends an update: appends how the set of pairs has changed. Held pairs end once their volumes are farther apart than
+    /// `slack`, if there are volumes. `changes` is scratch.
     pub(crate) fn finish<H: Handle, E>(
         &mut self,
+        slack: R,
         changes: &mut Vec<PairChange>,
         events: &mut Vec<E>,
         event: impl Fn(bool, [H; 2]) -> E,
     ) {
-        self.tracker.finish(|change| changes.push(change));
+        self.tracker.finish(slack, |change| changes.push(change));
         let lap = self.tracker.stopwatch.start();
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let before = events.len();

@@ -19,7 +19,11 @@ mod sealed {
         /// The greatest finite number.
         const MAX: Self;
         const NAN: Self;
+        /// The distance from 1 to the next number.
+        const EPSILON: Self;
 
+        fn abs(self) -> Self;
+        fn sqrt(self) -> Self;
         fn is_nan(self) -> bool;
         fn is_finite(self) -> bool;
         /// The least number greater than this one; infinity and NaN stay as they are.
@@ -76,7 +80,16 @@ macro_rules! impl_real {
             const NEG_INFINITY: Self = $real::NEG_INFINITY;
             const MAX: Self = $real::MAX;
             const NAN: Self = $real::NAN;
+            const EPSILON: Self = $real::EPSILON;
 
+            #[inline]
+            fn abs(self) -> Self {
+                self.abs()
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
             #[inline]
             fn is_nan(self) -> bool {
                 self.is_nan()

@@ -140,6 +140,8 @@ pub(super) enum Filter {
     Bodies,
     /// Also those whose groups forbid it
     Groups,
+    /// Also those whose shapes cannot meet
+    Shapes,
 }
 
 impl From<Filter> for PairFilter {
@@ -148,6 +150,7 @@ impl From<Filter> for PairFilter {
             Filter::Off => Self::Off,
             Filter::Bodies => Self::Bodies,
             Filter::Groups => Self::Groups,
+            Filter::Shapes => Self::Shapes,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The broad phase itself: Rapier's lists of colliders in, Rapier's pair events out.
 
 use super::Settings;
-use super::collider_box::ColliderBoxes;
+use super::collider_box::{ColliderBoxes, volume};
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
@@ -13,6 +13,7 @@ use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::pair_tracker::PairChange;
 use crate::proxy_table::ProxyTable;
+use crate::volume::Volume;
 use crate::{Kernel, PairFilter, Stats};
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
@@ -64,7 +65,7 @@ impl UnisizeBroadPhase {
     /// A broad phase without any colliders.
     pub fn with_settings(settings: Settings) -> Self {
         Self {
-            table: ProxyTable::new(&settings),
+            table: ProxyTable::new(&Self::resolved(settings)),
             settings,
             changes: Vec::new(),
             query_tree: QueryTree::default(),
@@ -108,6 +109,11 @@ impl UnisizeBroadPhase {
         self.settings.filter.unwrap_or(version::PAIR_FILTER)
     }
 
+    /// Settings with the default filter of this version of Rapier, where none is given.
+    pub(super) fn resolved(settings: Settings) -> Settings {
+        settings.with_filter(settings.filter.unwrap_or(version::PAIR_FILTER))
+    }
+
     /// How far a renewed box extends beyond its collider, in length units of the scene.
     pub(crate) fn margin(&self, params: &IntegrationParameters) -> Real {
         let margin = self.settings.margin.unwrap_or(Self::DEFAULT_MARGIN);
@@ -115,11 +121,12 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
-    /// Takes boxes that are handed over, as a part of the next update.
+    /// Takes boxes that are handed over, as a part of the next update. Without the colliders, only balls keep their volumes.
     #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
     pub(crate) fn hand_over(
         &mut self,
         params: &IntegrationParameters,
+        colliders: Option<&ColliderSet>,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
         if aabbs.is_empty() {
@@ -128,7 +135,11 @@ impl UnisizeBroadPhase {
         let margin = self.margin(params);
         let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
         let touched = self.table.touched().len();
-        self.table.hand_over(aabbs, margin);
+        self.table
+            .hand_over(aabbs, margin, |handle, outline, aabb| match colliders {
+                Some(colliders) => volume(params, colliders, handle, outline, aabb),
+                None => Volume::BOX,
+            });
         if self.table.touched().len() > touched {
             self.query_tree.unsettle();
         }
@@ -149,15 +160,19 @@ impl UnisizeBroadPhase {
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);
         self.table.update(lists, &boxes, margin);
-        self.table
-            .finish(&mut self.changes, events, |is_added, [first, second]| {
+        self.table.finish(
+            2.0 * margin,
+            &mut self.changes,
+            events,
+            |is_added, [first, second]| {
                 let pair = ColliderPair::new(first, second);
                 if is_added {
                     BroadPhasePairEvent::AddPair(pair)
                 } else {
                     BroadPhasePairEvent::DeletePair(pair)
                 }
-            });
+            },
+        );
         let (touched, slots) = (self.table.last_touched(), self.table.boxes().len());
         self.query_tree.note(touched, slots);
     }

@@ -3,10 +3,11 @@
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{ColliderHandle, ColliderSet};
+use super::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::proxy_table::BoxSource;
+use crate::volume::Volume;
 use crate::{Aabb, PairFilter};
 
 /// Where boxes are read: the engine's sets, in one update.
@@ -35,6 +36,32 @@ impl<'a> ColliderBoxes<'a> {
     }
 }
 
+/// The volume of a collider with this box, as far as it has one.
+///
+/// One with hooks has none: a hook may count the pairs that it is asked about, or remember something of them.
+#[inline(always)]
+pub(super) fn volume(
+    params: &IntegrationParameters,
+    colliders: &ColliderSet,
+    handle: ColliderHandle,
+    outline: &mut Outline,
+    aabb: &Aabb<Real, DIM>,
+) -> Volume<Real, DIM> {
+    match colliders.get(handle) {
+        Some(collider) if collider.active_hooks().is_empty() => {
+            let distance = distance(collider, params.prediction_distance() / 2.0);
+            outline.volume(collider, distance).in_box(aabb)
+        }
+        _ => Volume::BOX,
+    }
+}
+
+/// How far the box of a collider is loosened. Parry would panic at a negative distance or NaN.
+#[inline(always)]
+fn distance(collider: &Collider, half_distance: Real) -> Real {
+    (collider.contact_skin() + half_distance).max(0.0)
+}
+
 impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Handle = ColliderHandle;
     type Memo = Outline;
@@ -42,6 +69,16 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
 
     fn has_keys(&self) -> bool {
         ColliderKey::differ(self.filter)
+    }
+
+    #[inline(always)]
+    fn volume(
+        &self,
+        handle: ColliderHandle,
+        outline: &mut Outline,
+        aabb: &Aabb<Real, DIM>,
+    ) -> Volume<Real, DIM> {
+        volume(self.params, self.colliders, handle, outline, aabb)
     }
 
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
@@ -59,8 +96,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         if !collider.is_enabled() {
             return None;
         }
-        // Parry would panic at a negative distance or NaN.
-        let mut distance = (collider.contact_skin() + self.half_distance).max(0.0);
+        let mut distance = distance(collider, self.half_distance);
         let outlined = outline.aabb(collider);
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);

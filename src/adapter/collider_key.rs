@@ -56,7 +56,7 @@ impl ColliderKey {
         key.body = parent.map_or(NOBODY, |body| body.into_raw_parts().0);
         key.body_type = body.map_or(RigidBodyType::Fixed, RigidBody::body_type);
         key.collision_types = collider.active_collision_types();
-        if filter == PairFilter::Groups || version::REINSERTS {
+        if filter >= PairFilter::Groups || version::REINSERTS {
             key.groups = collider.collision_groups();
         }
         key
@@ -72,7 +72,7 @@ impl FilterKey for ColliderKey {
         let bodies_meet = !is_of_one_body & (types_meet(self) | types_meet(other));
         let groups_meet = self.groups.test(other.groups);
         (bodies_meet | (self.filter == PairFilter::Off))
-            & (groups_meet | (self.filter != PairFilter::Groups))
+            & (groups_meet | (self.filter < PairFilter::Groups))
     }
 
     /// Whatever the filter, because the box without a margin shows in the pairs.

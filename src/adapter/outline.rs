@@ -8,10 +8,11 @@
 
 use std::sync::Arc;
 
-use super::rapier::geometry::{Collider, SharedShape};
+use super::rapier::geometry::{Collider, ShapeType, SharedShape};
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
 use crate::Aabb;
+use crate::volume::{Volume, VolumeKind};
 
 /// The outline of one collider's shape; empty until it is first asked for a box.
 #[derive(Clone, Default)]
@@ -80,6 +81,32 @@ impl Outline {
         })
     }
 
+    /// The bounding volume of a collider whose outline this is, loosened by this distance.
+    #[inline(always)]
+    pub(super) fn volume(&mut self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
+        let shape = collider.shared_shape();
+        let profile = match &self.known {
+            Some((known, profile)) if Arc::ptr_eq(&known.0, &shape.0) => Some(*profile),
+            _ => self.learn(shape),
+        };
+        let pose = collider.position();
+        let center = version::origin(pose).into();
+        match profile {
+            Some(Profile::Ball { radius }) => {
+                Volume::new(VolumeKind::Ball, center, radius + distance, &[])
+            }
+            Some(Profile::Capsule { end, radius }) => {
+                let half = (pose.rotation * end).into();
+                Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
+            }
+            Some(Profile::Cuboid { half_extents }) => {
+                let halves = turned_halves(pose, half_extents);
+                Volume::new(VolumeKind::Cuboid, center, distance, &halves)
+            }
+            None => unusual_volume(shape, pose, distance),
+        }
+    }
+
     /// Remembers a shape, if it is simple.
     #[cold]
     fn learn(&mut self, shape: &SharedShape) -> Option<Profile> {
@@ -88,6 +115,72 @@ impl Outline {
         profile
     }
 }
+
+/// The volume of a shape that is not simple, loosened by this distance.
+#[inline(never)]
+fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> Volume<Real, DIM> {
+    let placed = |point: Vector| (version::origin(pose) + pose.rotation * point).into();
+    if let Some(capsule) = shape.as_capsule() {
+        let [start, end] = [capsule.segment.a, capsule.segment.b].map(version::coordinates);
+        let half = (pose.rotation * ((end - start) * 0.5)).into();
+        let center = placed((start + end) * 0.5);
+        return Volume::new(
+            VolumeKind::Capsule,
+            center,
+            capsule.radius + distance,
+            &[half],
+        );
+    }
+    if let Some(half_space) = shape.as_halfspace() {
+        let normal = (pose.rotation * version::normal(half_space)).into();
+        return Volume::new(
+            VolumeKind::HalfSpace,
+            version::origin(pose).into(),
+            distance,
+            &[normal],
+        );
+    }
+    if let Some(cuboid) = shape.as_round_cuboid() {
+        let halves = turned_halves(pose, cuboid.inner_shape.half_extents);
+        let center = version::origin(pose).into();
+        let radius = cuboid.border_radius + distance;
+        return Volume::new(VolumeKind::Cuboid, center, radius, &halves);
+    }
+    match shape.shape_type() {
+        ShapeType::TriMesh
+        | ShapeType::Polyline
+        | ShapeType::HeightField
+        | ShapeType::Voxels
+        | ShapeType::Custom => Volume::BOX,
+        _ => {
+            let aabb = shape.compute_local_aabb();
+            let [mins, maxs] = [aabb.mins, aabb.maxs].map(version::coordinates);
+            let halves = turned_halves(pose, (maxs - mins) * 0.5);
+            Volume::new(
+                VolumeKind::Cuboid,
+                placed((mins + maxs) * 0.5),
+                distance,
+                &halves,
+            )
+        }
+    }
+}
+
+/// The half axes of a turned box with these half extents. None is quite zero beside the others: they are the axes that tell
+/// volumes apart, and the box may be flat.
+#[inline(always)]
+fn turned_halves(pose: &version::Pose, half_extents: Vector) -> [[Real; DIM]; DIM] {
+    let halves: [Real; DIM] = half_extents.into();
+    let least = halves.into_iter().fold(0.0, Real::max) * FLATTEST;
+    std::array::from_fn(|k| {
+        let mut half = [0.0; DIM];
+        half[k] = halves[k].max(least);
+        (pose.rotation * Vector::from(half)).into()
+    })
+}
+
+/// The least half extent of a volume, as a part of the greatest one.
+const FLATTEST: Real = 1.0e-6;
 
 /// The box with these half extents around a centre.
 #[inline(always)]

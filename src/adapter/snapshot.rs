@@ -42,7 +42,8 @@ impl<'de> Deserialize<'de> for UnisizeBroadPhase {
         let Snapshot {
             settings, table, ..
         } = Snapshot::deserialize(deserializer)?;
-        let table = ProxyTable::restored(&settings, table).map_err(D::Error::custom)?;
+        let table =
+            ProxyTable::restored(&Self::resolved(settings), table).map_err(D::Error::custom)?;
         Ok(Self {
             table,
             ..Self::with_settings(settings)

@@ -7,6 +7,7 @@
 mod array;
 mod lists;
 mod proxies;
+mod retired;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 
@@ -204,8 +205,14 @@ impl Candidates {
     }
 
     /// Panics unless flags, counts and, if they are made, lists are consistent.
-    pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
-        self.array.validate(now);
+    ///
+    /// `volumes_meet` tells whether a pair whose boxes overlap, and that is held or not, should be.
+    pub(super) fn validate<R: Real, const D: usize>(
+        &self,
+        now: &[Aabb<R, D>],
+        volumes_meet: impl Fn([u32; 2], bool) -> bool,
+    ) {
+        self.array.validate(now, volumes_meet);
         self.lists.validate(&self.array);
     }
 

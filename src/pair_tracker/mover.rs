@@ -2,7 +2,9 @@
 //!
 //! A mover borrows only what a move writes, so the caller goes on reading the rest of its tables.
 
+use super::VolumesPart;
 use crate::slot_set::SlotSet;
+use crate::volume::Volume;
 use crate::{Aabb, Real};
 
 /// Places and moves proxies in slots for which there is room.
@@ -11,6 +13,8 @@ pub(crate) struct Mover<'a, R, const D: usize> {
     pub(super) fat_boxes: &'a [Aabb<R, D>],
     pub(super) touched: &'a mut Vec<u32>,
     pub(super) escaped: &'a mut SlotSet,
+    pub(super) volumes: VolumesPart<'a, R, D>,
+    pub(super) stirred: &'a mut Vec<u32>,
 }
 
 impl<R: Real, const D: usize> Mover<'_, R, D> {
@@ -18,6 +22,20 @@ impl<R: Real, const D: usize> Mover<'_, R, D> {
     #[inline(always)]
     pub(crate) fn held(&self, slot: u32) -> &Aabb<R, D> {
         &self.boxes[slot as usize]
+    }
+
+    /// The volumes of all slots.
+    #[inline(always)]
+    pub(crate) fn volumes(&self) -> &VolumesPart<'_, R, D> {
+        &self.volumes
+    }
+
+    /// Moves the volume of a slot, whose kind must be the same as before.
+    #[inline(always)]
+    pub(crate) fn stir(&mut self, slot: u32, volume: &Volume<R, D>) {
+        if self.volumes.set(slot as usize, volume) {
+            self.stirred.push(slot);
+        }
     }
 
     /// Places or moves the proxy of a slot. `aabb` must be valid.

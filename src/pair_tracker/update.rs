@@ -33,9 +33,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Costs nothing when nothing was touched. Otherwise the candidates of the touched are compared, or, if most proxies
     /// were touched, all candidates in order. Each proxy that has left its fat box is looked up in about **O(log n)**; if
     /// there are many, there is a run of the kernel over all proxies instead.
-    pub(crate) fn finish(&mut self, mut report: impl FnMut(PairChange)) {
+    ///
+    /// If volumes are in use, a held pair ends once they are farther apart than `slack`.
+    pub(crate) fn finish(&mut self, slack: R, mut report: impl FnMut(PairChange)) {
         let lap = self.stopwatch.start();
-        if !self.touched.is_empty() {
+        self.set_slack(slack);
+        if !(self.touched.is_empty() && self.stirred.is_empty()) {
             self.candidates.compact_if_sparse();
             // Stable: of several keys that a slot has had in this update, the first one is kept.
             self.former_keys.sort_by_key(|&(slot, _)| slot);
@@ -71,11 +74,18 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
 
+    /// Another slack may end any pair, so all are looked at.
+    fn set_slack(&mut self, slack: R) {
+        if self.volumes.are_used() && std::mem::replace(&mut self.slack, slack) != slack {
+            self.stirred.extend(0..self.boxes.len() as u32);
+        }
+    }
+
     /// What decides the plan.
     fn known(&self) -> Known {
         Known {
             slots: self.boxes.len(),
-            touched: self.touched.len(),
+            touched: self.touched.len() + self.stirred.len(),
             escaped: self.escaped.len(),
             candidates: self.candidates.len(),
             held: self.candidates.held_count(),
@@ -116,11 +126,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             before: &self.previous,
             keys: &self.keys,
             former_keys: &self.former_keys,
+            volumes: &self.volumes,
+            slack: self.slack,
         };
-        let (touched, escaped) = (&self.touched, &self.escaped);
+        // What has another box mostly has another volume too, but not if it is gone.
+        let changed = match self.stirred.is_empty() {
+            true => &self.touched,
+            false => {
+                self.stirred.extend_from_slice(&self.touched);
+                &self.stirred
+            }
+        };
         let comparing = self
             .candidates
-            .compare(extent, touched, escaped, &proxies, report);
+            .compare(extent, changed, &self.escaped, &proxies, report);
         self.work = Work {
             compared: comparing.compared,
             picked: comparing.picked,
@@ -166,6 +185,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             before: &self.previous,
             keys: &self.keys,
             former_keys: &self.former_keys,
+            volumes: &self.volumes,
+            slack: self.slack,
         };
         self.candidates.replace(&mut self.found, &proxies, report);
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {
@@ -229,6 +250,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         std::mem::swap(&mut self.touched, &mut self.last_touched);
         self.touched.clear();
+        self.stirred.clear();
         self.escaped.clear();
         self.former_keys.clear();
     }

@@ -1,8 +1,10 @@
 //! Whether a tracker is consistent, and its pairs are those of a full search.
 
+use std::collections::HashSet;
+
 use super::{FilterKey, PairTracker, overlapping};
 use crate::slot_set::SlotSet;
-use crate::{Aabb, Kernel, Real};
+use crate::{Kernel, Real};
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full run of a
@@ -41,17 +43,35 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         let is_touched = |&slot: &u32| touched.contains(slot);
         assert!(self.escaped.slots().iter().all(is_touched));
-        self.candidates.validate(previous);
-        let check = |mut kept: Vec<_>, boxes: &[Aabb<R, D>], what: &str| {
-            let mut expected = overlapping(kernel, boxes, keys);
+        // Volumes that have changed since the last `finish` say nothing about it.
+        let mut are_pending = touched;
+        let stirred = self.stirred.iter();
+        stirred.for_each(|&slot| are_pending.insert(slot));
+        let should_be_held = |pair: [u32; 2], is_held: bool| {
+            let is_pending = pair.iter().any(|&slot| are_pending.contains(slot));
+            if !self.volumes.are_used() {
+                true
+            } else if is_pending {
+                is_held
+            } else {
+                self.volumes
+                    .meet(pair, if is_held { self.slack } else { R::ZERO })
+            }
+        };
+        self.candidates.validate(previous, should_be_held);
+        let check = |kept: Vec<[u32; 2]>, mut expected: Vec<[u32; 2]>, what: &str| {
+            let mut kept = kept;
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
         };
-        check(self.pairs().collect(), previous, "the held pairs");
+        let held: HashSet<_> = self.pairs().collect();
+        let mut expected = overlapping(kernel, previous, keys);
+        expected.retain(|pair| should_be_held(*pair, held.contains(pair)));
+        check(self.pairs().collect(), expected, "the held pairs");
         check(
             self.candidates.iter().collect(),
-            fat_boxes,
+            overlapping(kernel, fat_boxes, keys),
             "the candidates",
         );
     }

@@ -9,9 +9,10 @@
 use std::collections::BTreeSet;
 
 use super::verdict::Verdict;
-use super::{BoxSource, Handle, ProxyTable, is_known};
+use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::pair_tracker::FilterKey;
 use crate::tuning::update::ROOM_AHEAD;
+use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Real};
 
 /// A collider that the next update has to look at, if it exists.
@@ -34,19 +35,31 @@ pub(super) struct Awaited<R, const D: usize> {
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
     /// their filter keys. **O(1)** each.
+    ///
+    /// `volume` is asked for the volumes of all but balls, if volumes are in use. A ball is where its box is.
     pub(crate) fn hand_over<H: Handle>(
         &mut self,
         boxes: impl IntoIterator<Item = (H, Aabb<R, D>)>,
         margin: R,
+        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) {
         self.begin();
         let lap = self.tracker.stopwatch.start();
         let mut boxes = boxes.into_iter();
-        while let Some((handle, aabb)) = self.move_known(&mut boxes, margin) {
+        while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
             self.gathered.listed += 1;
-            if self.slot_of(handle).is_some() {
-                let key = self.tracker.key(handle.into_raw_parts().0);
-                self.admit(handle, margin, |_| Some((aabb, key)));
+            if let Some(slot) = self.slot_of(handle) {
+                let key = self.tracker.key(slot);
+                let former = self.tracker.volumes().get(slot);
+                let are_used = self.tracker.volumes().are_used();
+                self.admit(handle, margin, |memo| {
+                    let volume = match former.kind {
+                        _ if !are_used => Volume::BOX,
+                        VolumeKind::Ball => former.in_box(&aabb),
+                        _ => volume(handle, memo, &aabb),
+                    };
+                    Some(Reading { aabb, key, volume })
+                });
             } else {
                 self.await_collider(handle, aabb);
             }
@@ -59,13 +72,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &mut self,
         boxes: &mut impl Iterator<Item = (H, Aabb<R, D>)>,
         margin: R,
+        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) -> Option<(H, Aabb<R, D>)> {
         let Self {
             tracker,
             generations,
+            memos,
             gathered,
             ..
         } = self;
+        let has_volumes = tracker.volumes().are_used();
         let mut mover = tracker.mover();
         let (mut listed, mut moved) = (0, 0);
         let unusual = loop {
@@ -83,6 +99,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                     moved += 1;
                 }
                 Verdict::Recheck => break Some((handle, aabb)),
+            }
+            if has_volumes {
+                let index = slot as usize;
+                let kind = mover.volumes().kind(index);
+                let volume = match kind {
+                    VolumeKind::Ball => mover.volumes().ball_in(index, &aabb),
+                    _ => volume(handle, &mut memos[index], &aabb),
+                };
+                if volume.kind != kind {
+                    break Some((handle, aabb));
+                }
+                mover.stir(slot, &volume);
             }
             listed += 1;
         };
@@ -137,6 +165,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             .iter()
             .map(|handle| handle.into_raw_parts())
             .collect();
+        let are_used = self.tracker.volumes().are_used();
         for awaited in std::mem::take(&mut self.awaited) {
             let Awaited {
                 slot,
@@ -152,8 +181,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
             let handle = S::Handle::from_raw_parts(slot, generation);
             self.admit(handle, margin, |memo| {
-                let (read, key) = source.read(handle, memo)?;
-                Some((aabb.unwrap_or(read), key))
+                let read = Reading::of(source, handle, memo, are_used)?;
+                Some(match aabb {
+                    Some(aabb) => Reading {
+                        aabb,
+                        volume: read.volume.in_box(&aabb),
+                        ..read
+                    },
+                    None => read,
+                })
             });
         }
     }

@@ -8,9 +8,9 @@
 //! move, say a new collider, is deferred, and all results are put together in the order of a single thread.
 
 use super::verdict::Verdict;
-use super::{BoxSource, Handle, ProxyTable, is_known};
+use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::bit_set::{BitSet, ones};
-use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::{FilterKey, VolumesPart};
 use crate::tuning::update::{
     PARTS_A_THREAD, READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM, THREADS_FROM,
 };
@@ -32,6 +32,8 @@ struct Findings {
     moved: Vec<u32>,
     /// Moved slots whose new box has left the fat box.
     escaped: Vec<u32>,
+    /// Slots that have another volume, and possibly the same box.
+    stirred: Vec<u32>,
     deferred: Vec<Deferred>,
 }
 
@@ -53,6 +55,8 @@ struct Part<'a, R, const D: usize, M, K> {
     boxes: &'a mut [Aabb<R, D>],
     fat_boxes: &'a [Aabb<R, D>],
     keys: &'a [K],
+    volumes: VolumesPart<'a, R, D>,
+    has_volumes: bool,
     findings: &'a mut Findings,
 }
 
@@ -60,6 +64,7 @@ impl Findings {
     fn clear(&mut self) {
         self.moved.clear();
         self.escaped.clear();
+        self.stirred.clear();
         self.deferred.clear();
     }
 
@@ -85,8 +90,18 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
     ) {
         let slot = self.first_slot + i;
         let handle = S::Handle::from_raw_parts(slot as u32, generation);
-        let verdict = match source.read(handle, &mut self.memos[i]) {
+        let memo = &mut self.memos[i];
+        let verdict = match source.read(handle, memo) {
             Some((aabb, key)) if !source.has_keys() || key == self.keys[i] => {
+                if self.has_volumes {
+                    let volume = source.volume(handle, memo, &aabb);
+                    if volume.kind != self.volumes.kind(i) {
+                        return self.findings.defer(slot, generation);
+                    }
+                    if self.volumes.set(i, &volume) {
+                        self.findings.stirred.push(slot as u32);
+                    }
+                }
                 Verdict::of(&self.boxes[i], &aabb, margin)
             }
             _ => Verdict::Recheck,
@@ -156,7 +171,7 @@ impl Reader {
         } else {
             let is_shared = handles.len() >= THREADS_FROM && parallel::threads() > 1;
             for handle in self.list(handles, &table.generations, is_shared) {
-                table.admit(handle, margin, |memo| source.read(handle, memo));
+                table.admit_read(handle, source, margin);
             }
             self.listed.resize(table.generations.len());
             // More parts than threads, because some will be faster than others.
@@ -229,14 +244,26 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             );
             (moved, escaped) = (deferred.moved, deferred.escaped);
             let handle = S::Handle::from_raw_parts(deferred.slot, deferred.generation);
-            self.admit(handle, margin, |memo| source.read(handle, memo));
+            self.admit_read(handle, source, margin);
         }
+        self.tracker.note(&[], &[], &findings.stirred);
         self.note(&findings.moved[moved..], &findings.escaped[escaped..]);
     }
 
     fn note(&mut self, moved: &[u32], escaped: &[u32]) {
         self.gathered.moved += moved.len();
-        self.tracker.note(moved, escaped);
+        self.tracker.note(moved, escaped, &[]);
+    }
+
+    /// Brings one collider up to date by what its source says.
+    pub(super) fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let are_used = self.tracker.volumes().are_used();
+        self.admit(handle, margin, |memo| {
+            Reading::of(source, handle, memo, are_used)
+        });
     }
 }
 
@@ -248,12 +275,15 @@ struct Rest<'a, R, const D: usize, M, K> {
     boxes: &'a mut [Aabb<R, D>],
     fat_boxes: &'a [Aabb<R, D>],
     keys: &'a [K],
+    volumes: VolumesPart<'a, R, D>,
+    has_volumes: bool,
 }
 
 impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
     /// All slots.
     fn of(table: &'a mut ProxyTable<R, D, M, K>) -> Self {
-        let (boxes, fat_boxes, keys) = table.tracker.parts();
+        let has_volumes = table.tracker.volumes().are_used();
+        let (boxes, fat_boxes, keys, volumes) = table.tracker.parts();
         Self {
             first_slot: 0,
             generations: &table.generations,
@@ -261,6 +291,8 @@ impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
             boxes,
             fat_boxes,
             keys,
+            volumes,
+            has_volumes,
         }
     }
 
@@ -283,6 +315,8 @@ impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
             boxes,
             fat_boxes: take_front(&mut self.fat_boxes, count),
             keys: take_front(&mut self.keys, count),
+            volumes: self.volumes.split_front(count),
+            has_volumes: self.has_volumes,
             findings,
         }
     }

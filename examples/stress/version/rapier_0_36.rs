@@ -48,12 +48,17 @@ impl<B: BroadPhase> BroadPhase for OnRapiersTree<B> {
     }
 
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        self.set_aabbs(params, &[(handle, aabb)]);
+        self.set_aabbs(params, &ColliderSet::new(), &[(handle, aabb)]);
     }
 
-    fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
-        self.tree.set_aabbs(params, boxes);
-        self.events.set_aabbs(params, boxes);
+    fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        boxes: &[(ColliderHandle, Aabb)],
+    ) {
+        self.tree.set_aabbs(params, colliders, boxes);
+        self.events.set_aabbs(params, colliders, boxes);
     }
 
     fn bvh(&self) -> &Bvh {
@@ -80,11 +85,16 @@ impl<B: BroadPhase> BroadPhase for Clocked<B> {
     }
 
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        self.set_aabbs(params, &[(handle, aabb)]);
+        self.set_aabbs(params, &ColliderSet::new(), &[(handle, aabb)]);
     }
 
-    fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
-        self.time(|inner| inner.set_aabbs(params, boxes));
+    fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        boxes: &[(ColliderHandle, Aabb)],
+    ) {
+        self.time(|inner| inner.set_aabbs(params, colliders, boxes));
     }
 
     fn bvh(&self) -> &Bvh {

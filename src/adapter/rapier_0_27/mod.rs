@@ -4,6 +4,7 @@ use super::adapter::UnisizeBroadPhase;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet};
 use super::rapier::math::{Isometry, Point, Real};
+use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::PairFilter;
 
@@ -11,6 +12,7 @@ mod unusual_box;
 
 pub(super) use unusual_box::unusual_box;
 
+pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
 #[cfg(test)]
 pub(super) type AngVector = super::rapier::math::AngVector<Real>;
@@ -34,6 +36,11 @@ pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
 #[inline(always)]
 pub(super) fn turned(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(half_extents)
+}
+
+/// The outward normal of a half-space.
+pub(super) fn normal(half_space: &HalfSpace) -> Vector {
+    *half_space.normal
 }
 
 /// The vector from the origin to a point.

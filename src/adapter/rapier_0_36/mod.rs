@@ -6,13 +6,14 @@ use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
 };
-use super::rapier::math::{DIM, Pose, Real};
+use super::rapier::math::{DIM, Real};
+use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
 use crate::{Aabb, PairFilter};
 
 #[cfg(test)]
 pub(super) use super::rapier::math::AngVector;
-pub(super) use super::rapier::math::Vector;
+pub(super) use super::rapier::math::{Pose, Vector};
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
@@ -33,6 +34,11 @@ pub(super) fn origin(pose: &Pose) -> Vector {
 #[inline(always)]
 pub(super) fn turned(pose: &Pose, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(*half_extents)
+}
+
+/// The outward normal of a half-space.
+pub(super) fn normal(half_space: &HalfSpace) -> Vector {
+    half_space.normal
 }
 
 /// The vector from the origin to a point.
@@ -104,6 +110,6 @@ impl UnisizeBroadPhase {
         params: &IntegrationParameters,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
-        self.hand_over(params, aabbs);
+        self.hand_over(params, None, aabbs);
     }
 }

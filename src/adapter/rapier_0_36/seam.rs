@@ -22,11 +22,16 @@ impl CustomBroadPhase for UnisizeBroadPhase {
     }
 
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        self.set_aabbs(params, &[(handle, aabb)]);
+        self.hand_over(params, None, &[(handle, aabb)]);
     }
 
-    fn set_aabbs(&mut self, params: &IntegrationParameters, aabbs: &[(ColliderHandle, Aabb)]) {
-        self.hand_over(params, aabbs);
+    fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        aabbs: &[(ColliderHandle, Aabb)],
+    ) {
+        self.hand_over(params, Some(colliders), aabbs);
     }
 
     fn bvh(&self) -> &Bvh {

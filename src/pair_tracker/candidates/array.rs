@@ -1,6 +1,7 @@
 //! The array of candidates, with a tombstone in place of each that is gone.
 
 use super::proxies::{Proxies, overlap};
+use super::retired::RetiredPairs;
 use crate::bit_set::BitSet;
 use crate::pair_tracker::{FilterKey, PairChange};
 use crate::slot_set::SlotSet;
@@ -15,10 +16,12 @@ const TOMBSTONE: u32 = u32::MAX;
 pub(super) struct CandidateArray {
     /// By slots, smaller first; two tombstones where the candidate is gone.
     pairs: Vec<[u32; 2]>,
-    /// By row: whether the boxes of the pair overlap.
+    /// By row: whether the pair is held, because its boxes overlap and its volumes meet.
     held: Vec<bool>,
     held_count: usize,
     tombstones: usize,
+    /// Held pairs that were retired in this update, if there are volumes.
+    retired: RetiredPairs,
     /// Scratch: answers about rows, or about what was found.
     answers: BitSet,
 }
@@ -86,15 +89,23 @@ impl CandidateArray {
         let Self {
             pairs,
             held,
+            retired,
             answers,
             ..
         } = self;
-        answers.ask(pairs.len(), |rows| {
-            let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-            gather(rows, |(&pair, &is_held)| is_held && proxies.has_ended(pair))
-        });
-        let ended = answers.iter();
-        ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
+        if proxies.has_volumes() {
+            let rows = pairs.iter().zip(held.iter());
+            for (&pair, _) in rows.filter(|&(&pair, &is_held)| is_held && proxies.are_left(pair)) {
+                retired.insert(pair);
+            }
+        } else {
+            answers.ask(pairs.len(), |rows| {
+                let rows = pairs[rows.clone()].iter().zip(&held[rows]);
+                gather(rows, |(&pair, &is_held)| is_held && proxies.has_ended(pair))
+            });
+            let ended = answers.iter();
+            ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
+        }
         std::mem::swap(pairs, found);
         held.clear();
         self.held_count = 0;
@@ -121,6 +132,9 @@ impl CandidateArray {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
+        if proxies.has_volumes() {
+            return self.hold_new_by_volumes(found, proxies, report);
+        }
         let Self { held, answers, .. } = self;
         answers.ask(found.len(), |rows| {
             gather(&found[rows], |&pair| proxies.overlap(pair))
@@ -136,6 +150,34 @@ impl CandidateArray {
                 report(PairChange::Added(found[i]));
             }
         }
+    }
+
+    /// What is left of the retired pairs afterwards has ended.
+    fn hold_new_by_volumes<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        found: &[[u32; 2]],
+        proxies: &Proxies<R, D, K>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Self {
+            held,
+            retired,
+            held_count,
+            ..
+        } = self;
+        for &pair in found {
+            let overlaps = proxies.overlap(pair);
+            let was_held = overlaps && retired.take(pair);
+            let is_held = overlaps && proxies.volumes_meet(pair, was_held);
+            held.push(is_held);
+            *held_count += usize::from(is_held);
+            match (was_held, is_held) {
+                (false, true) => report(PairChange::Added(pair)),
+                (true, false) => report(PairChange::Deleted(pair)),
+                _ => {}
+            }
+        }
+        retired.drain(|pair| report(PairChange::Deleted(pair)));
     }
 
     /// Makes `rows` the rows with a picked slot, and possibly some tombstones.
@@ -157,19 +199,28 @@ impl CandidateArray {
         debug_assert_eq!(self.tombstones, 0);
         let Self { pairs, held, .. } = self;
         // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has turned.
-        let has_turned = |(&pair, &is_held): (&[u32; 2], &bool)| proxies.overlap(pair) ^ is_held;
-        let has_escaped = |&[a, b]: &[u32; 2]| escaped.contains(a) | escaped.contains(b);
+        let have_turned = |pairs: &[[u32; 2]], held: &[bool]| {
+            if proxies.has_volumes() {
+                let overlap = gather(pairs, |&pair| proxies.overlap(pair));
+                let held = gather(held, |&is_held| is_held);
+                proxies.held_by_volumes(pairs, overlap, held) ^ held
+            } else {
+                gather(pairs.iter().zip(held), |(&pair, &is_held)| {
+                    proxies.overlap(pair) ^ is_held
+                })
+            }
+        };
         if escaped.len() == 0 {
             changed.ask(pairs.len(), |rows| {
-                gather(pairs[rows.clone()].iter().zip(&held[rows]), has_turned)
+                have_turned(&pairs[rows.clone()], &held[rows])
             });
             changed.iter().for_each(|row| self.turn(row, report));
             return false;
         }
+        let has_escaped = |&[a, b]: &[u32; 2]| escaped.contains(a) | escaped.contains(b);
         changed.ask(pairs.len(), |rows| {
-            gather(pairs[rows.clone()].iter().zip(&held[rows]), |row| {
-                has_turned(row) | has_escaped(row.0)
-            })
+            let (pairs, held) = (&pairs[rows.clone()], &held[rows]);
+            have_turned(pairs, held) | gather(pairs, has_escaped)
         });
         let rows = pairs.len();
         for row in changed.iter() {
@@ -199,7 +250,10 @@ impl CandidateArray {
         report: &mut impl FnMut(PairChange),
     ) {
         if let Some(pair) = self.get(row) {
-            if proxies.overlap(pair) != self.held[row] {
+            let was_held = self.held[row];
+            let is_held = proxies.overlap(pair)
+                && (!proxies.has_volumes() || proxies.volumes_meet(pair, was_held));
+            if is_held != was_held {
                 self.turn(row, report);
             }
         }
@@ -232,7 +286,11 @@ impl CandidateArray {
         self.tombstones += 1;
         if std::mem::take(&mut self.held[row]) {
             self.held_count -= 1;
-            if proxies.has_ended(pair) {
+            if proxies.has_volumes() {
+                if proxies.are_left(pair) {
+                    self.retired.insert(pair);
+                }
+            } else if proxies.has_ended(pair) {
                 report(PairChange::Deleted(pair));
             }
         }
@@ -255,13 +313,17 @@ impl CandidateArray {
     }
 
     /// Panics unless flags and counts are consistent.
-    pub(super) fn validate<R: Real, const D: usize>(&self, now: &[Aabb<R, D>]) {
+    pub(super) fn validate<R: Real, const D: usize>(
+        &self,
+        now: &[Aabb<R, D>],
+        volumes_meet: impl Fn([u32; 2], bool) -> bool,
+    ) {
         assert_eq!(self.pairs.len(), self.held.len());
         assert_eq!(self.held().count(), self.held_count);
         assert_eq!(self.iter().count(), self.len());
         for (&pair, &is_held) in self.pairs.iter().zip(&self.held) {
-            let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);
-            assert_eq!(is_held, overlaps, "{pair:?} is held, or is not");
+            let should = pair[0] != TOMBSTONE && overlap(now, pair) && volumes_meet(pair, is_held);
+            assert_eq!(is_held, should, "{pair:?} is held, or is not");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Which pairs of proxies overlap now, and which did before.
 
-use crate::pair_tracker::FilterKey;
+use crate::bit_set::ones;
+use crate::pair_tracker::{FilterKey, Volumes};
 use crate::{Aabb, Real};
 
 /// What decides which candidates are held: boxes and filter keys, as they are now and as they were at the end of the last
@@ -11,12 +12,44 @@ pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
     pub(in crate::pair_tracker) keys: &'a [K],
     /// The former keys of slots whose key has changed, ascending.
     pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
+    /// The volumes of all slots, which decide if they are in use.
+    pub(in crate::pair_tracker) volumes: &'a Volumes<R, D>,
+    /// How far the volumes of a held pair may be apart before it ends.
+    pub(in crate::pair_tracker) slack: R,
 }
 
 impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     #[inline(always)]
     pub(super) fn overlap(&self, pair: [u32; 2]) -> bool {
         overlap(self.now, pair)
+    }
+
+    /// Whether held pairs cannot be told by what there was at the end of the last update.
+    #[inline(always)]
+    pub(super) fn has_volumes(&self) -> bool {
+        self.volumes.are_used()
+    }
+
+    /// Whether a pair whose boxes overlap is held, if volumes are in use: one that was held while its volumes are nearer than
+    /// the slack, another one as soon as they meet.
+    #[inline(always)]
+    pub(super) fn volumes_meet(&self, pair: [u32; 2], was_held: bool) -> bool {
+        let slack = if was_held { self.slack } else { R::ZERO };
+        self.volumes.meet(pair, slack)
+    }
+
+    /// Of up to 64 pairs those that are held, if volumes are in use, by which of them overlap and were held.
+    #[inline(always)]
+    pub(super) fn held_by_volumes(&self, pairs: &[[u32; 2]], overlap: u64, were_held: u64) -> u64 {
+        let meet = |i: usize| self.volumes_meet(pairs[i], were_held >> i & 1 == 1);
+        ones(overlap).fold(0, |held, i| held | u64::from(meet(i)) << i)
+    }
+
+    /// Whether neither proxy of a pair was removed since the last update.
+    #[inline(always)]
+    pub(super) fn are_left(&self, pair: [u32; 2]) -> bool {
+        pair.iter()
+            .all(|&slot| self.before[slot as usize].is_valid())
     }
 
     /// Whether a pair that may meet now was held before. It was if and only if its boxes overlapped and it might meet then,

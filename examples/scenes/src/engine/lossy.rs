@@ -80,8 +80,8 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Lossy<B> {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
-            self.inner.set_aabbs(params, boxes);
+        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+            self.inner.set_aabbs(params, colliders, boxes);
         }
 
         fn bvh(&self) -> &Bvh {

@@ -129,8 +129,8 @@ impl BroadPhase for Faulty {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
-            self.inner.set_aabbs(params, boxes);
+        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+            self.inner.set_aabbs(params, colliders, boxes);
         }
 
         fn bvh(&self) -> &Bvh {
