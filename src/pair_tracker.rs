@@ -73,7 +73,7 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     are_filtered: bool,
     /// The volume of each slot, if pairs are told apart by them.
     volumes: Volumes<R, D>,
-    /// How far the volumes of held pairs may be apart, as of the last `finish`.
+    /// How far the volumes of held pairs may be apart, as of this `finish`.
     slack: R,
     /// Slots touched since the last `finish`; may repeat.
     touched: Vec<u32>,

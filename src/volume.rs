@@ -28,12 +28,18 @@ mod tests;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Volume<R, const D: usize> {
     pub(crate) kind: VolumeKind,
-    /// The centre; of a half-space, a point on its plane. If it has a NaN, the volume meets all.
-    pub(crate) center: [R; D],
-    /// The radius of the ball, at least 0.
-    pub(crate) radius: R,
+    /// The point and the ball. If the centre has a NaN, the volume meets all. Of a half-space it is a point on the plane.
+    pub(crate) ball: Ball<R, D>,
     /// The halves of the segments, as many as its kind has; zeros behind them.
     pub(crate) half_axes: [[R; D]; D],
+}
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ball<R, const D: usize> {
+    pub(crate) center: [R; D],
+    /// At least 0.
+    pub(crate) radius: R,
 }
 
 /// What a volume is the volume of.
@@ -70,20 +76,66 @@ impl VolumeKind {
 /// contacts of its own, with other roundings, and must not find one between volumes that are apart.
 const ROUNDINGS: f64 = 8.0;
 
+impl<R: Real, const D: usize> Ball<R, D> {
+    /// The same ball in the middle of a box, on each axis of which it must reach from side to side; otherwise one whose centre
+    /// is NaN. A larger box is of more than the ball as it stands, say of its way to where it will be.
+    #[inline(always)]
+    pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
+        let half = R::from_f64(0.5);
+        let center = core::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) * half);
+        let ball = Self { center, ..self };
+        let diameter = (ball.radius + ball.rounding()) * R::from_f64(2.0);
+        let mut fits = true;
+        for k in 0..D {
+            fits &= aabb.maxs[k] - aabb.mins[k] <= diameter;
+        }
+        Self {
+            center: if fits { center } else { [R::NAN; D] },
+            ..self
+        }
+    }
+
+    /// Whether two balls may meet, both loosened by half of `slack`.
+    #[inline(always)]
+    pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
+        let between = sub(other.center, self.center);
+        let reach = self.radius + other.radius + slack + (self.rounding() + other.rounding());
+        // True if that cannot be told.
+        !(dot(between, between) > reach * reach)
+    }
+
+    /// What rounding may do to it.
+    #[inline(always)]
+    fn rounding(&self) -> R {
+        rounding(
+            self.center
+                .iter()
+                .fold(self.radius, |size, x| size + x.abs()),
+        )
+    }
+}
+
+/// What rounding may do to a volume whose numbers have this sum.
+#[inline(always)]
+fn rounding<R: Real>(size: R) -> R {
+    size * (R::from_f64(ROUNDINGS) * R::EPSILON)
+}
+
 impl<R: Real, const D: usize> Volume<R, D> {
     /// A volume that meets all.
     pub(crate) const BOX: Self = Self {
         kind: VolumeKind::Box,
-        center: [R::NAN; D],
-        radius: R::ZERO,
+        ball: Ball {
+            center: [R::NAN; D],
+            radius: R::ZERO,
+        },
         half_axes: [[R::ZERO; D]; D],
     };
 
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
         let mut volume = Self {
             kind,
-            center,
-            radius,
+            ball: Ball { center, radius },
             ..Self::BOX
         };
         let count = kind.axes::<D>();
@@ -91,89 +143,103 @@ impl<R: Real, const D: usize> Volume<R, D> {
         volume
     }
 
-    /// The ball of this radius in the middle of a box.
-    #[inline(always)]
-    fn ball_in(aabb: &Aabb<R, D>, radius: R) -> Self {
-        let half = R::from_f64(0.5);
-        let center = core::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) * half);
-        Self::new(VolumeKind::Ball, center, radius, &[])
+    /// Its centre, its radius and its half axes.
+    #[cfg(feature = "serde-serialize")]
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = R> + '_ {
+        let Ball { center, radius } = self.ball;
+        let half_axes = self.half_axes().as_flattened();
+        center
+            .into_iter()
+            .chain([radius])
+            .chain(half_axes.iter().copied())
+    }
+
+    /// The volume with these numbers, if there are as many as it has.
+    #[cfg(feature = "serde-serialize")]
+    pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
+        let (center, rest) = numbers.split_first_chunk()?;
+        let (&radius, rest) = rest.split_first()?;
+        let half_axes: Option<Vec<[R; D]>> =
+            rest.chunks(D).map(|half| half.try_into().ok()).collect();
+        let half_axes = half_axes.filter(|half_axes| half_axes.len() == kind.axes::<D>())?;
+        Some(Self::new(kind, *center, radius, &half_axes))
     }
 
     /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but
-    /// any must [fill](Self::filling) it.
+    /// any must reach from side to side of the box on each axis; otherwise one that meets all.
     #[inline(always)]
     pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
-        match self.kind {
-            VolumeKind::Ball => Self::ball_in(aabb, self.radius).filling(aabb),
-            _ => self.filling(aabb),
-        }
+        let ball = match self.kind {
+            VolumeKind::Box | VolumeKind::HalfSpace => self.ball,
+            VolumeKind::Ball => self.ball.in_box(aabb),
+            VolumeKind::Capsule | VolumeKind::Cuboid if self.fills(aabb) => self.ball,
+            VolumeKind::Capsule | VolumeKind::Cuboid => Ball {
+                center: [R::NAN; D],
+                ..self.ball
+            },
+        };
+        Self { ball, ..self }
     }
 
-    /// The same volume if it fills a box, on each axis of the world; otherwise one that meets all. A box that the volume does
-    /// not fill is of more than the shape as it stands, say of its way to where it will be.
-    #[inline(always)]
-    fn filling(self, aabb: &Aabb<R, D>) -> Self {
-        if self.kind == VolumeKind::Box || self.kind == VolumeKind::HalfSpace {
-            return self;
-        }
-        let tolerance = self.rounding();
-        let mut fills = true;
-        for k in 0..D {
-            let reach = self.half_axes[..self.kind.axes::<D>()]
+    fn fills(&self, aabb: &Aabb<R, D>) -> bool {
+        let Ball { center, radius } = self.ball;
+        let reach = radius + self.rounding();
+        (0..D).all(|k| {
+            let reach = self
+                .half_axes()
                 .iter()
-                .fold(self.radius + tolerance, |sum, half| sum + half[k].abs());
-            fills &=
-                (self.center[k] - reach <= aabb.mins[k]) & (aabb.maxs[k] <= self.center[k] + reach);
-        }
-        Self {
-            center: if fills { self.center } else { [R::NAN; D] },
-            ..self
-        }
+                .fold(reach, |sum, half| sum + half[k].abs());
+            center[k] - reach <= aabb.mins[k] && aabb.maxs[k] <= center[k] + reach
+        })
+    }
+
+    #[inline(always)]
+    fn half_axes(&self) -> &[[R; D]] {
+        &self.half_axes[..self.kind.axes::<D>()]
     }
 
     /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
     #[inline(always)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         use VolumeKind::{Ball, Box, Capsule, HalfSpace};
+        let [a, b] = [&self.ball, &other.ball];
         let pair = Pair {
-            between: sub(other.center, self.center),
-            reach: self.radius + other.radius + slack + (self.rounding() + other.rounding()),
+            between: sub(b.center, a.center),
+            reach: a.radius + b.radius + slack + (self.rounding() + other.rounding()),
             volumes: [self, other],
         };
         match (self.kind, other.kind) {
             (Box, _) | (_, Box) | (HalfSpace, HalfSpace) => true,
-            (Ball, Ball) => !(dot(pair.between, pair.between) > pair.reach * pair.reach),
+            (Ball, Ball) => a.meets(b, slack),
             (HalfSpace, _) => !pair.is_in_front(self.half_axes[0], pair.between, other),
-            (_, HalfSpace) => {
-                !pair.is_in_front(other.half_axes[0], sub(self.center, other.center), self)
-            }
+            (_, HalfSpace) => !pair.is_in_front(other.half_axes[0], sub(a.center, b.center), self),
             (Ball | Capsule, Ball | Capsule) => {
                 !(pair.is_apart(pair.between) || pair.is_apart(pair.shortest_between_cores()))
             }
-            _ => !pair.is_apart(pair.between) && !pair.is_apart_by_sides(),
+            _ => {
+                !(pair.is_apart_in_world()
+                    || pair.is_apart_by_sides([self, other])
+                    || pair.is_apart_by_sides([other, self])
+                    || pair.is_apart(pair.between))
+            }
         }
     }
 
     /// What rounding may do to it.
     #[inline(always)]
     fn rounding(&self) -> R {
-        let mut size = self.radius;
-        for x in self.center {
-            size = size + x.abs();
-        }
-        for half in &self.half_axes[..self.kind.axes::<D>()] {
-            for x in half {
-                size = size + x.abs();
-            }
-        }
-        size * R::from_f64(ROUNDINGS) * R::EPSILON
+        let numbers = self
+            .ball
+            .center
+            .iter()
+            .chain(self.half_axes().as_flattened());
+        rounding(numbers.fold(self.ball.radius, |size, x| size + x.abs()))
     }
 
     /// How far its segments reach from its centre along an axis, times the length of the axis.
     #[inline(always)]
     fn reach_of_segments(&self, axis: [R; D]) -> R {
-        let halves = &self.half_axes[..self.kind.axes::<D>()];
-        halves
+        self.half_axes()
             .iter()
             .fold(R::ZERO, |sum, &half| sum + dot(half, axis).abs())
     }
@@ -198,21 +264,26 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
         dot(self.between, axis).abs() > reach
     }
 
-    /// Whether they are apart along an axis of the world or of a cuboid.
-    fn is_apart_by_sides(&self) -> bool {
-        let mut unit = [R::ZERO; D];
-        for k in 0..D {
-            unit[k] = R::from_f64(1.0);
-            if self.is_apart(unit) {
-                return true;
-            }
-            unit[k] = R::ZERO;
-        }
-        let cuboids = self.volumes.iter();
-        let cuboids = cuboids.filter(|volume| volume.kind == VolumeKind::Cuboid);
-        cuboids
-            .flat_map(|cuboid| cuboid.half_axes)
-            .any(|axis| self.is_apart(axis))
+    /// Whether they are apart along an axis of the world.
+    #[inline(always)]
+    fn is_apart_in_world(&self) -> bool {
+        let halves = || self.volumes.iter().flat_map(|volume| volume.half_axes());
+        (0..D).any(|k| {
+            let reach = halves().fold(self.reach, |sum, half| sum + half[k].abs());
+            self.between[k].abs() > reach
+        })
+    }
+
+    /// Whether they are apart along an axis of this one of them, if it is a cuboid.
+    #[inline(always)]
+    fn is_apart_by_sides(&self, [cuboid, other]: [&Volume<R, D>; 2]) -> bool {
+        cuboid.kind == VolumeKind::Cuboid
+            && cuboid.half_axes.iter().any(|&axis| {
+                // Its other axes are at right angles, or nearly so: what is left of them is in the rounding.
+                let squared = dot(axis, axis);
+                let reach = self.reach * squared.sqrt() + (squared + other.reach_of_segments(axis));
+                dot(self.between, axis).abs() > reach
+            })
     }
 
     /// Whether a volume, with its centre at `center` from a point on a plane, is in front of the plane.

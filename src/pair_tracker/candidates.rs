@@ -10,6 +10,7 @@ mod proxies;
 mod retired;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
+mod state;
 
 use super::policy::Extent;
 use super::{FilterKey, PairChange};
@@ -37,6 +38,12 @@ impl Candidates {
     /// The held pairs.
     pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.array.held()
+    }
+
+    /// The candidates whose boxes overlap, and that are not held.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.array.near().map(|(_, pair)| pair)
     }
 
     pub(super) fn held_count(&self) -> usize {
@@ -121,6 +128,15 @@ impl Candidates {
             }
         }
         work
+    }
+
+    /// Brings the candidates that are near, and of which no box was renewed, up to date with the present volumes.
+    pub(super) fn compare_near<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        proxies: &Proxies<R, D, K>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        self.array.compare_near(&mut self.rows, proxies, report);
     }
 
     fn compare_all<R: Real, const D: usize, K: FilterKey>(

@@ -30,6 +30,14 @@ impl<R: Real, const D: usize> Mover<'_, R, D> {
         &self.volumes
     }
 
+    /// Moves the ball of a slot, whose volume must be one, into a box.
+    #[inline(always)]
+    pub(crate) fn stir_ball(&mut self, slot: u32, aabb: &Aabb<R, D>) {
+        if self.volumes.set_ball_in(slot as usize, aabb) {
+            self.stirred.push(slot);
+        }
+    }
+
     /// Moves the volume of a slot, whose kind must be the same as before.
     #[inline(always)]
     pub(crate) fn stir(&mut self, slot: u32, volume: &Volume<R, D>) {

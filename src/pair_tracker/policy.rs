@@ -20,6 +20,8 @@ pub(super) struct Known {
     pub(super) slots: usize,
     /// Slots that were touched: their proxies were placed, refused or removed. A slot may count more than once.
     pub(super) touched: usize,
+    /// Slots whose volume has changed. May count more than once, and may have been touched as well.
+    pub(super) stirred: usize,
     /// Touched slots whose proxies have left their fat boxes, have none yet, or are gone.
     pub(super) escaped: usize,
     pub(super) candidates: usize,
@@ -68,7 +70,7 @@ impl Plan {
         known: &Known,
         mean_speed: impl FnOnce() -> Option<f64>,
     ) -> Self {
-        if known.touched == 0 {
+        if known.touched + known.stirred == 0 {
             return Self::Nothing;
         }
         if known.is_full_run_due() {
@@ -108,10 +110,16 @@ impl Known {
     }
 
     fn extent(&self) -> Extent {
-        if are_most_touched(self.touched, self.slots) {
+        // Where most have another volume, that is seen to apart.
+        let stirred = match are_most_touched(self.stirred, self.slots) {
+            true => 0,
+            false => self.stirred,
+        };
+        let changed = self.touched + stirred;
+        if are_most_touched(changed, self.slots) {
             return Extent::All;
         }
-        let is_cheaper = WALKED * to_u64(self.touched) < PICKED * to_u64(self.rows);
+        let is_cheaper = WALKED * to_u64(changed) < PICKED * to_u64(self.rows);
         let are_few = is_cheaper && self.rows <= ListState::MOST_ROWS;
         match self.lists {
             _ if !are_few => Extent::Picked {

@@ -12,6 +12,7 @@ use super::candidates::{Candidates, CandidatesSnapshot};
 use super::layers::LayersSnapshot;
 use super::{FilterKey, Foresight, PairTracker, Spent, overlapping};
 use crate::slot_set::SlotSet;
+use crate::volume::VolumeKind;
 use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come.
@@ -27,6 +28,10 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     other_keys: Vec<(u32, K)>,
     /// The slots touched since the last `finish`, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
+    /// By slot, if volumes are in use: the kind of the volume, and its numbers.
+    volumes: Vec<(VolumeKind, Vec<R>)>,
+    /// The slots whose volumes have changed since the last `finish`.
+    stirred: Vec<u32>,
     /// Those of `touched` that have left their fat box, have none yet, or are gone.
     escaped: Vec<u32>,
     foresight: Foresight,
@@ -68,6 +73,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies: proxies.map(proxy).collect(),
             other_keys: other_keys.collect(),
             touched: touched.collect(),
+            volumes: self.volumes.snapshot(),
+            stirred: self.stirred.clone(),
             escaped: self.escaped.slots().to_vec(),
             foresight: self.foresight,
             spent: self.spent,
@@ -89,6 +96,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies,
             other_keys,
             touched,
+            volumes,
+            stirred,
             escaped,
             foresight,
             spent,
@@ -139,9 +148,33 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
+        self.volumes.restore(volumes, self.previous.len())?;
         self.candidates = Candidates::restored(candidates, &self.previous, found)?;
         self.layers.restore(layers, &self.fat_boxes)?;
-        self.restore_touched(touched, &escaped)
+        self.restore_touched(touched, &escaped)?;
+        self.restore_stirred(stirred)
+    }
+
+    /// Stirs slots again, as they were stirred since the last `finish`.
+    fn restore_stirred(&mut self, stirred: Vec<u32>) -> Result<(), &'static str> {
+        let slots = self.boxes.len();
+        if stirred.iter().any(|&slot| slot as usize >= slots) {
+            return Err("snapshot: a volume has changed whose slot is out of range");
+        }
+        if !(stirred.is_empty() || self.volumes.are_used()) {
+            return Err("snapshot: a volume has changed where none is in use");
+        }
+        self.stirred = stirred;
+        let mut are_pending = SlotSet::default();
+        are_pending.make_room(slots);
+        let pending = self.touched.iter().chain(&self.stirred);
+        pending.for_each(|&slot| are_pending.insert(slot));
+        let is_pending = |pair: [u32; 2]| pair.iter().any(|&slot| are_pending.contains(slot));
+        let mut near = self.candidates.near();
+        match near.all(|pair| is_pending(pair) || !self.volumes.meet(pair, R::ZERO)) {
+            true => Ok(()),
+            false => Err("snapshot: a pair is not held although its volumes meet"),
+        }
     }
 
     /// Touches slots again, as they were touched since the last `finish`.

@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use oorandom::Rand32;
 
 use super::{FilterKey, PairChange, PairTracker};
+use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Kernel};
 
 /// Proxies of one side may not meet, except those of side 0.
@@ -24,11 +25,19 @@ struct Model {
     proxies: BTreeMap<u32, Aabb<f32, 2>>,
     sides: BTreeMap<u32, Side>,
     held: BTreeSet<[u32; 2]>,
+    /// The volumes, if they are in use.
+    volumes: Option<BTreeMap<u32, Volume<f32, 2>>>,
+    /// The boxes at the end of the last update.
+    before: BTreeMap<u32, Aabb<f32, 2>>,
 }
+
+/// How far the volumes of a held pair may be apart.
+const SLACK: f32 = 0.25;
 
 impl Model {
     fn remove(&mut self, slot: u32) {
         self.proxies.remove(&slot);
+        self.before.remove(&slot);
         self.held.retain(|pair| !pair.contains(&slot));
     }
 
@@ -36,16 +45,33 @@ impl Model {
         self.sides.get(&slot).copied().unwrap_or_default()
     }
 
+    /// Whether a pair whose boxes overlap is held.
+    fn volumes_meet(&self, pair: [u32; 2]) -> bool {
+        let Some(volumes) = &self.volumes else {
+            return true;
+        };
+        let [a, b] = pair.map(|slot| volumes.get(&slot).copied().unwrap_or(Volume::BOX));
+        let is_renewed = |slot| self.before.get(slot) != self.proxies.get(slot);
+        match self.held.contains(&pair) {
+            false => a.meets(&b, 0.0),
+            true => !pair.iter().any(is_renewed) || a.meets(&b, SLACK),
+        }
+    }
+
     /// Returns the pairs added and deleted.
     fn finish(&mut self) -> [BTreeSet<[u32; 2]>; 2] {
         let mut held = BTreeSet::new();
         for (&a, box_a) in &self.proxies {
             for (&b, box_b) in self.proxies.range(a + 1..) {
-                if box_a.overlaps(box_b) && self.side(a).may_meet(self.side(b)) {
+                if box_a.overlaps(box_b)
+                    && self.side(a).may_meet(self.side(b))
+                    && self.volumes_meet([a, b])
+                {
                     held.insert([a, b]);
                 }
             }
         }
+        self.before.clone_from(&self.proxies);
         let before = std::mem::replace(&mut self.held, held);
         let added = self.held.difference(&before).copied().collect();
         let deleted = before.difference(&self.held).copied().collect();
@@ -55,9 +81,30 @@ impl Model {
 
 /// A tracker with room for this number of slots.
 fn tracker(kernel: Kernel, slots: u32) -> PairTracker<f32, 2, Side> {
-    let mut tracker = PairTracker::new(kernel, true, None);
+    tracker_with(kernel, slots, false)
+}
+
+fn tracker_with(kernel: Kernel, slots: u32, volumes: bool) -> PairTracker<f32, 2, Side> {
+    let mut tracker = PairTracker::new(kernel, true, None, volumes);
     tracker.make_room(slots as usize);
     tracker
+}
+
+/// A volume in a box, or near it: of every kind, at times one that meets all.
+fn random_volume(random: &mut Rand32, aabb: &Aabb<f32, 2>) -> Volume<f32, 2> {
+    let mut near = |x: f32| x + 0.125 * (random.rand_float() - 0.5);
+    let size = aabb.maxs[0] - aabb.mins[0];
+    let center = [0, 1].map(|k| near((aabb.mins[k] + aabb.maxs[k]) / 2.0));
+    let half = [near(size) / 3.0, near(0.0)];
+    let halves = [half, [-half[1] / 2.0, half[0] / 2.0]];
+    match random.rand_range(0..12) {
+        0 => Volume::BOX,
+        1 => Volume::new(VolumeKind::Ball, [f32::NAN; 2], size / 2.0, &[]),
+        2 => Volume::new(VolumeKind::HalfSpace, center, 0.0, &[[0.6, 0.8]]),
+        3..6 => Volume::new(VolumeKind::Capsule, center, size / 6.0, &halves),
+        6..9 => Volume::new(VolumeKind::Cuboid, center, 0.0, &halves),
+        _ => Volume::new(VolumeKind::Ball, center, size / 2.0, &[]),
+    }
 }
 
 fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
@@ -72,10 +119,19 @@ fn random_box(random: &mut Rand32, world: f32) -> Aabb<f32, 2> {
 }
 
 fn check(kernel: Kernel, slots: u32, seed: u64) {
+    for volumes in [false, true] {
+        check_with(kernel, slots, seed, volumes);
+    }
+}
+
+fn check_with(kernel: Kernel, slots: u32, seed: u64, volumes: bool) {
     let mut random = Rand32::new(seed);
     let world = (slots as f32 * 2.0).sqrt();
-    let mut tracker = tracker(kernel, slots);
-    let mut model = Model::default();
+    let mut tracker = tracker_with(kernel, slots, volumes);
+    let mut model = Model {
+        volumes: volumes.then(BTreeMap::new),
+        ..Model::default()
+    };
     for update in 0..120 {
         // From nothing to everything, in no order.
         let changes = [0, 1, 3, slots / 20, slots / 8, slots / 5, slots / 4, slots][update % 8];
@@ -108,6 +164,20 @@ fn check(kernel: Kernel, slots: u32, seed: u64) {
                     model.proxies.insert(slot, aabb);
                 }
             }
+            if let (Some(volumes), Some(aabb)) = (&mut model.volumes, model.proxies.get(&slot)) {
+                let volume = random_volume(&mut random, aabb);
+                tracker.set_volume(slot, &volume);
+                volumes.insert(slot, volume);
+            }
+        }
+        // Some have another volume in the same box.
+        for _ in 0..[0, 2, slots / 2][update % 3] {
+            let slot = random.rand_range(0..slots);
+            if let (Some(volumes), Some(aabb)) = (&mut model.volumes, model.proxies.get(&slot)) {
+                let volume = random_volume(&mut random, aabb);
+                tracker.set_volume(slot, &volume);
+                volumes.insert(slot, volume);
+            }
         }
         finish_both(&mut tracker, &mut model);
     }
@@ -116,7 +186,7 @@ fn check(kernel: Kernel, slots: u32, seed: u64) {
 /// Finishes the update of both, and compares.
 fn finish_both(tracker: &mut PairTracker<f32, 2, Side>, model: &mut Model) {
     let [mut added, mut deleted] = model.finish();
-    tracker.finish(|change| {
+    tracker.finish(SLACK, |change| {
         let is_due = match change {
             PairChange::Added(pair) => added.remove(&pair),
             PairChange::Deleted(pair) => deleted.remove(&pair),
@@ -263,23 +333,23 @@ fn few_movers_are_looked_up_and_many_are_not() {
     for slot in 0..100 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(|_| ());
+    tracker.finish(0.0, |_| ());
     assert_eq!(tracker.layers.slots_above_base(), 0);
     for slot in 0..10 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(|_| ());
+    tracker.finish(0.0, |_| ());
     assert_eq!(tracker.layers.slots_above_base(), 10);
     for slot in 20..80 {
         tracker.place(slot, random_box(&mut random, 10.0));
     }
-    tracker.finish(|_| ());
+    tracker.finish(0.0, |_| ());
     assert_eq!(tracker.layers.slots_above_base(), 0);
     // One mover at a time: the delta layer fills up, until a full run is due.
     let mut most = 0;
     for slot in (0..100).cycle().take(300) {
         tracker.place(slot, random_box(&mut random, 10.0));
-        tracker.finish(|_| ());
+        tracker.finish(0.0, |_| ());
         most = most.max(tracker.layers.slots_above_base());
     }
     assert!((2..50).contains(&most), "{most} were above the base");

@@ -34,10 +34,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// were touched, all candidates in order. Each proxy that has left its fat box is looked up in about **O(log n)**; if
     /// there are many, there is a run of the kernel over all proxies instead.
     ///
-    /// If volumes are in use, a held pair ends once they are farther apart than `slack`.
+    /// If volumes are in use, a held pair ends when one of its boxes is renewed and they are farther apart than `slack`.
     pub(crate) fn finish(&mut self, slack: R, mut report: impl FnMut(PairChange)) {
         let lap = self.stopwatch.start();
-        self.set_slack(slack);
+        self.slack = slack;
         if !(self.touched.is_empty() && self.stirred.is_empty()) {
             self.candidates.compact_if_sparse();
             // Stable: of several keys that a slot has had in this update, the first one is kept.
@@ -74,18 +74,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
 
-    /// Another slack may end any pair, so all are looked at.
-    fn set_slack(&mut self, slack: R) {
-        if self.volumes.are_used() && std::mem::replace(&mut self.slack, slack) != slack {
-            self.stirred.extend(0..self.boxes.len() as u32);
-        }
-    }
-
     /// What decides the plan.
     fn known(&self) -> Known {
         Known {
             slots: self.boxes.len(),
-            touched: self.touched.len() + self.stirred.len(),
+            touched: self.touched.len(),
+            stirred: self.stirred.len(),
             escaped: self.escaped.len(),
             candidates: self.candidates.len(),
             held: self.candidates.held_count(),
@@ -129,17 +123,24 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             volumes: &self.volumes,
             slack: self.slack,
         };
-        // What has another box mostly has another volume too, but not if it is gone.
-        let changed = match self.stirred.is_empty() {
-            true => &self.touched,
-            false => {
-                self.stirred.extend_from_slice(&self.touched);
-                &self.stirred
-            }
+        // Where most have another volume, all that are near are looked at, after those that have another box.
+        let are_near_compared =
+            self.volumes.are_used() && are_most_touched(self.stirred.len(), self.boxes.len());
+        let changed = if are_near_compared || self.stirred.is_empty() {
+            &self.touched
+        } else {
+            self.stirred.extend_from_slice(&self.touched);
+            &self.stirred
         };
-        let comparing = self
-            .candidates
-            .compare(extent, changed, &self.escaped, &proxies, report);
+        let comparing = match changed.is_empty() {
+            true => Work::default(),
+            false => self
+                .candidates
+                .compare(extent, changed, &self.escaped, &proxies, report),
+        };
+        if are_near_compared && extent != Extent::All {
+            self.candidates.compare_near(&proxies, report);
+        }
         self.work = Work {
             compared: comparing.compared,
             picked: comparing.picked,

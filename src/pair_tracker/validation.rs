@@ -49,13 +49,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         stirred.for_each(|&slot| are_pending.insert(slot));
         let should_be_held = |pair: [u32; 2], is_held: bool| {
             let is_pending = pair.iter().any(|&slot| are_pending.contains(slot));
-            if !self.volumes.are_used() {
-                true
-            } else if is_pending {
-                is_held
-            } else {
-                self.volumes
-                    .meet(pair, if is_held { self.slack } else { R::ZERO })
+            match self.volumes.are_used() {
+                false => true,
+                true if is_pending => is_held,
+                true => is_held || self.volumes.meet(pair, R::ZERO),
             }
         };
         self.candidates.validate(previous, should_be_held);

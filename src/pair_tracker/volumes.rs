@@ -2,7 +2,7 @@
 //!
 //! A ball takes a kind, a centre and a radius; half axes are kept only up to the highest slot that has had some.
 
-use crate::volume::{Volume, VolumeKind};
+use crate::volume::{Ball, Volume, VolumeKind};
 use crate::{Aabb, Real};
 
 /// Volumes by slot; none unless they are in use.
@@ -13,13 +13,6 @@ pub(crate) struct Volumes<R, const D: usize> {
     balls: Vec<Ball<R, D>>,
     /// Of the first slots; behind them, no volume has any.
     half_axes: Vec<[[R; D]; D]>,
-}
-
-/// What every volume has.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Ball<R, const D: usize> {
-    center: [R; D],
-    radius: R,
 }
 
 /// The volumes of a run of slots, whose kinds stay as they are.
@@ -45,9 +38,8 @@ impl<R: Real, const D: usize> Volumes<R, D> {
 
     pub(super) fn make_room(&mut self, slots: usize) {
         if self.are_used && slots > self.kinds.len() {
-            let Volume { center, radius, .. } = Volume::BOX;
             self.kinds.resize(slots, VolumeKind::Box);
-            self.balls.resize(slots, Ball { center, radius });
+            self.balls.resize(slots, Volume::BOX.ball);
         }
     }
 
@@ -55,15 +47,12 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     #[inline(always)]
     pub(crate) fn get(&self, slot: u32) -> Volume<R, D> {
         let index = slot as usize;
-        let (Some(&kind), Some(&Ball { center, radius })) =
-            (self.kinds.get(index), self.balls.get(index))
-        else {
+        let (Some(&kind), Some(&ball)) = (self.kinds.get(index), self.balls.get(index)) else {
             return Volume::BOX;
         };
         Volume {
             kind,
-            center,
-            radius,
+            ball,
             half_axes: match kind.axes::<D>() {
                 0 => Volume::<R, D>::BOX.half_axes,
                 _ => self.half_axes[index],
@@ -80,12 +69,11 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let has_changed = self.get(slot) != *volume;
         let Volume {
             kind,
-            center,
-            radius,
+            ball,
             half_axes,
         } = *volume;
         self.kinds[index] = kind;
-        self.balls[index] = Ball { center, radius };
+        self.balls[index] = ball;
         if kind.axes::<D>() > 0 {
             if index >= self.half_axes.len() {
                 self.half_axes
@@ -94,6 +82,39 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.half_axes[index] = half_axes;
         }
         has_changed
+    }
+
+    /// By slot, the kinds and the numbers.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn snapshot(&self) -> Vec<(VolumeKind, Vec<R>)> {
+        let slots = 0..self.kinds.len() as u32;
+        slots
+            .map(|slot| {
+                let volume = self.get(slot);
+                (volume.kind, volume.numbers().collect())
+            })
+            .collect()
+    }
+
+    /// The volumes of this number of slots.
+    ///
+    /// # Errors
+    /// What is wrong, if no volumes can have been written like this.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn restore(
+        &mut self,
+        volumes: Vec<(VolumeKind, Vec<R>)>,
+        slots: usize,
+    ) -> Result<(), &'static str> {
+        if volumes.len() != if self.are_used { slots } else { 0 } {
+            return Err("snapshot: there is not one volume for each slot");
+        }
+        self.make_room(volumes.len());
+        for (slot, (kind, numbers)) in (0..).zip(volumes) {
+            let volume = Volume::of_numbers(kind, &numbers);
+            self.set(slot, &volume.ok_or("snapshot: a volume lacks a number")?);
+        }
+        Ok(())
     }
 
     /// All volumes, to move them in place.
@@ -107,7 +128,16 @@ impl<R: Real, const D: usize> Volumes<R, D> {
 
     /// Whether two proxies may meet, by their volumes, loosened by half of `slack` each.
     #[inline(always)]
-    pub(super) fn meet(&self, [a, b]: [u32; 2], slack: R) -> bool {
+    pub(super) fn meet(&self, pair: [u32; 2], slack: R) -> bool {
+        let [i, j] = pair.map(|slot| slot as usize);
+        if self.kinds[i] == VolumeKind::Ball && self.kinds[j] == VolumeKind::Ball {
+            return self.balls[i].meets(&self.balls[j], slack);
+        }
+        self.meet_beyond_balls(pair, slack)
+    }
+
+    #[inline(never)]
+    fn meet_beyond_balls(&self, [a, b]: [u32; 2], slack: R) -> bool {
         self.get(a).meets(&self.get(b), slack)
     }
 }
@@ -135,29 +165,27 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
         self.kinds[i]
     }
 
-    /// The ball of the slot `i` of the part, which must be one, in this box.
-    #[inline(always)]
-    pub(crate) fn ball_in(&self, i: usize, aabb: &Aabb<R, D>) -> Volume<R, D> {
-        let Ball { center, radius } = self.balls[i];
-        Volume::new(VolumeKind::Ball, center, radius, &[]).in_box(aabb)
-    }
-
     /// Moves the volume of the slot `i` of the part, whose kind must be the same as before. Returns whether it is another one.
     #[inline(always)]
     pub(crate) fn set(&mut self, i: usize, volume: &Volume<R, D>) -> bool {
-        let Volume {
-            kind,
-            center,
-            radius,
-            half_axes,
-        } = *volume;
-        debug_assert_eq!(kind, self.kinds[i]);
-        let ball = Ball { center, radius };
-        let mut has_changed = std::mem::replace(&mut self.balls[i], ball) != ball;
-        if kind.axes::<D>() > 0 {
+        debug_assert_eq!(volume.kind, self.kinds[i]);
+        let mut has_changed = self.set_ball(i, volume.ball);
+        if volume.kind.axes::<D>() > 0 {
+            let half_axes = volume.half_axes;
             has_changed |= std::mem::replace(&mut self.half_axes[i], half_axes) != half_axes;
         }
         has_changed
+    }
+
+    /// Moves the ball of the slot `i` of the part, which must be one, into a box. Returns whether it is another one.
+    #[inline(always)]
+    pub(crate) fn set_ball_in(&mut self, i: usize, aabb: &Aabb<R, D>) -> bool {
+        self.set_ball(i, self.balls[i].in_box(aabb))
+    }
+
+    #[inline(always)]
+    fn set_ball(&mut self, i: usize, ball: Ball<R, D>) -> bool {
+        std::mem::replace(&mut self.balls[i], ball) != ball
     }
 }
 

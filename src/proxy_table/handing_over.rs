@@ -102,15 +102,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
             if has_volumes {
                 let index = slot as usize;
-                let kind = mover.volumes().kind(index);
-                let volume = match kind {
-                    VolumeKind::Ball => mover.volumes().ball_in(index, &aabb),
-                    _ => volume(handle, &mut memos[index], &aabb),
-                };
-                if volume.kind != kind {
-                    break Some((handle, aabb));
+                match mover.volumes().kind(index) {
+                    VolumeKind::Ball => mover.stir_ball(slot, &aabb),
+                    kind => {
+                        let volume = volume(handle, &mut memos[index], &aabb);
+                        if volume.kind != kind {
+                            break Some((handle, aabb));
+                        }
+                        mover.stir(slot, &volume);
+                    }
                 }
-                mover.stir(slot, &volume);
             }
             listed += 1;
         };

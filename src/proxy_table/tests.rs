@@ -5,10 +5,14 @@ mod world;
 
 use super::{BoxSource, FilterKey, Handle};
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
-use crate::{Aabb, Kernel};
+use crate::volume::{Volume, VolumeKind};
+use crate::{Aabb, Kernel, PairFilter};
 use world::World;
 
 const MARGIN: f32 = 0.125;
+
+/// How far the volumes of a held pair may be apart.
+const SLACK: f32 = 0.25;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Id {
@@ -91,10 +95,44 @@ impl BoxSource<f32, 2> for Colliders {
             .is_enabled
             .then_some((collider.aabb, collider.side))
     }
+
+    fn volume(&self, id: Id, memo: &mut Memo, aabb: &Aabb<f32, 2>) -> Volume<f32, 2> {
+        assert_eq!(memo.owner, Some(id));
+        self.volume_in(id, aabb)
+    }
+}
+
+impl Colliders {
+    /// By slot and generation, volumes of every kind.
+    fn volume_in(&self, id: Id, aabb: &Aabb<f32, 2>) -> Volume<f32, 2> {
+        let Some(collider) = self.get(id) else {
+            return Volume::BOX;
+        };
+        let Aabb { mins, maxs } = collider.aabb;
+        let center = [0, 1].map(|k| (mins[k] + maxs[k]) / 2.0);
+        let volume = match (id.slot + id.generation) % 4 {
+            0 => Volume::new(VolumeKind::Capsule, center, 0.25, &[[0.25, 0.125]]),
+            1 => Volume::new(
+                VolumeKind::Cuboid,
+                center,
+                0.125,
+                &[[0.25, 0.125], [-0.125, 0.25]],
+            ),
+            2 => Volume::BOX,
+            _ => Volume::new(VolumeKind::Ball, center, 0.5, &[]),
+        };
+        volume.in_box(aabb)
+    }
 }
 
 fn check(slots: u32, updates: usize, seed: u64) {
-    let mut world = World::new(slots, seed);
+    for filter in [PairFilter::Groups, PairFilter::Shapes] {
+        check_with(filter, slots, updates, seed);
+    }
+}
+
+fn check_with(filter: PairFilter, slots: u32, updates: usize, seed: u64) {
+    let mut world = World::new(filter, slots, seed);
     for _ in 0..slots {
         let aabb = world.random_box();
         world.colliders.slots.push(Collider {
@@ -165,7 +203,7 @@ fn colliders_read_in_parts_agree_with_the_model() {
 
 #[test]
 fn moved_colliders_are_counted_once() {
-    let mut world = World::new(4, 6);
+    let mut world = World::new(PairFilter::Groups, 4, 6);
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);
     let collider = Collider {
         generation: 0,
@@ -193,7 +231,7 @@ fn moved_colliders_are_counted_once() {
 
 #[test]
 fn boxes_for_unknown_colliders_make_room_once() {
-    let mut world = World::new(2, 7);
+    let mut world = World::new(PairFilter::Groups, 2, 7);
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);
     let step = ROOM_AHEAD as u32 - 1;
     // Each within reach of the one before.
@@ -210,12 +248,17 @@ fn boxes_for_unknown_colliders_make_room_once() {
         })
     };
     for _ in 0..3 {
-        world.table.hand_over(bogus(0), MARGIN);
-        assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
-        world.table.update([&[], &[]], &world.colliders, MARGIN);
         world
             .table
-            .finish(&mut Vec::new(), &mut Vec::<[Id; 2]>::new(), |_, ids| ids);
+            .hand_over(bogus(0), MARGIN, |_, _, _| Volume::BOX);
+        assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
+        world.table.update([&[], &[]], &world.colliders, MARGIN);
+        world.table.finish(
+            0.0,
+            &mut Vec::new(),
+            &mut Vec::<[Id; 2]>::new(),
+            |_, ids| ids,
+        );
         world.table.validate(Kernel::GridSweep);
         assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
     }
@@ -238,7 +281,9 @@ fn boxes_for_unknown_colliders_make_room_once() {
     let last = world.colliders.id(2 * ROOM_AHEAD as u32 - 1);
     world.update(&[last], &[]);
     world.update(&[], &[last]);
-    world.table.hand_over(bogus(last.slot + 1), MARGIN);
+    world
+        .table
+        .hand_over(bogus(last.slot + 1), MARGIN, |_, _, _| Volume::BOX);
     assert_eq!(world.table.boxes().len(), 3 * ROOM_AHEAD);
     world.table.validate(Kernel::GridSweep);
 }

@@ -2,6 +2,7 @@
 
 use super::proxies::{Proxies, overlap};
 use super::retired::RetiredPairs;
+use super::state::PairState;
 use crate::bit_set::BitSet;
 use crate::pair_tracker::{FilterKey, PairChange};
 use crate::slot_set::SlotSet;
@@ -11,13 +12,13 @@ use crate::{Aabb, Real};
 /// In place of a slot: the candidate is gone.
 const TOMBSTONE: u32 = u32::MAX;
 
-/// The candidates by rows, and whether each is held.
+/// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CandidateArray {
     /// By slots, smaller first; two tombstones where the candidate is gone.
     pairs: Vec<[u32; 2]>,
-    /// By row: whether the pair is held, because its boxes overlap and its volumes meet.
-    held: Vec<bool>,
+    /// By row.
+    states: Vec<PairState>,
     held_count: usize,
     tombstones: usize,
     /// Held pairs that were retired in this update, if there are volumes.
@@ -27,22 +28,35 @@ pub(super) struct CandidateArray {
 }
 
 impl CandidateArray {
-    /// The candidates in these rows.
+    /// The candidates in these rows, of which those in `near` overlap and are not held.
+    ///
+    /// # Errors
+    /// If a row in `near` does not overlap.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn new<R: Real, const D: usize>(
         rows: impl Iterator<Item = Option<[u32; 2]>>,
         boxes: &[Aabb<R, D>],
-    ) -> Self {
+        near: &[usize],
+    ) -> Result<Self, &'static str> {
         let rows = rows.map(|row| row.unwrap_or([TOMBSTONE; 2]));
         let mut array = Self {
             pairs: rows.collect(),
             ..Self::default()
         };
-        let held = |&pair: &[u32; 2]| pair[0] != TOMBSTONE && overlap(boxes, pair);
-        array.held = array.pairs.iter().map(held).collect();
+        let state = |&pair: &[u32; 2]| match pair[0] != TOMBSTONE && overlap(boxes, pair) {
+            true => PairState::Held,
+            false => PairState::Apart,
+        };
+        array.states = array.pairs.iter().map(state).collect();
+        for &row in near {
+            match array.states.get_mut(row) {
+                Some(state) if state.is_held() => *state = PairState::Near,
+                _ => return Err("snapshot: a pair is near although its boxes do not overlap"),
+            }
+        }
         array.held_count = array.held().count();
         array.tombstones = array.rows() - array.iter().count();
-        array
+        Ok(array)
     }
 
     /// The pair in a row, if it is not gone.
@@ -75,8 +89,15 @@ impl CandidateArray {
     }
 
     pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let all = self.pairs.iter().zip(&self.held);
-        all.filter_map(|(&pair, &is_held)| is_held.then_some(pair))
+        let all = self.pairs.iter().zip(&self.states);
+        all.filter_map(|(&pair, &state)| state.is_held().then_some(pair))
+    }
+
+    /// The rows whose boxes overlap and that are not held, with their pairs.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn near(&self) -> impl Iterator<Item = (usize, [u32; 2])> + '_ {
+        let all = self.pairs.iter().zip(&self.states).enumerate();
+        all.filter_map(|(row, (&pair, &state))| (state == PairState::Near).then_some((row, pair)))
     }
 
     /// Makes `found` the candidates, and leaves the memory of the former ones there.
@@ -88,26 +109,29 @@ impl CandidateArray {
     ) {
         let Self {
             pairs,
-            held,
+            states,
             retired,
             answers,
             ..
         } = self;
         if proxies.has_volumes() {
-            let rows = pairs.iter().zip(held.iter());
-            for (&pair, _) in rows.filter(|&(&pair, &is_held)| is_held && proxies.are_left(pair)) {
+            let rows = pairs.iter().zip(states.iter());
+            let held = rows.filter(|(_, state)| state.is_held());
+            for (&pair, _) in held.filter(|&(&pair, _)| proxies.are_left(pair)) {
                 retired.insert(pair);
             }
         } else {
             answers.ask(pairs.len(), |rows| {
-                let rows = pairs[rows.clone()].iter().zip(&held[rows]);
-                gather(rows, |(&pair, &is_held)| is_held && proxies.has_ended(pair))
+                let rows = pairs[rows.clone()].iter().zip(&states[rows]);
+                gather(rows, |(&pair, state)| {
+                    state.is_held() && proxies.has_ended(pair)
+                })
             });
             let ended = answers.iter();
             ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
         }
         std::mem::swap(pairs, found);
-        held.clear();
+        states.clear();
         self.held_count = 0;
         self.tombstones = 0;
         let pairs = std::mem::take(pairs);
@@ -132,46 +156,29 @@ impl CandidateArray {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        if proxies.has_volumes() {
-            return self.hold_new_by_volumes(found, proxies, report);
-        }
-        let Self { held, answers, .. } = self;
+        let Self {
+            states,
+            retired,
+            held_count,
+            answers,
+            ..
+        } = self;
         answers.ask(found.len(), |rows| {
             gather(&found[rows], |&pair| proxies.overlap(pair))
         });
-        let words = found.chunks(64).zip(answers.words());
-        held.extend(
-            words.flat_map(|(pairs, word)| (0..pairs.len()).map(move |i| word >> i & 1 == 1)),
-        );
-        self.held_count += answers.iter().count();
-        // Most pairs that are held were held before.
+        let first = states.len();
+        states.resize(first + found.len(), PairState::Apart);
         for i in answers.iter() {
-            if !proxies.was_held(found[i]) {
-                report(PairChange::Added(found[i]));
-            }
-        }
-    }
-
-    /// What is left of the retired pairs afterwards has ended.
-    fn hold_new_by_volumes<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        found: &[[u32; 2]],
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self {
-            held,
-            retired,
-            held_count,
-            ..
-        } = self;
-        for &pair in found {
-            let overlaps = proxies.overlap(pair);
-            let was_held = overlaps && retired.take(pair);
-            let is_held = overlaps && proxies.volumes_meet(pair, was_held);
-            held.push(is_held);
-            *held_count += usize::from(is_held);
-            match (was_held, is_held) {
+            let pair = found[i];
+            // Most pairs that are held were held before.
+            let was_held = match proxies.has_volumes() {
+                true => retired.take(pair),
+                false => proxies.was_held(pair),
+            };
+            let state = proxies.state_of_overlapping(pair, was_held);
+            states[first + i] = state;
+            *held_count += usize::from(state.is_held());
+            match (was_held, state.is_held()) {
                 (false, true) => report(PairChange::Added(pair)),
                 (true, false) => report(PairChange::Deleted(pair)),
                 _ => {}
@@ -197,44 +204,43 @@ impl CandidateArray {
         report: &mut impl FnMut(PairChange),
     ) -> bool {
         debug_assert_eq!(self.tombstones, 0);
-        let Self { pairs, held, .. } = self;
+        let Self { pairs, states, .. } = self;
         // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has turned.
-        let have_turned = |pairs: &[[u32; 2]], held: &[bool]| {
-            if proxies.has_volumes() {
-                let overlap = gather(pairs, |&pair| proxies.overlap(pair));
-                let held = gather(held, |&is_held| is_held);
-                proxies.held_by_volumes(pairs, overlap, held) ^ held
-            } else {
-                gather(pairs.iter().zip(held), |(&pair, &is_held)| {
-                    proxies.overlap(pair) ^ is_held
-                })
-            }
-        };
         if escaped.len() == 0 {
             changed.ask(pairs.len(), |rows| {
-                have_turned(&pairs[rows.clone()], &held[rows])
+                proxies.turned(&pairs[rows.clone()], &states[rows])
             });
-            changed.iter().for_each(|row| self.turn(row, report));
+            for row in changed.iter() {
+                self.set_state(
+                    row,
+                    proxies.state_of(self.pairs[row], self.states[row]),
+                    report,
+                );
+            }
             return false;
         }
         let has_escaped = |&[a, b]: &[u32; 2]| escaped.contains(a) | escaped.contains(b);
         changed.ask(pairs.len(), |rows| {
-            let (pairs, held) = (&pairs[rows.clone()], &held[rows]);
-            have_turned(pairs, held) | gather(pairs, has_escaped)
+            let (pairs, states) = (&pairs[rows.clone()], &states[rows]);
+            proxies.turned(pairs, states) | gather(pairs, has_escaped)
         });
         let rows = pairs.len();
         for row in changed.iter() {
             if has_escaped(&self.pairs[row]) {
                 self.retire(row, proxies, report);
             } else {
-                self.turn(row, report);
+                self.set_state(
+                    row,
+                    proxies.state_of(self.pairs[row], self.states[row]),
+                    report,
+                );
             }
         }
         // Backwards, so that the row `swap_remove` moves in has already been checked.
         for row in changed.iter_backwards() {
             if self.pairs[row][0] == TOMBSTONE {
                 self.pairs.swap_remove(row);
-                self.held.swap_remove(row);
+                self.states.swap_remove(row);
             }
         }
         self.tombstones = 0;
@@ -250,24 +256,43 @@ impl CandidateArray {
         report: &mut impl FnMut(PairChange),
     ) {
         if let Some(pair) = self.get(row) {
-            let was_held = self.held[row];
-            let is_held = proxies.overlap(pair)
-                && (!proxies.has_volumes() || proxies.volumes_meet(pair, was_held));
-            if is_held != was_held {
-                self.turn(row, report);
+            let former = self.states[row];
+            let state = proxies.state_of(pair, former);
+            if state != former {
+                self.set_state(row, state, report);
             }
         }
     }
 
+    /// Brings the rows that are near, and of which no box was renewed, up to date with the present volumes.
+    pub(super) fn compare_near<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        changed: &mut BitSet,
+        proxies: &Proxies<R, D, K>,
+        report: &mut impl FnMut(PairChange),
+    ) {
+        let Self { pairs, states, .. } = self;
+        changed.ask(pairs.len(), |rows| {
+            proxies.turned_near(&pairs[rows.clone()], &states[rows])
+        });
+        for row in changed.iter() {
+            self.set_state(row, PairState::Held, report);
+        }
+    }
+
     #[inline(always)]
-    fn turn(&mut self, row: usize, report: &mut impl FnMut(PairChange)) {
-        self.held[row] = !self.held[row];
-        if self.held[row] {
-            report(PairChange::Added(self.pairs[row]));
-            self.held_count += 1;
-        } else {
-            report(PairChange::Deleted(self.pairs[row]));
-            self.held_count -= 1;
+    fn set_state(&mut self, row: usize, state: PairState, report: &mut impl FnMut(PairChange)) {
+        let former = std::mem::replace(&mut self.states[row], state);
+        match (former.is_held(), state.is_held()) {
+            (false, true) => {
+                report(PairChange::Added(self.pairs[row]));
+                self.held_count += 1;
+            }
+            (true, false) => {
+                report(PairChange::Deleted(self.pairs[row]));
+                self.held_count -= 1;
+            }
+            _ => {}
         }
     }
 
@@ -284,7 +309,7 @@ impl CandidateArray {
         };
         self.pairs[row] = [TOMBSTONE; 2];
         self.tombstones += 1;
-        if std::mem::take(&mut self.held[row]) {
+        if std::mem::take(&mut self.states[row]).is_held() {
             self.held_count -= 1;
             if proxies.has_volumes() {
                 if proxies.are_left(pair) {
@@ -303,7 +328,7 @@ impl CandidateArray {
         }
         let pairs = &self.pairs;
         let mut row = 0;
-        self.held.retain(|_| {
+        self.states.retain(|_| {
             row += 1;
             pairs[row - 1][0] != TOMBSTONE
         });
@@ -318,19 +343,21 @@ impl CandidateArray {
         now: &[Aabb<R, D>],
         volumes_meet: impl Fn([u32; 2], bool) -> bool,
     ) {
-        assert_eq!(self.pairs.len(), self.held.len());
+        assert_eq!(self.pairs.len(), self.states.len());
         assert_eq!(self.held().count(), self.held_count);
         assert_eq!(self.iter().count(), self.len());
-        for (&pair, &is_held) in self.pairs.iter().zip(&self.held) {
-            let should = pair[0] != TOMBSTONE && overlap(now, pair) && volumes_meet(pair, is_held);
-            assert_eq!(is_held, should, "{pair:?} is held, or is not");
+        for (&pair, &state) in self.pairs.iter().zip(&self.states) {
+            let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);
+            assert_eq!(state != PairState::Apart, overlaps, "{pair:?} overlaps");
+            let is_held = overlaps && volumes_meet(pair, state.is_held());
+            assert_eq!(state.is_held(), is_held, "{pair:?} is held, or is not");
         }
     }
 }
 
 /// The answers for up to 64 items, the first one lowest. Without a branch, because answers are practically random.
 #[inline(always)]
-fn gather<T>(
+pub(super) fn gather<T>(
     items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,
     ask: impl Fn(T) -> bool,
 ) -> u64 {

@@ -1,5 +1,7 @@
 //! Which pairs of proxies overlap now, and which did before.
 
+use super::array::gather;
+use super::state::PairState;
 use crate::bit_set::ones;
 use crate::pair_tracker::{FilterKey, Volumes};
 use crate::{Aabb, Real};
@@ -14,7 +16,7 @@ pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
     pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
     /// The volumes of all slots, which decide if they are in use.
     pub(in crate::pair_tracker) volumes: &'a Volumes<R, D>,
-    /// How far the volumes of a held pair may be apart before it ends.
+    /// How far the volumes of a held pair may be apart.
     pub(in crate::pair_tracker) slack: R,
 }
 
@@ -30,19 +32,63 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
         self.volumes.are_used()
     }
 
-    /// Whether a pair whose boxes overlap is held, if volumes are in use: one that was held while its volumes are nearer than
-    /// the slack, another one as soon as they meet.
+    /// The state of a pair whose boxes overlap: held, unless volumes are in use. Then a pair is held as soon as its volumes meet,
+    /// until one of its boxes is renewed and they are farther apart than the slack.
     #[inline(always)]
-    pub(super) fn volumes_meet(&self, pair: [u32; 2], was_held: bool) -> bool {
-        let slack = if was_held { self.slack } else { R::ZERO };
-        self.volumes.meet(pair, slack)
+    pub(super) fn state_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> PairState {
+        let is_held = !self.has_volumes()
+            || match was_held {
+                false => self.volumes.meet(pair, R::ZERO),
+                true => !self.is_renewed(pair) || self.volumes.meet(pair, self.slack),
+            };
+        match is_held {
+            true => PairState::Held,
+            false => PairState::Near,
+        }
     }
 
-    /// Of up to 64 pairs those that are held, if volumes are in use, by which of them overlap and were held.
+    /// Whether one of two boxes is another one than at the end of the last update.
     #[inline(always)]
-    pub(super) fn held_by_volumes(&self, pairs: &[[u32; 2]], overlap: u64, were_held: u64) -> u64 {
-        let meet = |i: usize| self.volumes_meet(pairs[i], were_held >> i & 1 == 1);
-        ones(overlap).fold(0, |held, i| held | u64::from(meet(i)) << i)
+    fn is_renewed(&self, pair: [u32; 2]) -> bool {
+        pair.iter()
+            .any(|&slot| self.now[slot as usize] != self.before[slot as usize])
+    }
+
+    /// The state of a pair that had this one.
+    #[inline(always)]
+    pub(super) fn state_of(&self, pair: [u32; 2], former: PairState) -> PairState {
+        match self.overlap(pair) {
+            true => self.state_of_overlapping(pair, former.is_held()),
+            false => PairState::Apart,
+        }
+    }
+
+    /// Of up to 64 pairs those whose state is another one now.
+    #[inline(always)]
+    pub(super) fn turned(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+        if !self.has_volumes() {
+            return gather(pairs.iter().zip(states), |(&pair, &state)| {
+                self.overlap(pair) ^ state.is_held()
+            });
+        }
+        let overlap = gather(pairs, |&pair| self.overlap(pair));
+        let overlapped = gather(states, |&state| state != PairState::Apart);
+        (overlap ^ overlapped) | self.turned_of(overlap, pairs, states)
+    }
+
+    /// Of up to 64 pairs those whose boxes overlap, as they did before, and whose volumes have met now.
+    #[inline(always)]
+    pub(super) fn turned_near(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+        let near = gather(states, |&state| state == PairState::Near);
+        self.turned_of(near, pairs, states)
+    }
+
+    /// Of these ones among up to 64 pairs, whose boxes overlap, those whose state is another one now.
+    #[inline(always)]
+    fn turned_of(&self, these: u64, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+        let has_turned =
+            |i: usize| self.state_of_overlapping(pairs[i], states[i].is_held()) != states[i];
+        ones(these).fold(0, |turned, i| turned | u64::from(has_turned(i)) << i)
     }
 
     /// Whether neither proxy of a pair was removed since the last update.

@@ -3,11 +3,10 @@
 /// The end of a list.
 const END: u32 = u32::MAX;
 
-/// A set of pairs that is filled, then emptied, in each update: for each smaller slot a list. Each operation takes constant
-/// time but for the length of a list.
+/// A hash set of pairs that is filled, then emptied, in each update.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RetiredPairs {
-    /// By smaller slot, the first entry of its list.
+    /// By hash, the first entry of a list. As many as a power of two, and at least as many as entries.
     heads: Vec<u32>,
     entries: Vec<Entry>,
 }
@@ -22,23 +21,24 @@ struct Entry {
 impl RetiredPairs {
     /// Adds a pair that is not in the set.
     pub(super) fn insert(&mut self, pair: [u32; 2]) {
-        let smaller = pair[0] as usize;
-        if smaller >= self.heads.len() {
-            self.heads.resize(smaller + 1, END);
+        if self.entries.len() >= self.heads.len() {
+            self.grow();
         }
-        let entry = self.entries.len() as u32;
+        let link = self.entries.len() as u32;
+        let head = hash(pair, self.heads.len());
         self.entries.push(Entry {
             pair,
-            next: std::mem::replace(&mut self.heads[smaller], entry),
+            next: std::mem::replace(&mut self.heads[head], link),
             is_taken: false,
         });
     }
 
     /// Takes a pair out. Returns whether it was in the set.
     pub(super) fn take(&mut self, pair: [u32; 2]) -> bool {
-        let Some(&(mut link)) = self.heads.get(pair[0] as usize) else {
+        if self.entries.is_empty() {
             return false;
-        };
+        }
+        let mut link = self.heads[hash(pair, self.heads.len())];
         while link != END {
             let entry = &mut self.entries[link as usize];
             if entry.pair == pair {
@@ -51,13 +51,31 @@ impl RetiredPairs {
 
     /// Empties the set, and calls `visit` with each pair that was left.
     pub(super) fn drain(&mut self, mut visit: impl FnMut([u32; 2])) {
+        let heads = self.heads.len();
         for entry in self.entries.drain(..) {
-            self.heads[entry.pair[0] as usize] = END;
+            self.heads[hash(entry.pair, heads)] = END;
             if !entry.is_taken {
                 visit(entry.pair);
             }
         }
     }
+
+    #[cold]
+    fn grow(&mut self) {
+        let heads = (2 * self.heads.len()).max(64);
+        self.heads.clear();
+        self.heads.resize(heads, END);
+        for (link, entry) in (0..).zip(&mut self.entries) {
+            entry.next = std::mem::replace(&mut self.heads[hash(entry.pair, heads)], link);
+        }
+    }
+}
+
+/// A number below `count`, a power of two above 1. Fibonacci hashing (Knuth, The Art of Computer Programming, 6.4).
+#[inline(always)]
+fn hash([a, b]: [u32; 2], count: usize) -> usize {
+    let key = u64::from(a) << 32 | u64::from(b);
+    (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - count.trailing_zeros())) as usize
 }
 
 #[cfg(test)]
@@ -67,16 +85,17 @@ mod tests {
     #[test]
     fn a_pair_is_taken_once_and_the_rest_is_drained() {
         let mut retired = RetiredPairs::default();
-        for round in 0..3 {
-            for pair in [[1, 2], [1, 3], [7, 9], [0, 5]] {
-                retired.insert(pair);
+        for count in [3, 1000, 50, 0] {
+            (0..count).for_each(|i| retired.insert([i / 7, i + 1]));
+            for i in (0..count).filter(|i| i % 3 > 0) {
+                assert!(retired.take([i / 7, i + 1]) && !retired.take([i / 7, i + 1]));
+                assert!(!retired.take([i / 7 + 1000, i + 1]));
             }
-            assert!(retired.take([1, 2]) && !retired.take([1, 2]), "{round}");
-            assert!(retired.take([7, 9]) && !retired.take([7, 8]) && !retired.take([8, 9]));
             let mut rest = Vec::new();
             retired.drain(|pair| rest.push(pair));
-            assert_eq!(rest, [[1, 3], [0, 5]]);
-            assert!(!retired.take([1, 3]));
+            let expected = (0..count).filter(|i| i % 3 == 0);
+            assert!(rest.into_iter().eq(expected.map(|i| [i / 7, i + 1])));
+            assert!(!retired.take([0, 1]));
         }
     }
 }

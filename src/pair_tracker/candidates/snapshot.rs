@@ -11,6 +11,8 @@ use crate::{Aabb, Real};
 pub(in crate::pair_tracker) struct CandidatesSnapshot {
     /// By row; `None` for tombstones, whose number decides when they are removed.
     pairs: Vec<Option<[u32; 2]>>,
+    /// The rows whose boxes overlap and that are not held, because their volumes have not met.
+    near: Vec<usize>,
     lists: ListState,
 }
 
@@ -18,6 +20,7 @@ impl Candidates {
     pub(in crate::pair_tracker) fn snapshot(&self) -> CandidatesSnapshot {
         CandidatesSnapshot {
             pairs: (0..self.rows()).map(|row| self.array.get(row)).collect(),
+            near: self.array.near().map(|(row, _)| row).collect(),
             lists: self.lists(),
         }
     }
@@ -31,7 +34,7 @@ impl Candidates {
         boxes: &[Aabb<R, D>],
         mut found: Vec<[u32; 2]>,
     ) -> Result<Self, &'static str> {
-        let CandidatesSnapshot { pairs, lists } = snapshot;
+        let CandidatesSnapshot { pairs, near, lists } = snapshot;
         let mut kept: Vec<_> = pairs.iter().flatten().copied().collect();
         kept.sort_unstable();
         found.sort_unstable();
@@ -42,7 +45,7 @@ impl Candidates {
             return Err("snapshot: the lists of candidates are out of range");
         }
         let mut candidates = Self {
-            array: CandidateArray::new(pairs.into_iter(), boxes),
+            array: CandidateArray::new(pairs.into_iter(), boxes, &near)?,
             ..Self::default()
         };
         candidates

@@ -7,6 +7,7 @@ fn world() -> Known {
     Known {
         slots: 1000,
         touched: 0,
+        stirred: 0,
         escaped: 0,
         candidates: 4000,
         held: 2000,
@@ -54,6 +55,23 @@ fn nothing_is_done_if_nothing_was_touched() {
         ..world()
     };
     assert_eq!(plan(unsorted), Plan::Nothing);
+}
+
+#[test]
+fn what_has_another_volume_is_compared_as_if_it_were_touched_unless_it_is_most() {
+    for stirred in [1, 10, 100, 400] {
+        let known = |touched, stirred| Known {
+            touched,
+            stirred,
+            ..world()
+        };
+        let most = are_most_touched(stirred, 1000);
+        let alike = known(if most { 0 } else { stirred }, 0);
+        let Plan::Compare(extent) = plan(known(0, stirred)) else {
+            panic!("candidates are compared");
+        };
+        assert_eq!(extent, alike.extent());
+    }
 }
 
 #[test]

@@ -2,13 +2,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Colliders, Id, MARGIN, Side};
+use super::{Colliders, Id, MARGIN, SLACK, Side};
 use crate::pair_tracker::FilterKey;
-use crate::{Aabb, GridSweep, PairFinder};
+use crate::volume::{Volume, VolumeKind};
+use crate::{Aabb, GridSweep, PairFilter, PairFinder};
 
 /// What the table should hold.
-#[derive(Default)]
 pub(super) struct Model {
+    filter: PairFilter,
+    volumes: BTreeMap<u32, Volume<f32, 2>>,
+    /// The boxes at the end of the last update.
+    before: BTreeMap<u32, Aabb<f32, 2>>,
     /// Known colliders, with their boxes; none where the collider is refused.
     pub(super) known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
     pub(super) sides: BTreeMap<u32, Side>,
@@ -19,6 +23,19 @@ pub(super) struct Model {
 }
 
 impl Model {
+    pub(super) fn new(filter: PairFilter) -> Self {
+        Self {
+            filter,
+            volumes: BTreeMap::new(),
+            before: BTreeMap::new(),
+            known: BTreeMap::new(),
+            sides: BTreeMap::new(),
+            held: BTreeSet::new(),
+            awaited: Vec::new(),
+            moved: 0,
+        }
+    }
+
     fn remove(&mut self, id: Id) {
         if self
             .known
@@ -26,16 +43,23 @@ impl Model {
             .is_some_and(|known| known.0 == id.generation)
         {
             self.known.remove(&id.slot);
+            self.before.remove(&id.slot);
             self.held.retain(|pair| !pair.contains(&id.slot));
         }
     }
 
     /// A known collider keeps its side.
-    pub(super) fn hand_over(&mut self, id: Id, aabb: Aabb<f32, 2>) {
+    pub(super) fn hand_over(&mut self, id: Id, aabb: Aabb<f32, 2>, colliders: &Colliders) {
         match self.known.get_mut(&id.slot) {
             Some(known) if known.0 == id.generation => {
                 let side = self.sides[&id.slot];
-                return self.read(id, Some((aabb, side)));
+                // A ball needs nothing but its box.
+                let former = self.volumes[&id.slot];
+                let volume = match former.kind {
+                    VolumeKind::Ball => former.in_box(&aabb),
+                    _ => colliders.volume_in(id, &aabb),
+                };
+                return self.read(id, Some((aabb, side, volume)));
             }
             Some((generation, held)) => {
                 // Queries find the box in its slot. If that is wrong, the next update puts it right.
@@ -56,20 +80,26 @@ impl Model {
     pub(super) fn update(&mut self, modified: &[Id], removed: &[Id], colliders: &Colliders) {
         let read = |id| {
             let collider = colliders.get(id).filter(|collider| collider.is_enabled);
-            collider.map(|collider| (collider.aabb, collider.side))
+            collider.map(|collider| {
+                let volume = colliders.volume_in(id, &collider.aabb);
+                (collider.aabb, collider.side, volume)
+            })
         };
         removed.iter().for_each(|&id| self.remove(id));
         for (id, aabb) in std::mem::take(&mut self.awaited) {
             if !removed.contains(&id) {
-                let found = read(id).map(|(found, side)| (aabb.unwrap_or(found), side));
+                let found = read(id).map(|(found, side, volume)| match aabb {
+                    Some(aabb) => (aabb, side, volume.in_box(&aabb)),
+                    None => (found, side, volume),
+                });
                 self.read(id, found);
             }
         }
         modified.iter().for_each(|&id| self.read(id, read(id)));
     }
 
-    fn read(&mut self, id: Id, found: Option<(Aabb<f32, 2>, Side)>) {
-        let Some((aabb, side)) = found else {
+    fn read(&mut self, id: Id, found: Option<(Aabb<f32, 2>, Side, Volume<f32, 2>)>) {
+        let Some((aabb, side, volume)) = found else {
             return self.remove(id);
         };
         if let Some(&(generation, _)) = self.known.get(&id.slot) {
@@ -78,6 +108,7 @@ impl Model {
             }
         }
         self.sides.insert(id.slot, side);
+        self.volumes.insert(id.slot, volume);
         let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
         let renewed = match held {
             Some(held) if aabb.is_valid() && held.contains(&aabb) => return,
@@ -87,6 +118,19 @@ impl Model {
         };
         *held = renewed;
         self.moved += 1;
+    }
+
+    /// Whether a pair whose boxes overlap is held.
+    fn volumes_meet(&self, pair: [u32; 2]) -> bool {
+        if self.filter != PairFilter::Shapes {
+            return true;
+        }
+        let [a, b] = pair.map(|slot| self.volumes[&slot]);
+        let is_renewed = |slot| self.before.get(slot) != self.known[slot].1.as_ref();
+        match self.held.contains(&pair) {
+            false => a.meets(&b, 0.0),
+            true => !pair.iter().any(is_renewed) || a.meets(&b, SLACK),
+        }
     }
 
     /// The pairs that are added and deleted.
@@ -102,9 +146,14 @@ impl Model {
         let held = pairs.iter().map(|pair| pair.map(|i| slots[i as usize]));
         let held = held.filter(|pair| {
             let [a, b] = pair.map(|slot| self.sides[&slot]);
-            a.may_meet(b)
+            a.may_meet(b) && self.volumes_meet(*pair)
         });
-        let before = std::mem::replace(&mut self.held, held.collect());
+        let held = held.collect();
+        let boxes = self.known.iter();
+        self.before = boxes
+            .filter_map(|(&slot, known)| Some((slot, known.1?)))
+            .collect();
+        let before = std::mem::replace(&mut self.held, held);
         let added = self.held.difference(&before).copied().collect();
         let deleted = before.difference(&self.held).copied().collect();
         [added, deleted]

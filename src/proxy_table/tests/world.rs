@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use oorandom::Rand32;
 
 use super::model::Model;
-use super::{Colliders, Id, MARGIN, Memo, Side};
+use super::{Colliders, Id, MARGIN, Memo, SLACK, Side};
 use crate::proxy_table::ProxyTable;
-use crate::{Aabb, Kernel, Settings, Stats};
+use crate::{Aabb, Kernel, PairFilter, Settings, Stats};
 
 /// Both in one world, and what is random about it.
 pub(super) struct World {
@@ -19,13 +19,13 @@ pub(super) struct World {
 }
 
 impl World {
-    pub(super) fn new(slots: u32, seed: u64) -> Self {
+    pub(super) fn new(filter: PairFilter, slots: u32, seed: u64) -> Self {
         Self {
             random: Rand32::new(seed),
             side: (slots as f32 * 1.5).sqrt(),
             colliders: Colliders::default(),
-            table: ProxyTable::new(&Settings::default()),
-            model: Model::default(),
+            table: ProxyTable::new(&Settings::default().with_filter(filter)),
+            model: Model::new(filter),
         }
     }
 
@@ -109,9 +109,13 @@ impl World {
     /// Hands boxes over to both.
     pub(super) fn hand_over(&mut self, boxes: &[(Id, Aabb<f32, 2>)]) {
         let before = self.table.stats();
-        self.table.hand_over(boxes.iter().copied(), MARGIN);
+        let colliders = &self.colliders;
+        self.table
+            .hand_over(boxes.iter().copied(), MARGIN, |id, _, aabb| {
+                colliders.volume_in(id, aabb)
+            });
         for &(id, aabb) in boxes {
-            self.model.hand_over(id, aabb);
+            self.model.hand_over(id, aabb, &self.colliders);
         }
         let after = self.table.stats();
         // What the last update did stays.
@@ -138,7 +142,7 @@ impl World {
         let counts = [added.len(), deleted.len()];
         let mut events: Vec<(bool, [Id; 2])> = Vec::new();
         self.table
-            .finish(&mut Vec::new(), &mut events, |is_added, pair| {
+            .finish(SLACK, &mut Vec::new(), &mut events, |is_added, pair| {
                 (is_added, pair)
             });
         for (is_added, pair) in events {
