@@ -9,6 +9,7 @@
 //! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles between two updates. Either way
 //! each box gets one [`Verdict`].
 
+mod changes;
 mod handing_over;
 mod reading;
 #[cfg(feature = "serde-serialize")]
@@ -19,10 +20,11 @@ mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{FilterKey, PairChange, PairTracker};
+use crate::pair_tracker::{FilterKey, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::volume::Volume;
 use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
+pub(crate) use changes::Changes;
 use handing_over::Awaited;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
@@ -312,36 +314,29 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Ends an update: appends how the set of pairs has changed. Held pairs end once their volumes are farther apart than
-    /// `slack`, if there are volumes. `changes` is scratch.
+    /// Ends an update: appends how the set of pairs has changed, in the order of [`Changes`], which are scratch. If volumes are in
+    /// use, held pairs end once they are farther apart than `slack`.
     pub(crate) fn finish<H: Handle, E>(
         &mut self,
         slack: R,
-        changes: &mut Vec<PairChange>,
+        changes: &mut Changes,
         events: &mut Vec<E>,
         event: impl Fn(bool, [H; 2]) -> E,
     ) {
-        self.tracker.finish(slack, |change| changes.push(change));
+        self.tracker.finish(slack, |change| changes.note(change));
         let lap = self.tracker.stopwatch.start();
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
-        let before = events.len();
         let Self {
             generations, stats, ..
         } = self;
+        let [deleted, added] = changes.drain();
         stats.updates = stats.updates.wrapping_add(1);
         stats.listed = listed;
         stats.moved = moved;
-        stats.added = 0;
-        events.extend(changes.drain(..).map(|change| {
-            // Whether it begins or ends is as good as random, so there is no branch on it.
-            let (is_added, pair) = match change {
-                PairChange::Added(pair) => (true, pair),
-                PairChange::Deleted(pair) => (false, pair),
-            };
-            stats.added += usize::from(is_added);
-            event(is_added, handles(generations, pair))
-        }));
-        stats.deleted = events.len() - before - stats.added;
+        stats.deleted = deleted.len();
+        stats.added = added.len();
+        events.extend(deleted.map(|pair| event(false, handles(generations, pair))));
+        events.extend(added.map(|pair| event(true, handles(generations, pair))));
         self.tracker.stopwatch.lap(lap, |times| &mut times.events);
         self.stats.times = self.tracker.stopwatch.times;
     }

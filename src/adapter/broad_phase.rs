@@ -11,8 +11,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::version;
-use crate::pair_tracker::PairChange;
-use crate::proxy_table::ProxyTable;
+use crate::proxy_table::{Changes, ProxyTable};
 use crate::volume::Volume;
 use crate::{Kernel, PairFilter, Stats};
 
@@ -33,7 +32,7 @@ pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,
     pub(super) settings: Settings,
     /// Scratch: how pairs have changed.
-    pub(super) changes: Vec<PairChange>,
+    pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
 }
 
@@ -67,7 +66,7 @@ impl UnisizeBroadPhase {
         Self {
             table: ProxyTable::new(&Self::resolved(settings)),
             settings,
-            changes: Vec::new(),
+            changes: Changes::default(),
             query_tree: QueryTree::default(),
         }
     }

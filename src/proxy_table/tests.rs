@@ -3,7 +3,7 @@
 mod model;
 mod world;
 
-use super::{BoxSource, FilterKey, Handle};
+use super::{BoxSource, Changes, FilterKey, Handle};
 use crate::tuning::update::{READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Kernel, PairFilter};
@@ -255,7 +255,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
         world.table.update([&[], &[]], &world.colliders, MARGIN);
         world.table.finish(
             0.0,
-            &mut Vec::new(),
+            &mut Changes::default(),
             &mut Vec::<[Id; 2]>::new(),
             |_, ids| ids,
         );
