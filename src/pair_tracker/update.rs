@@ -132,13 +132,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             self.stirred.extend_from_slice(&self.touched);
             &self.stirred
         };
-        let comparing = match changed.is_empty() {
-            true => Work::default(),
-            false => self
+        let (mut comparing, mut are_all_compared) = (Work::default(), false);
+        if !changed.is_empty() {
+            comparing = self
                 .candidates
-                .compare(extent, changed, &self.escaped, &proxies, report),
-        };
-        if are_near_compared && extent != Extent::All {
+                .compare(extent, changed, &self.escaped, &proxies, report);
+            are_all_compared = extent == Extent::All;
+        }
+        if are_near_compared && !are_all_compared {
             self.candidates.compare_near(&proxies, report);
         }
         self.work = Work {

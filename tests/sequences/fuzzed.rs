@@ -10,9 +10,9 @@ use crate::flavours::{
     dim2, dim2_0_36, dim2_f64, dim2_f64_0_36, dim3, dim3_0_36, dim3_f64, dim3_f64_0_36,
 };
 use crate::ops::{
-    BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List,
-    MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape, Triple,
-    Types,
+    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
+    List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape,
+    Triple, Types,
 };
 
 /// How many colliders there may be; the model looks at every pair of them.
@@ -112,7 +112,7 @@ impl Bytes<'_> {
     }
 
     fn op(&mut self) -> Result<Op> {
-        Ok(match self.0.int_in_range(0..=28)? {
+        Ok(match self.0.int_in_range(0..=30)? {
             0..=2 => Op::Insert(self.new_collider()?, self.parent()?),
             3 | 4 => Op::Move(self.pick()?, self.triple(&SMALL)?),
             5 | 6 => Op::Move(self.pick()?, self.triple(&LARGE)?),
@@ -138,6 +138,8 @@ impl Bytes<'_> {
             25 => Op::ListAgain(self.list()?, self.pick()?),
             26 => Op::ListStale(self.list()?, self.pick()?),
             27 => Op::ListBogus(self.list()?, self.index()?, self.0.int_in_range(0..=3)?),
+            28 => Op::Turn(self.pick()?, self.triple(&ANGLES)?),
+            29 => Op::Hook(self.pick()?, self.flag()?),
             _ => Op::LengthUnit(self.one_of(&LENGTH_UNITS)?),
         })
     }

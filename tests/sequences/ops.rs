@@ -26,12 +26,19 @@ pub(crate) const LENGTHS: [f32; 6] = [0.25, 0.1, 0.5, 0.499, 1.0, 3.0];
 /// Coordinates of the normal of a half-space.
 pub(crate) const NORMALS: [f32; 3] = [0.0, 1.0, -1.0];
 
+/// Angles.
+pub(crate) const ANGLES: [f32; 5] = [0.0, 0.4, -1.1, std::f32::consts::FRAC_PI_4, 2.5];
+
 pub(crate) const SKINS: [f32; 4] = [0.0, 0.005, 0.1, 1.0];
 
 pub(crate) const LENGTH_UNITS: [f32; 3] = [1.0, 0.1, 10.0];
 
-pub(crate) const FILTERS: [PairFilter; 3] =
-    [PairFilter::Bodies, PairFilter::Groups, PairFilter::Off];
+pub(crate) const FILTERS: [PairFilter; 4] = [
+    PairFilter::Bodies,
+    PairFilter::Groups,
+    PairFilter::Off,
+    PairFilter::Shapes,
+];
 
 pub(crate) const MARGINS: [f32; 4] = [0.01, 0.0, 0.1, -1.0];
 
@@ -114,6 +121,10 @@ pub(crate) enum Op {
     Shift(Pick, Triple),
     /// Puts a collider, or its body, at rest somewhere.
     Teleport(Pick, Triple),
+    /// Turns a collider, with its body if it has one; in the plane by the first angle.
+    Turn(Pick, Triple),
+    /// Has a collider ask hooks, or no longer.
+    Hook(Pick, bool),
     /// Sets the pose of a collider, or of its body, to NaN.
     Spoil(Pick),
     Resize(Pick, Shape),

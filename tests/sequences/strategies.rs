@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::ops::{
-    BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS, List,
-    MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, SKINS, SMALL, Sequence, Shape, Triple, Types,
+    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
+    List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, SKINS, SMALL, Sequence, Shape, Triple,
+    Types,
 };
 
 pub(crate) fn sequences() -> impl Strategy<Value = Sequence> {
@@ -57,6 +58,8 @@ fn ops() -> impl Strategy<Value = Op> {
         6 => (pick(), large.clone()).prop_map(|(i, by)| Op::Move(i, by)),
         2 => (pick(), large.clone()).prop_map(|(i, by)| Op::Shift(i, by)),
         2 => (pick(), places()).prop_map(|(i, to)| Op::Teleport(i, to)),
+        4 => (pick(), triples(select(&ANGLES[..]))).prop_map(|(i, by)| Op::Turn(i, by)),
+        1 => (pick(), any::<bool>()).prop_map(|(i, on)| Op::Hook(i, on)),
         2 => pick().prop_map(Op::Spoil),
         2 => (pick(), shapes()).prop_map(|(i, shape)| Op::Resize(i, shape)),
         1 => (pick(), select(&SKINS[..])).prop_map(|(i, s)| Op::Skin(i, s)),

@@ -2,6 +2,7 @@
 
 use super::UnisizeBroadPhase;
 use super::rapier::parry::query;
+use super::rapier::parry::shape::HalfSpace;
 use super::rapier::prelude::*;
 use super::suite::World;
 use super::suite::checked::CheckedBroadPhase;
@@ -23,6 +24,29 @@ pub(super) fn translation(triple: Triple) -> Pose {
     Isometry::from_parts(vector(triple).into(), Rotation::identity())
 }
 
+/// A turn; in the plane by the first angle.
+pub(super) fn rotation(angles: Triple) -> Pose {
+    let collider = ColliderBuilder::ball(1.0).rotation(Angles::new(angles));
+    *collider.build().position()
+}
+
+/// What a turn is given by, in the plane and in space.
+trait Angles {
+    fn new(angles: Triple) -> Self;
+}
+
+impl Angles for Real {
+    fn new(angles: Triple) -> Self {
+        angles[0].into()
+    }
+}
+
+impl Angles for Vector<Real> {
+    fn new(angles: Triple) -> Self {
+        vector(angles)
+    }
+}
+
 /// The pose moved along the axes of the world.
 pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
     pose.translation.vector += vector(by);
@@ -31,6 +55,20 @@ pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
 
 pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
     (*collider.translation()).into()
+}
+
+/// The origin of a pose.
+pub(super) fn origin(pose: &Pose) -> Vector<Real> {
+    pose.translation.vector
+}
+
+/// The vector from the origin to a point.
+pub(super) fn arrow(point: Point<Real>) -> Vector<Real> {
+    point.coords
+}
+
+pub(super) fn normal(half_space: &HalfSpace) -> Vector<Real> {
+    *half_space.normal
 }
 
 /// The box of a collider that this version hands over: none.

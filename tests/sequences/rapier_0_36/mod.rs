@@ -3,6 +3,7 @@
 use super::UnisizeBroadPhase;
 use super::rapier::math::Vector;
 use super::rapier::parry::query;
+use super::rapier::parry::shape::HalfSpace;
 use super::rapier::prelude::*;
 use super::suite::World;
 use crate::ops::Triple;
@@ -20,6 +21,29 @@ pub(super) fn translation(triple: Triple) -> Pose {
     Pose::from_translation(vector(triple))
 }
 
+/// A turn; in the plane by the first angle.
+pub(super) fn rotation(angles: Triple) -> Pose {
+    let collider = ColliderBuilder::ball(1.0).rotation(Angles::new(angles));
+    *collider.build().position()
+}
+
+/// What a turn is given by, in the plane and in space.
+trait Angles {
+    fn new(angles: Triple) -> Self;
+}
+
+impl Angles for Real {
+    fn new(angles: Triple) -> Self {
+        angles[0].into()
+    }
+}
+
+impl Angles for Vector {
+    fn new(angles: Triple) -> Self {
+        vector(angles)
+    }
+}
+
 /// The pose moved along the axes of the world.
 pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
     pose.translation += vector(by);
@@ -28,6 +52,20 @@ pub(super) fn moved(mut pose: Pose, by: Triple) -> Pose {
 
 pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
     collider.translation().into()
+}
+
+/// The origin of a pose.
+pub(super) fn origin(pose: &Pose) -> Vector {
+    pose.translation
+}
+
+/// The vector from the origin to a point.
+pub(super) fn arrow(point: Vector) -> Vector {
+    point
+}
+
+pub(super) fn normal(half_space: &HalfSpace) -> Vector {
+    half_space.normal
 }
 
 /// The box of a collider that the engine hands over once it has moved.

@@ -124,6 +124,13 @@ impl CheckedBroadPhase {
             }
             assert_far_apart(pair, self.prediction, colliders);
         }
+        if !self.is_deceived {
+            for pair in self.model.near() {
+                if !self.model.held().contains(&pair) {
+                    assert_far_apart(&pair, self.prediction, colliders);
+                }
+            }
+        }
         let listed = modified.len() + removed.len() + std::mem::take(&mut self.handed_over);
         if listed > 0 {
             self.updates += 1;
@@ -164,7 +171,7 @@ fn changes(events: &[BroadPhasePairEvent]) -> Changes {
     }
 }
 
-/// A deleted pair must be farther apart than the prediction distance, by the shapes and not their boxes.
+/// A pair that is not held must be farther apart than the prediction distance, by the shapes and not their boxes.
 fn assert_far_apart(pair: &Pair, prediction: Real, colliders: &ColliderSet) {
     let [a, b] = pair.map(|(index, generation)| {
         let handle = ColliderHandle::from_raw_parts(index, generation);
@@ -183,7 +190,7 @@ fn assert_far_apart(pair: &Pair, prediction: Real, colliders: &ColliderSet) {
         let rounding = 1.0e-5 * (1.0 + magnitude);
         assert!(
             distance >= reach - rounding,
-            "{pair:?} is deleted at a distance of {distance}, within {reach}"
+            "{pair:?} is not held at a distance of {distance}, within {reach}"
         );
     }
 }

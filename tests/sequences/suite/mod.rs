@@ -8,6 +8,7 @@ mod direct;
 mod model;
 #[cfg(test)]
 pub(super) mod runner;
+mod volume;
 mod world;
 
 pub(super) use world::{HandedOver, World};

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
 use super::version;
+use super::volume::{Kind, Volume};
 use unisize::PairFilter;
 
 /// Two colliders, by index and generation, the smaller index first.
@@ -14,17 +15,20 @@ pub(super) type Pair = [(u32, u32); 2];
 pub(super) struct Model {
     filter: PairFilter,
     proxies: BTreeMap<u32, Proxy>,
+    /// The boxes at the end of the last update.
+    settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
     /// Colliders that the next update has to look for, with the boxes that were handed over.
     awaited: Vec<(ColliderHandle, Option<Aabb>)>,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Proxy {
     generation: u32,
     /// `None` while the collider's box is not sound.
     aabb: Option<Aabb>,
     key: Key,
+    volume: Volume,
 }
 
 /// What filters look at, as of when the collider was last listed.
@@ -48,6 +52,7 @@ impl Model {
         Self {
             filter,
             proxies: BTreeMap::new(),
+            settled: BTreeMap::new(),
             held: BTreeSet::new(),
             awaited: Vec::new(),
         }
@@ -63,9 +68,14 @@ impl Model {
     /// at; otherwise the next update looks for the collider.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         let (index, generation) = handle.into_raw_parts();
-        if let Some(&known) = self.proxies.get(&index) {
+        if let Some(known) = self.proxies.get(&index).cloned() {
             if known.generation == generation {
-                return self.renew(handle, aabb, margin, known.key);
+                // Where a ball is, its box tells; of others, only the collider knows.
+                let volume = match known.volume.kind {
+                    Kind::Ball => known.volume.in_box(&aabb),
+                    _ => Volume::meeting_all(),
+                };
+                return self.renew(handle, aabb, margin, known.key, volume);
             }
             let outdated = ColliderHandle::from_raw_parts(index, known.generation);
             self.awaited.push((outdated, None));
@@ -134,14 +144,19 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    self.renew(handle, aabb, margin, key);
+                    let volume = Volume::of(collider, params.prediction_distance(), &aabb);
+                    self.renew(handle, aabb, margin, key, volume);
                 }
                 _ => self.forget(handle),
             }
         }
 
         let mut held = self.overlapping_pairs();
-        held.retain(|pair| self.may_meet(pair));
+        held.retain(|pair| self.may_meet(pair) && self.volumes_meet(pair, 2.0 * margin));
+        let sound = self.proxies.iter();
+        self.settled = sound
+            .filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
+            .collect();
         let before = std::mem::replace(&mut self.held, held);
         Changes {
             added: self.held.difference(&before).copied().collect(),
@@ -158,9 +173,30 @@ impl Model {
         match self.filter {
             PairFilter::Off => true,
             PairFilter::Bodies => bodies_meet,
-            PairFilter::Groups => bodies_meet && a.groups.test(b.groups),
+            PairFilter::Groups | PairFilter::Shapes => bodies_meet && a.groups.test(b.groups),
             _ => panic!("there is another filter"),
         }
+    }
+
+    /// Whether a pair whose boxes overlap is held, by its volumes: as soon as they meet, until one of its boxes is renewed and
+    /// they are farther apart than `slack`.
+    fn volumes_meet(&self, pair: &Pair, slack: Real) -> bool {
+        if self.filter != PairFilter::Shapes {
+            return true;
+        }
+        let [a, b] = pair.map(|(index, _)| &self.proxies[&index]);
+        let is_renewed =
+            |(index, _)| self.settled.get(&index).copied() != self.proxies[&index].aabb;
+        match self.held.contains(pair) {
+            false => a.volume.meets(&b.volume, 0.0),
+            true => !pair.iter().copied().any(is_renewed) || a.volume.meets(&b.volume, slack),
+        }
+    }
+
+    /// The pairs whose boxes overlap and that the filter lets pass but for their volumes.
+    pub(super) fn near(&self) -> impl Iterator<Item = Pair> + '_ {
+        let pairs = self.overlapping_pairs().into_iter();
+        pairs.filter(|pair| self.may_meet(pair))
     }
 
     /// Drops a collider and its pairs, which end without events.
@@ -168,13 +204,21 @@ impl Model {
         if self.knows(handle) {
             let gone = handle.into_raw_parts();
             self.proxies.remove(&gone.0);
+            self.settled.remove(&gone.0);
             self.held.retain(|pair| !pair.contains(&gone));
         }
     }
 
     /// Updates a collider's box: as it is if there was none, or if it is [another leaf](Self::is_another_leaf); else with a
     /// margin and only once the collider has left the last one.
-    fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real, key: Key) {
+    fn renew(
+        &mut self,
+        handle: ColliderHandle,
+        aabb: Aabb,
+        margin: Real,
+        key: Key,
+        volume: Volume,
+    ) {
         let (index, generation) = handle.into_raw_parts();
         let known = self.proxies.get(&index).map(|proxy| proxy.generation);
         if let Some(stale) = known.filter(|&known| known != generation) {
@@ -193,6 +237,7 @@ impl Model {
             generation,
             aabb,
             key,
+            volume,
         };
         self.proxies.insert(index, proxy);
     }

@@ -93,6 +93,8 @@ impl World {
             Op::Move(pick, _)
             | Op::Shift(pick, _)
             | Op::Teleport(pick, _)
+            | Op::Turn(pick, _)
+            | Op::Hook(pick, _)
             | Op::Spoil(pick)
             | Op::Resize(pick, _)
             | Op::Skin(pick, _)
@@ -169,6 +171,10 @@ impl World {
                 self.place(handle, pose);
             }
             Op::Teleport(_, to) => self.place(handle, translation(to)),
+            Op::Turn(_, angles) => {
+                let pose = self.pose(handle) * version::rotation(angles);
+                self.place(handle, pose);
+            }
             Op::Spoil(_) => self.place(handle, translation([f32::NAN; 3])),
             Op::Reparent(_, to) => {
                 let parent = to.and_then(|pick| self.sound_body(pick));
@@ -188,6 +194,10 @@ impl World {
             Op::Resize(_, shape) => collider.set_shape(shared_shape(shape)),
             Op::Skin(_, skin) => collider.set_contact_skin(skin.into()),
             Op::Sensor(_, on) => collider.set_sensor(on),
+            Op::Hook(_, on) => collider.set_active_hooks(match on {
+                true => ActiveHooks::FILTER_CONTACT_PAIRS,
+                false => ActiveHooks::empty(),
+            }),
             Op::Enable(_, on) => collider.set_enabled(on),
             Op::Regroup(_, groups) => collider.set_collision_groups(interaction_groups(groups)),
             Op::Retype(_, types) => collider.set_active_collision_types(collision_types(types)),

@@ -1,0 +1,195 @@
+//! The bounding volumes that tell pairs apart, as the documentation of `PairFilter::Shapes` and of the library's `volume.rs`
+//! has them: written again, with the same roundings.
+
+use super::rapier::prelude::*;
+use super::version;
+
+type Array = [Real; DIM];
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Volume {
+    pub(super) kind: Kind,
+    /// A NaN if it meets all.
+    center: Array,
+    radius: Real,
+    /// Half the axis of a capsule, the half axes of a cuboid, the normal of a half-space.
+    halves: Vec<Array>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    Box,
+    Ball,
+    Capsule,
+    Cuboid,
+    HalfSpace,
+}
+
+impl Volume {
+    pub(super) fn meeting_all() -> Self {
+        Self {
+            kind: Kind::Box,
+            center: [Real::NAN; DIM],
+            radius: 0.0,
+            halves: Vec::new(),
+        }
+    }
+
+    /// The volume of a collider in this box.
+    pub(super) fn of(collider: &Collider, prediction: Real, aabb: &Aabb) -> Self {
+        if !collider.active_hooks().is_empty() {
+            return Self::meeting_all();
+        }
+        let distance = (collider.contact_skin() + prediction / 2.0).max(0.0);
+        let (shape, pose) = (collider.shape(), collider.position());
+        let turned = |vector| Array::from(pose.rotation * vector);
+        let center = version::coordinates(collider);
+        let cuboid = |center, half: Array| {
+            let least = half.into_iter().fold(0.0, Real::max) * 1.0e-6;
+            let halves = (0..DIM).map(|k| {
+                let mut axis = [0.0; DIM];
+                axis[k] = half[k].max(least);
+                turned(axis.into())
+            });
+            Self {
+                kind: Kind::Cuboid,
+                center,
+                radius: distance,
+                halves: halves.collect(),
+            }
+        };
+        let volume = if let Some(ball) = shape.as_ball() {
+            Self {
+                kind: Kind::Ball,
+                center,
+                radius: ball.radius + distance,
+                halves: Vec::new(),
+            }
+        } else if let Some(capsule) = shape.as_capsule() {
+            // All are centred.
+            Self {
+                kind: Kind::Capsule,
+                center,
+                radius: capsule.radius + distance,
+                halves: vec![turned(version::arrow(capsule.segment.b))],
+            }
+        } else if let Some(shape) = shape.as_cuboid() {
+            cuboid(center, shape.half_extents.into())
+        } else if let Some(half_space) = shape.as_halfspace() {
+            Self {
+                kind: Kind::HalfSpace,
+                center,
+                radius: distance,
+                halves: vec![turned(version::normal(half_space))],
+            }
+        } else {
+            let local = shape.compute_local_aabb();
+            let [mins, maxs] = [local.mins, local.maxs].map(version::arrow);
+            let middle = version::origin(pose) + pose.rotation * ((mins + maxs) * 0.5);
+            cuboid(middle.into(), ((maxs - mins) * 0.5).into())
+        };
+        volume.in_box(aabb)
+    }
+
+    /// The volume of a collider whose box is this one.
+    pub(super) fn in_box(&self, aabb: &Aabb) -> Self {
+        let [mins, maxs] = [Array::from(aabb.mins), Array::from(aabb.maxs)];
+        let mut volume = self.clone();
+        let fits = match self.kind {
+            Kind::Box | Kind::HalfSpace => true,
+            Kind::Ball => {
+                volume.center = std::array::from_fn(|k| (mins[k] + maxs[k]) * 0.5);
+                let diameter = (volume.radius + volume.rounding()) * 2.0;
+                (0..DIM).all(|k| maxs[k] - mins[k] <= diameter)
+            }
+            Kind::Capsule | Kind::Cuboid => (0..DIM).all(|k| {
+                let reach = self.radius + self.rounding();
+                let reach = self.halves.iter().fold(reach, |sum, h| sum + h[k].abs());
+                self.center[k] - reach <= mins[k] && maxs[k] <= self.center[k] + reach
+            }),
+        };
+        if !fits {
+            volume.center = [Real::NAN; DIM];
+        }
+        volume
+    }
+
+    /// Eight rounding errors of the sum of all numbers.
+    fn rounding(&self) -> Real {
+        let numbers = self.center.iter().chain(self.halves.iter().flatten());
+        numbers.fold(self.radius, |sum, x| sum + x.abs()) * (8.0 * Real::EPSILON)
+    }
+
+    /// How far the segments reach along an axis, times its length.
+    fn segments(&self, axis: Array) -> Real {
+        self.halves
+            .iter()
+            .fold(0.0, |sum, h| sum + dot(*h, axis).abs())
+    }
+
+    /// Whether there is no axis that tells two volumes apart, loosened by `slack` together.
+    pub(super) fn meets(&self, other: &Self, slack: Real) -> bool {
+        let between = minus(other.center, self.center);
+        let reach = self.radius + other.radius + slack + (self.rounding() + other.rounding());
+        let is_apart = |axis: Array| {
+            let segments = self.segments(axis) + other.segments(axis);
+            dot(between, axis).abs() > reach * dot(axis, axis).sqrt() + segments
+        };
+        let is_behind = |normal: Array, center: Array, volume: &Self| {
+            dot(center, normal) > reach * dot(normal, normal).sqrt() + volume.segments(normal)
+        };
+        let is_apart_by_sides = |cuboid: &Self, other: &Self| {
+            cuboid.kind == Kind::Cuboid
+                && cuboid.halves.iter().any(|&axis| {
+                    let squared = dot(axis, axis);
+                    let reach = reach * squared.sqrt() + (squared + other.segments(axis));
+                    dot(between, axis).abs() > reach
+                })
+        };
+        let is_apart_in_world = || {
+            (0..DIM).any(|k| {
+                let halves = self.halves.iter().chain(&other.halves);
+                between[k].abs() > halves.fold(reach, |sum, h| sum + h[k].abs())
+            })
+        };
+        match (self.kind, other.kind) {
+            (Kind::Box, _) | (_, Kind::Box) | (Kind::HalfSpace, Kind::HalfSpace) => true,
+            (Kind::HalfSpace, _) => !is_behind(self.halves[0], between, other),
+            (_, Kind::HalfSpace) => {
+                !is_behind(other.halves[0], minus(self.center, other.center), self)
+            }
+            (Kind::Ball, Kind::Ball) => !(dot(between, between) > reach * reach),
+            (Kind::Cuboid, _) | (_, Kind::Cuboid) => {
+                !(is_apart_in_world()
+                    || is_apart_by_sides(self, other)
+                    || is_apart_by_sides(other, self)
+                    || is_apart(between))
+            }
+            _ => !(is_apart(between) || is_apart(self.shortest(other, between))),
+        }
+    }
+
+    /// From one core segment to the other, where they are nearest.
+    fn shortest(&self, other: &Self, between: Array) -> Array {
+        let core = |volume: &Self| volume.halves.first().copied().unwrap_or([0.0; DIM]);
+        let (u, v) = (core(self), core(other));
+        let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
+        let [ud, vd] = [dot(u, between), dot(v, between)];
+        let part = |numerator: Real, denominator: Real| match denominator > 0.0 {
+            true => (numerator / denominator).clamp(-1.0, 1.0),
+            false => 0.0,
+        };
+        let s = part(ud * vv - vd * uv, uu * vv - uv * uv);
+        let t = part(s * uv - vd, vv);
+        let s = part(t * uv + ud, uu);
+        std::array::from_fn(|k| between[k] + t * v[k] - s * u[k])
+    }
+}
+
+fn minus(a: Array, b: Array) -> Array {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+fn dot(a: Array, b: Array) -> Real {
+    (0..DIM).fold(0.0, |sum, k| sum + a[k] * b[k])
+}
