@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 21] = [
+const SCENES: [u64; 25] = [
     0xac08f5316adbaf7f,
     0x6342bc289035b930,
     0x0035429dba9e0568,
@@ -42,6 +42,10 @@ const SCENES: [u64; 21] = [
     0xcd369aac949195e9,
     0x231225433ef25e27,
     0x6537d9b6e48b9e15,
+    0x1751054cf85183c5,
+    0xd88f61307bdd5d0f,
+    0x1eb108af16d75c8d,
+    0xb852aecff81072ff,
 ];
 
 #[path = "suite.rs"]

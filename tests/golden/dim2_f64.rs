@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 21] = [
+const SCENES: [u64; 25] = [
     0x80c71ee7c011e99b,
     0x6342bc289035b930,
     0xa5b5324c890e8a69,
@@ -42,6 +42,10 @@ const SCENES: [u64; 21] = [
     0xcd369aac949195e9,
     0x3c29d133d6ac86df,
     0x12a366f4cf3fd229,
+    0x1751054cf85183c5,
+    0xd88f61307bdd5d0f,
+    0x1eb108af16d75c8d,
+    0xb852aecff81072ff,
 ];
 
 #[path = "suite.rs"]

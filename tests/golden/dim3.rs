@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 21] = [
+const SCENES: [u64; 25] = [
     0xd3d61c844ee380cf,
     0x9975a8338cbe766d,
     0x58e83297a73a3849,
@@ -42,6 +42,10 @@ const SCENES: [u64; 21] = [
     0xc86502f53146d093,
     0x98f335e4d29d61df,
     0x5a68d5ead9411ae7,
+    0x230a30256d679555,
+    0xee606903da2e374f,
+    0xb1553818a74128be,
+    0xaf854e363a949c80,
 ];
 
 #[path = "suite.rs"]

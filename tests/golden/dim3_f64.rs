@@ -20,7 +20,7 @@ const REPLAYS: [u64; 6] = [
 
 /// By scene.
 #[cfg(feature = "enhanced-determinism")]
-const SCENES: [u64; 21] = [
+const SCENES: [u64; 25] = [
     0xd3d61c844ee380cf,
     0x9975a8338cbe766d,
     0xf85eea6055b75d3d,
@@ -42,6 +42,10 @@ const SCENES: [u64; 21] = [
     0xc86502f53146d093,
     0xdbd0d9d6bcaf8e36,
     0x526be7fc5ec8fdd9,
+    0x230a30256d679555,
+    0xee606903da2e374f,
+    0xb1553818a74128be,
+    0xaf854e363a949c80,
 ];
 
 #[path = "suite.rs"]
