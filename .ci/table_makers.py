@@ -2,31 +2,8 @@
 
 import math
 
+from table_scenes import scenes_of
 from table_sources import Missing
-
-SCENES = {
-    "gas": "gas: everything flies about",
-    "swarm": "swarm: kinematic, no solver",
-    "crowd": "crowd: everything walks, slowly",
-    "sleeping": "sleeping: 1 % moves",
-    "falling-balls": "falling balls",
-    "pyramid": "pyramid, coming to rest",
-    "ropes": "ropes",
-    "net": "net: balls joined in rows and columns",
-    "hopper": "hopper: grains are poured",
-    "mixed-1.5": "sizes 1 to 1.5",
-    "mixed-4": "sizes 1 to 4",
-    "mixed-8": "sizes 1 to 8",
-    "mixed-1000": "sizes 1 to 1000",
-    "bullets": "bullets, with CCD",
-    "churn": "churn: 2 % replaced each step",
-    "shapes": "shapes: compounds, meshes, sensors",
-    "soft": "soft bodies among balls",
-    "tile-map": "map of fixed blocks, 500 balls",
-    "ships": "three ships of 1,728 cubes",
-    "ghosts": "ghosts: groups forbid contact",
-    "player": "player: character, vehicle, 16 rays of its own",
-}
 
 OURS, DEFAULT = "unisize for 0.27, lists", "Rapier 0.27, BVH"
 OURS_036, DEFAULT_036 = "unisize for 0.36, boxes handed over", "Rapier 0.36, BVH"
@@ -70,11 +47,12 @@ def mean(values):
 
 
 def of_scenes(sources, head, columns, first):
-    """A row a scene; a column is (version, rays, dimension, figure). The first column may be the number of colliders."""
+    """A row a scene that the first column's page has; a column is (version, rays, dimension, figure). Before them, the number of colliders may stand."""
+    scenes = scenes_of(sources, columns[0][0])
     figure = lambda column, name: sources.scene(column[0], [f"--rays {column[1]}"], column[2], name, column[3])
-    cells = {name: [figure(column, name) for column in columns] for name in SCENES}
+    cells = {name: [figure(column, name) for column in columns] for name in scenes}
     colliders = lambda name: [f"{figure(first, name):,}"] if first else []
-    rows = [[label, *colliders(name), *map(ratio, cells[name])] for name, label in SCENES.items()]
+    rows = [[label, *colliders(name), *map(ratio, cells[name])] for name, label in scenes.items()]
     means = [ratio(mean(column)) for column in zip(*cells.values())]
     rows.append(["geometric mean", *([""] if first else []), *means])
     return table(head, rows, right=False)
@@ -137,7 +115,7 @@ AIMS_036 = [
     ("broad phase, ships", 2, "broad phase", ["ships"]),
     ("whole step, gas", 1.4, "step", ["gas"]),
     ("whole step, swarm", 1.7, "step", ["swarm"]),
-    ("whole step, the slowest of all scenes", 1, "step", list(SCENES)),
+    ("whole step, the slowest of all scenes", 1, "step", None),
 ]
 
 
@@ -146,10 +124,10 @@ def aims_036(sources):
     for label, aim, what, names in AIMS_036:
         cells = []
         for dim in (2, 3):
-            figures = {name: sources.scene("0-36", ["--rays 0"], dim, name, what) for name in names}
+            figures = {name: sources.scene("0-36", ["--rays 0"], dim, name, what) for name in names or scenes_of(sources, "0-36")}
             worst = min(figures, key=figures.get)
             shown = f"{figures[worst]:.2f}"
-            cells.append((f"**{shown}**" if figures[worst] >= aim else shown) + (f", {worst}" if len(names) > 1 else ""))
+            cells.append((f"**{shown}**" if figures[worst] >= aim else shown) + (f", {worst}" if len(figures) > 1 else ""))
         rows.append([label, f"{aim:g}", *cells])
     return table(["what", "aim", "2D", "3D"], rows)
 

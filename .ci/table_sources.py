@@ -83,6 +83,10 @@ class Sources:
         read = lambda: compared(self._file(f"*-cores-compare-{version}.md").read_text())
         return self._cached(("compare", version), read)
 
+    def scenes(self, version):
+        """The names of all scenes that any run of `compare` has in any dimension."""
+        return {name for run in self.compare(version).values() for scenes in run.values() for name in scenes}
+
     def scene(self, version, options, dimension, name, what):
         """One figure of `compare`, of the first run that had all these options."""
         for line, run in self.compare(version).items():
@@ -141,6 +145,9 @@ def compared(text):
                 scene["step"] = float(words[5])
                 scene["default broad ms"], scene["ours broad ms"] = float(words[12]), float(words[13])
                 scene["broad phase"] = float(words[14])
+                if len(words) > 18:
+                    scene["default without contact"], scene["ours without contact"] = int(words[15]), int(words[16])
+                    scene["limit"] = float(words[17])
             elif len(words) == 8 and words[0] in run[dimension]:
                 run[dimension][words[0]]["longest"] = float(words[3]) / float(words[4])
     return found

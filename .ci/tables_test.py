@@ -51,6 +51,18 @@ tile-map           0.329     0.130      1.126     0.563      3967      3967     
 ```
 """
 
+# A scene as `compare` printed it at first, and one as it does now, with three columns more.
+BOTH_LAYOUTS = """## `compare-opened --rays {rays} --filter off`
+
+```text
+rapier{dim}d 0.36. Whole steps: each broad phase alone, queries included. The rest: the default drives, unisize follows.
+Without contact: of each broad phase alone. Limit: the ratio of whole steps with a broad phase that takes no time.
+
+tile-map          500     30500     5.873    2.142  2.742 2.71-2.77     1139    1139      789         0   yes      6.854     0.212  32.29  ok/ok
+pyramid-8000         8000      8001     9.000    6.000  1.500 1.49-1.51     1139    1139      789         0   yes      6.854     0.212  32.29      350     349   3.25  ok/ok
+```
+"""
+
 HEAD = "subject,dimension,density,motion,count,contender,setting,frames,typical_ms,mean_ms,worst_ms,pairs,ratio\n"
 
 
@@ -126,6 +138,16 @@ class Tables(unittest.TestCase):
         self.assertEqual(lines[4], "| 3,000 ghosts; `PairFilter::Groups` | 1.50 | **4.50** | 1.10 | **4.10** |")
         lines = make("filter-levels", self.sources).split("\n")
         self.assertEqual(lines[-1], "| longest update of the map |" + " **2.00** |" * 6)
+
+    def test_a_page_may_be_older_than_scenes_and_columns(self):
+        self.store("compare-0-36", "".join(BOTH_LAYOUTS.format(rays=rays, dim=dim) for rays in (0, 1, 16) for dim in (2, 3)))
+        lines = make("whole-steps-0-36", self.sources).split("\n")
+        self.assertEqual([line.split(" | ")[:3] for line in lines[2:4]], [["| map of fixed blocks, 500 balls", "30,500", "**2.74**"], ["| pyramid of 8,000", "8,001", "1.50"]])
+        self.assertEqual(len(lines), 2 + 2 + 1)
+        figure = lambda name, what: self.sources.scene("0-36", ["--rays 1"], 3, name, what)
+        self.assertEqual([figure("pyramid-8000", what) for what in ("broad phase", "default without contact", "ours without contact", "limit")], [32.29, 350, 349, 3.25])
+        with self.assertRaises(Missing):
+            figure("tile-map", "limit")
 
     def test_what_is_missing_is_told(self):
         for name in ("no-such-table", "floor", "updates", "copied scale: no such heading"):

@@ -1,26 +1,27 @@
 //! Runs one comparison: one source, compiled once in each dimension.
 
 use super::{DIM, ours, scenes};
+use crate::case::Case;
 use crate::options::{Kernel, Options};
-use crate::row::{End, Rays, Repeat, Row, Sides, Times, Total, WholeSteps};
+use crate::row::{End, Limit, Rays, Repeat, Row, Sides, Times, Total, WholeSteps};
 use crate::spread::Spread;
 use ours::{Settings, UnisizeBroadPhase};
-use scenes::{Both, Candidate, Comparison, Independent, QueryAccess, Tally, Timing};
+use scenes::{Both, Candidate, Clocked, Comparison, Independent, QueryAccess, Tally, Timing};
+use std::time::Duration;
 use unisize::PairFilter;
-use unisize_scenes::SceneKind;
 
-/// Compares on one scene; `on_step` is called after each simulated step.
-pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(usize)) -> Row {
+/// Compares in one case; `on_step` is called after each simulated step.
+pub(crate) fn compare(case: Case, options: &Options, on_step: impl FnMut(usize)) -> Row {
     let comparison = Comparison {
         steps: options.steps(),
         contacts_every: options.contacts_every,
         rays: options.rays,
         repeats: options.repeats,
-        ..Comparison::new(kind, options.bodies(kind), options.seed)
+        ..Comparison::new(case.kind, options.bodies(case), options.seed)
     };
     let outcome = comparison.run(&candidate(options), on_step);
     Row {
-        scene: kind.name(),
+        scene: case.name(),
         dim: DIM,
         steps: outcome.steps,
         bodies: outcome.bodies,
@@ -40,7 +41,9 @@ pub(crate) fn compare(kind: SceneKind, options: &Options, on_step: impl FnMut(us
         },
         redundant_events: sides(&outcome.redundant_events, |&count| count),
         broad_phase: sides(&outcome.timing, |timing| times(timing, outcome.steps)),
-        whole_steps: whole_steps(&outcome.independent, outcome.steps),
+        whole_steps: outcome
+            .clocked
+            .and_then(|clocked| whole_steps(&outcome.independent, clocked, outcome.steps)),
         first_difference: outcome.first_difference,
     }
 }
@@ -74,7 +77,7 @@ fn sides<T, U>(both: &Both<T>, convert: impl Fn(&T) -> U) -> Sides<U> {
     }
 }
 
-fn whole_steps(runs: &[Both<Independent>], steps: usize) -> Option<WholeSteps> {
+fn whole_steps(runs: &[Both<Independent>], clocked: Clocked, steps: usize) -> Option<WholeSteps> {
     let repeats: Vec<_> = runs
         .iter()
         .map(|runs| Repeat {
@@ -90,6 +93,11 @@ fn whole_steps(runs: &[Both<Independent>], steps: usize) -> Option<WholeSteps> {
             ours: spread(|repeat| repeat.end.ours.ms_per_step)?.median,
         },
         ratio: spread(|repeat| repeat.ratio)?,
+        limit: Limit {
+            ms_per_step: ms(clocked.elapsed) / steps as f64,
+            ms_of_broad_phase: ms(clocked.broad_phase) / steps as f64,
+            ratio: clocked.limit(),
+        },
         repeats,
     })
 }
@@ -101,8 +109,11 @@ fn total(tally: Tally) -> Total {
     }
 }
 
+fn ms(duration: Duration) -> f64 {
+    duration.as_secs_f64() * 1e3
+}
+
 fn times(timing: &Timing, steps: usize) -> Times {
-    let ms = |duration: std::time::Duration| duration.as_secs_f64() * 1e3;
     Times {
         ms_per_step: ms(timing.total) / steps as f64,
         ms_per_busy_update: ms(timing.mean_busy()),
@@ -122,7 +133,8 @@ fn end(run: &Independent, steps: usize) -> End {
         not_finite: sanity.not_finite,
         energy: sanity.energy(),
         max_rope_stretch: sanity.max_rope_stretch,
-        ms_per_step: run.elapsed.as_secs_f64() * 1e3 / steps as f64,
-        ms_of_rays: run.casting.as_secs_f64() * 1e3 / steps as f64,
+        pairs_without_contact: run.pairs_without_contact,
+        ms_per_step: ms(run.elapsed) / steps as f64,
+        ms_of_rays: ms(run.casting) / steps as f64,
     }
 }

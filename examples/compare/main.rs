@@ -10,6 +10,7 @@
 //! `examples/scenes/src/engine/comparison.rs` lists what is compared. Exits with 1 if anything differs, and
 //! with 2 on a usage error.
 
+mod case;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;

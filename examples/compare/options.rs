@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::case::Case;
 use clap::builder::RangedU64ValueParser;
 use clap::{Parser, ValueEnum};
 use std::path::PathBuf;
@@ -25,16 +26,22 @@ const STEPS: usize = 300;
 /// two worlds stepped by turns. Their trajectories part after a while, since the solver depends on the order of
 /// events; the scene stays as hard as it was, so the times are comparable in the mean. Each repeat has another seed.
 /// The ratio is the median over repeats, with the lower and the upper quartile.
+///
+/// `without contact` are the pairs that the narrow phase of either world holds at the end, of the first repeat, and of which
+/// nothing comes: no active contact, and no intersection. `limit` is what a broad phase that takes no time would give: D / (D - B),
+/// with D the default's whole step and B the part of its broad phase. Both are of one more world on the default alone, stepped
+/// by itself with its broad phase clocked, so that they belong together; D is not that of the column before.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
-    /// A scene to compare on; may be given several times [default: every scene]
-    #[arg(long = "scene", value_name = "NAME", value_parser = parse_scene)]
-    scenes: Vec<SceneKind>,
+    /// A scene to compare on, or one of so many bodies, as in pyramid-8000; may be given several times [default: every
+    /// scene, and some with 8000 bodies too unless there is --bodies or --quick]
+    #[arg(long = "scene", value_name = "NAME", value_parser = parse_case)]
+    cases: Vec<Case>,
     /// In how many dimensions
     #[arg(long, value_enum, default_value = "both")]
     dim: Dim,
-    /// About how many bodies in every scene [default: each scene's own number]
+    /// About how many bodies in every scene that does not say so in its name [default: each scene's own number]
     #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
     bodies: Option<usize>,
     /// How many steps to simulate [default: 300, or 40 with --quick]
@@ -82,21 +89,25 @@ impl Options {
         dims.iter().copied()
     }
 
-    pub(super) fn scenes(&self) -> impl Iterator<Item = SceneKind> {
-        let scenes = if self.scenes.is_empty() {
-            SceneKind::ALL.to_vec()
-        } else {
-            self.scenes.clone()
-        };
-        scenes.into_iter()
+    pub(super) fn cases(&self) -> impl Iterator<Item = Case> {
+        let mut cases = self.cases.clone();
+        if cases.is_empty() {
+            cases.extend(Case::all());
+            // Where all have one number of bodies, there is no second one.
+            if self.bodies.is_none() && !self.quick {
+                cases.extend(Case::large());
+            }
+        }
+        cases.into_iter()
     }
 
-    pub(super) fn bodies(&self, kind: SceneKind) -> usize {
-        self.bodies.unwrap_or(if self.quick {
+    pub(super) fn bodies(&self, case: Case) -> usize {
+        let usual = if self.quick {
             QUICK_BODIES
         } else {
-            kind.default_bodies()
-        })
+            case.kind.default_bodies()
+        };
+        case.bodies.or(self.bodies).unwrap_or(usual)
     }
 
     pub(super) fn steps(&self) -> usize {
@@ -106,8 +117,8 @@ impl Options {
 
     /// All steps of all simulations.
     pub(super) fn total_steps(&self) -> usize {
-        let runs = 1 + 2 * self.repeats;
-        self.dims().count() * self.scenes().count() * self.steps() * runs
+        let runs = 1 + 2 * self.repeats + usize::from(self.repeats > 0);
+        self.dims().count() * self.cases().count() * self.steps() * runs
     }
 }
 
@@ -166,10 +177,10 @@ fn between(low: u64, high: u64) -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(low..=high)
 }
 
-fn parse_scene(name: &str) -> Result<SceneKind, String> {
-    SceneKind::from_name(name).ok_or_else(|| {
+fn parse_case(name: &str) -> Result<Case, String> {
+    Case::from_name(name).ok_or_else(|| {
         let names = SceneKind::ALL.map(SceneKind::name).join(", ");
-        format!("there is no such scene; there are {names}")
+        format!("there is no such scene; there are {names}, and each with a number of bodies, as in pyramid-8000")
     })
 }
 
@@ -184,22 +195,24 @@ mod tests {
     #[test]
     fn everything_is_compared_by_default() {
         let options = parse("").unwrap();
-        assert_eq!(options.scenes().count(), SceneKind::ALL.len());
+        let count = SceneKind::ALL.len() + 3;
+        assert_eq!(options.cases().count(), count);
         assert_eq!(options.dims().collect::<Vec<_>>(), [2, 3]);
         assert_eq!(
             (options.steps(), options.repeats, options.rays),
             (300, 3, 0)
         );
-        assert_eq!(options.bodies(SceneKind::TileMap), 500);
-        assert_eq!(options.total_steps(), SceneKind::ALL.len() * 2 * 300 * 7);
+        assert_eq!(options.bodies(SceneKind::TileMap.into()), 500);
+        assert!(Case::large().all(|case| options.bodies(case) == 8_000));
+        assert_eq!(options.total_steps(), count * 2 * 300 * 8);
     }
 
     #[test]
     fn scenes_are_selected() {
         let options =
             parse("--scene ghosts --scene tile-map --dim 2 --rays 8 --repeats 0").unwrap();
-        let scenes = [SceneKind::Ghosts, SceneKind::TileMap];
-        assert_eq!(options.scenes().collect::<Vec<_>>(), scenes);
+        let cases = [SceneKind::Ghosts, SceneKind::TileMap].map(Case::from);
+        assert_eq!(options.cases().collect::<Vec<_>>(), cases);
         assert_eq!(options.rays, 8);
         assert_eq!(options.total_steps(), 2 * 300);
     }
@@ -207,10 +220,19 @@ mod tests {
     #[test]
     fn quick_is_the_default_of_sizes_only() {
         let options = parse("--quick").unwrap();
-        assert_eq!(options.bodies(SceneKind::Gas), QUICK_BODIES);
+        assert_eq!(options.bodies(SceneKind::Gas.into()), QUICK_BODIES);
         assert_eq!(options.steps(), QUICK_STEPS);
         let options = parse("--quick --bodies 7 --steps 9").unwrap();
-        assert_eq!((options.bodies(SceneKind::Gas), options.steps()), (7, 9));
+        let gas = SceneKind::Gas.into();
+        assert_eq!((options.bodies(gas), options.steps()), (7, 9));
+        assert_eq!(options.cases().count(), SceneKind::ALL.len());
+    }
+
+    #[test]
+    fn a_number_in_the_name_goes_first() {
+        let options = parse("--quick --bodies 7 --scene gas --scene gas-9").unwrap();
+        let bodies: Vec<_> = options.cases().map(|case| options.bodies(case)).collect();
+        assert_eq!(bodies, [7, 9]);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// The result of comparing on one scene in one dimension.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Row {
-    pub(super) scene: &'static str,
+    pub(super) scene: String,
     pub(super) dim: u8,
     pub(super) steps: usize,
     pub(super) bodies: usize,
@@ -39,7 +39,19 @@ pub(super) struct WholeSteps {
     pub(super) ms_per_step: Sides<f64>,
     /// The default's time over ours, one of each repeat.
     pub(super) ratio: Spread,
+    pub(super) limit: Limit,
     pub(super) repeats: Vec<Repeat>,
+}
+
+/// What a broad phase that takes no time would give.
+///
+/// The times are the means over the steps of one more world on the default alone, with its broad phase clocked.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Limit {
+    pub(super) ms_per_step: f64,
+    pub(super) ms_of_broad_phase: f64,
+    /// The time of a step over what is left of it without the broad phase.
+    pub(super) ratio: f64,
 }
 
 /// Two simulations of one seed.
@@ -93,6 +105,8 @@ pub(super) struct End {
     pub(super) not_finite: usize,
     pub(super) energy: f64,
     pub(super) max_rope_stretch: Option<f64>,
+    /// Pairs in its own narrow phase that have neither an active contact nor an intersection.
+    pub(super) pairs_without_contact: usize,
     /// The whole step, with the script, the solver, the queries and everything else.
     pub(super) ms_per_step: f64,
     /// What of it is for rays, with the tree that is built for them, if one is.

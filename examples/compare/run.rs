@@ -29,12 +29,12 @@ pub(super) fn run() -> ExitCode {
     let mut report = Report::default();
     for dim in options.dims() {
         table::print_header(&bar, dim);
-        for kind in options.scenes() {
-            bar.set_message(format!("{} {dim}D", kind.name()));
+        for case in options.cases() {
+            bar.set_message(format!("{} {dim}D", case.name()));
             let on_step = |_| bar.inc(1);
             let row = match dim {
-                2 => dim2::compare(kind, &options, on_step),
-                _ => dim3::compare(kind, &options, on_step),
+                2 => dim2::compare(case, &options, on_step),
+                _ => dim3::compare(case, &options, on_step),
             };
             table::print_row(&bar, &row);
             report.rows.push(row);

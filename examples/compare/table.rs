@@ -14,12 +14,12 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
         bar,
         &format!(
             "rapier{dim}d {}. Whole steps: each broad phase alone, queries included. The rest: the default drives, unisize \
-             follows.\n",
+             follows.\nWithout contact: of each broad phase alone. Limit: the ratio of whole steps with a broad phase that takes no time.\n",
             crate::RAPIER
         ),
     );
     let head = format!(
-        "{:14} {:>6} {:>9}  {:>17} {:>6} {:>9}  {:>15} {:>8} {:>9} {:>5}  {:>19} {:>6}  {}",
+        "{:18} {:>6} {:>9}  {:>17} {:>6} {:>9}  {:>15} {:>8} {:>9} {:>5}  {:>19} {:>6}  {:>15} {:>6}  {}",
         "scene",
         "bodies",
         "colliders",
@@ -32,11 +32,13 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
         "equal",
         "broad phase ms/step",
         "ratio",
+        "without contact",
+        "limit",
         "sanity"
     );
     print(bar, &head);
     let head = format!(
-        "{:14} {:>6} {:>9}  {:>8} {:>8} {:>6} {:>9}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9} {:>9} {:>6}  {}",
+        "{:18} {:>6} {:>9}  {:>8} {:>8} {:>6} {:>9}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9} {:>9} {:>6}  {:>7} {:>7} {:>6}  {}",
         "",
         "",
         "",
@@ -52,6 +54,9 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
         "default",
         "ours",
         "",
+        "default",
+        "ours",
+        "",
         "default/ours"
     );
     print(bar, &head);
@@ -59,7 +64,7 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
 
 /// Prints the result of one comparison.
 pub(super) fn print_row(bar: &ProgressBar, row: &Row) {
-    let (whole_steps, sanity) = match &row.whole_steps {
+    let (whole_steps, alone) = match &row.whole_steps {
         Some(whole_steps) => (
             format!(
                 "{:>8.3} {:>8.3} {:>6.3} {:>9}",
@@ -72,18 +77,21 @@ pub(super) fn print_row(bar: &ProgressBar, row: &Row) {
                 ),
             ),
             format!(
-                "{}/{}",
+                "{:>7} {:>7} {:>6.2}  {}/{}",
+                whole_steps.repeats[0].end.default.pairs_without_contact,
+                whole_steps.repeats[0].end.ours.pairs_without_contact,
+                whole_steps.limit.ratio,
                 verdict(whole_steps, |end| &end.default),
                 verdict(whole_steps, |end| &end.ours)
             ),
         ),
         None => (
             format!("{:>8} {:>8} {:>6} {:>9}", "-", "-", "-", "-"),
-            "-".to_owned(),
+            format!("{:>7} {:>7} {:>6}  -", "-", "-", "-"),
         ),
     };
     let line = format!(
-        "{:14} {:>6} {:>9}  {whole_steps}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9.3} {:>9.3} {:>6.2}  {sanity}",
+        "{:18} {:>6} {:>9}  {whole_steps}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9.3} {:>9.3} {:>6.2}  {alone}",
         row.scene,
         row.bodies,
         row.colliders,
@@ -143,19 +151,19 @@ fn geometric_mean(ratios: impl Iterator<Item = f64>) -> f64 {
 
 fn print_updates<'a>(bar: &ProgressBar, rows: impl Iterator<Item = &'a Row>) {
     let head = format!(
-        "\n{:14} {:>19}  {:>19}  {:>17} {:>8}",
+        "\n{:18} {:>19}  {:>19}  {:>17} {:>8}",
         "updates, ms", "mean", "longest", "pairs, all", "rays"
     );
     print(bar, &head);
     let head = format!(
-        "{:14} {:>9} {:>9}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
+        "{:18} {:>9} {:>9}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
         "", "default", "ours", "default", "ours", "default", "ours", "compared"
     );
     print(bar, &head);
     for row in rows {
         let Sides { default, ours } = &row.broad_phase;
         let line = format!(
-            "{:14} {:>9.3} {:>9.3}  {:>9.3} {:>9.3}  {:>8} {:>8} {:>8}",
+            "{:18} {:>9.3} {:>9.3}  {:>9.3} {:>9.3}  {:>8} {:>8} {:>8}",
             row.scene,
             default.ms_per_busy_update,
             ours.ms_per_busy_update,
@@ -172,12 +180,12 @@ fn print_updates<'a>(bar: &ProgressBar, rows: impl Iterator<Item = &'a Row>) {
 /// Prints the ends of the first repeat of each scene, and all complaints.
 fn print_alone<'a>(bar: &ProgressBar, rows: impl Iterator<Item = (&'a Row, &'a WholeSteps)>) {
     let head = format!(
-        "\n{:14} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>19}",
+        "\n{:18} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>19}",
         "each alone", "asleep", "", "left", "", "energy", "", "stretch", "", "rays, ms/step"
     );
     print(bar, &head);
     let head = format!(
-        "{:14} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>9} {:>9}",
+        "{:18} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>9} {:>9}",
         "",
         "deflt",
         "ours",
@@ -194,7 +202,7 @@ fn print_alone<'a>(bar: &ProgressBar, rows: impl Iterator<Item = (&'a Row, &'a W
     for (row, whole_steps) in rows {
         let Sides { default, ours } = &whole_steps.repeats[0].end;
         let line = format!(
-            "{:14} {:>6} {:>6} {:>6} {:>6} {:>10.4e} {:>10.4e} {:>7} {:>7} {:>9.3} {:>9.3}",
+            "{:18} {:>6} {:>6} {:>6} {:>6} {:>10.4e} {:>10.4e} {:>7} {:>7} {:>9.3} {:>9.3}",
             row.scene,
             default.asleep,
             ours.asleep,

@@ -1,6 +1,6 @@
-//! Steps every scene with Rapier's default broad phase and prints what it took and whether it stayed sane.
+//! Steps every scene, or those that are named, with Rapier's default broad phase and prints what it took and whether it stayed sane.
 //!
-//! `cargo run --release -p unisize-scenes --features rapier2d,rapier3d --example survey -- [steps] [bodies]`
+//! `cargo run --release -p unisize-scenes --features rapier2d,rapier3d --example survey -- [steps] [bodies] [scene]...`
 
 use std::time::Instant;
 use unisize_scenes::SceneKind;
@@ -35,12 +35,15 @@ macro_rules! survey {
 }
 
 fn main() {
-    let numbers: Vec<usize> = std::env::args()
-        .skip(1)
-        .map(|argument| argument.parse().expect("the arguments are numbers"))
-        .collect();
+    let arguments = || std::env::args().skip(1);
+    let numbers: Vec<usize> = arguments().flat_map(|number| number.parse()).collect();
+    let named = |kind: &SceneKind| arguments().any(|name| name == kind.name());
+    let is_any_named = SceneKind::ALL.iter().any(named);
     let steps = numbers.first().copied().unwrap_or(300);
     for kind in SceneKind::ALL {
+        if is_any_named && !named(&kind) {
+            continue;
+        }
         let bodies = numbers.get(1).copied().unwrap_or(kind.default_bodies());
         survey!(dim2, kind, bodies, steps);
         survey!(dim3, kind, bodies, steps);

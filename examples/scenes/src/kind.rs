@@ -45,11 +45,19 @@ pub enum SceneKind {
     Ghosts,
     /// A character and, in space, a vehicle among falling balls, both of which ask the broad phase at every step.
     Player,
+    /// Columns of boxes that stand close to each other without touching.
+    Stacks,
+    /// A brick wall.
+    Wall,
+    /// Many small pyramids that come to rest and sleep.
+    Pyramids,
+    /// Slanting chains of capsules whose boxes overlap where the capsules do not.
+    Chains,
 }
 
 impl SceneKind {
     /// Every scene, in the order of the tables.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 25] = [
         Self::FallingBalls,
         Self::Pyramid,
         Self::Gas,
@@ -71,6 +79,10 @@ impl SceneKind {
         Self::Ships,
         Self::Ghosts,
         Self::Player,
+        Self::Stacks,
+        Self::Wall,
+        Self::Pyramids,
+        Self::Chains,
     ];
 
     /// The name used on the command line and in tables.
@@ -97,6 +109,10 @@ impl SceneKind {
             Self::Ships => "ships",
             Self::Ghosts => "ghosts",
             Self::Player => "player",
+            Self::Stacks => "stacks",
+            Self::Wall => "wall",
+            Self::Pyramids => "pyramids",
+            Self::Chains => "chains",
         }
     }
 
@@ -129,6 +145,10 @@ impl SceneKind {
             Self::Ships => "three drifting bodies, each of a third of the colliders",
             Self::Ghosts => "overlapping balls that pass through each other, slowly",
             Self::Player => "a character and a vehicle that query the world, among falling balls",
+            Self::Stacks => "columns of fourteen boxes, a twentieth of a box apart",
+            Self::Wall => "a brick wall that is left to stand",
+            Self::Pyramids => "pyramids of 55 cuboids that come to rest and sleep",
+            Self::Chains => "slanting chains of capsules, held at both ends, side by side",
         }
     }
 
@@ -138,7 +158,11 @@ impl SceneKind {
     pub const fn default_bodies(self) -> usize {
         match self {
             Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping => 10_000,
+            Self::Pyramids => 8_000,
+            Self::Stacks => 6_776,
+            Self::Wall => 6_000,
             Self::Ships => 5_184,
+            Self::Chains => 5_000,
             Self::Ghosts => 3_000,
             Self::TileMap => 500,
             Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes | Self::Soft => 1_000,

@@ -10,6 +10,8 @@
 //!
 //! With the feature `parallel`, Rapier and unisize share the threads that `--threads` asks for.
 
+#[path = "../../../examples/compare/case.rs"]
+mod case;
 #[path = "../../../examples/compare/options.rs"]
 mod options;
 #[path = "../../../examples/progress/bar.rs"]

@@ -10,7 +10,8 @@
 //! - [rays], if there are any, hit the same in the trees of both.
 //!
 //! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards whole steps are
-//! timed: the scene is simulated on each broad phase [alone](independent), as often as is asked for.
+//! timed: the scene is simulated on each broad phase [alone](independent), as often as is asked for, and once more on the
+//! default, to tell what part of a step its broad phase takes.
 
 use super::observed::{Observed, PairEvent, Tee, Timing, Update};
 use super::queries::{Queries, QueryAccess};
@@ -41,7 +42,7 @@ mod rays;
 mod tests;
 
 pub use both::Both;
-pub use outcome::{Independent, Outcome, RayCount, Tally};
+pub use outcome::{Clocked, Independent, Outcome, RayCount, Tally};
 
 /// The broad phase that is compared with the default: how to make one, and what it can be asked.
 ///
@@ -147,7 +148,7 @@ impl Comparison {
     }
 
     /// Compares, and calls `on_step` after each simulated step with the number of steps done: `steps` of
-    /// them, and twice as many again for each repeat of the independent runs.
+    /// them, twice as many again for each repeat of the independent runs, and as many after these for the clocked run.
     pub fn run<C: BroadPhase + 'static>(
         &self,
         candidate: &Candidate<C>,
@@ -161,6 +162,10 @@ impl Comparison {
                 outcome.first_difference = independent::difference(&runs);
             }
             outcome.independent.push(runs);
+        }
+        if self.repeats > 0 {
+            let done = self.steps * (1 + 2 * self.repeats);
+            outcome.clocked = Some(self.run_clocked(candidate, |step| on_step(done + step)));
         }
         outcome
     }

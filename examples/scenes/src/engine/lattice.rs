@@ -30,6 +30,15 @@ impl Lattice {
         }
     }
 
+    /// The cells for `count` bodies in one layer: a row in the plane, and a square in space.
+    pub(super) fn layer(count: usize, spacing: Real) -> Self {
+        let columns = match DIM {
+            2 => count,
+            _ => (count as f64).sqrt().ceil() as usize,
+        };
+        Self::with_columns(count, spacing, columns)
+    }
+
     /// Half of the width.
     pub(super) fn half_width(&self) -> Real {
         self.columns as Real * self.spacing / 2.0
@@ -67,8 +76,13 @@ mod tests {
 
     #[test]
     fn cells_are_apart_and_inside() {
-        for count in [0, 1, 2, 17, 100] {
-            let lattice = Lattice::heap(count, 1.5, 0.5);
+        let lattices = [0, 1, 2, 17, 100].into_iter().flat_map(|count| {
+            [
+                (count, Lattice::heap(count, 1.5, 0.5)),
+                (count, Lattice::layer(count, 1.5)),
+            ]
+        });
+        for (count, lattice) in lattices {
             let centers: Vec<_> = (0..count).map(|index| lattice.center(index)).collect();
             for (index, center) in centers.iter().enumerate() {
                 for axis in (0..DIM).filter(|&axis| axis != UP) {

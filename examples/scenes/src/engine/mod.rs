@@ -16,7 +16,7 @@ pub(super) mod space;
 mod stage;
 mod world;
 
-pub use comparison::{Both, Candidate, Comparison, Independent, Outcome, RayCount, Tally};
+pub use comparison::{Both, Candidate, Clocked, Comparison, Independent, Outcome, RayCount, Tally};
 pub use lossy::Lossy;
 pub use observed::{Observed, PairEvent, Tee, Timing, Update};
 pub use queries::{Queries, QueryAccess};

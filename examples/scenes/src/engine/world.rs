@@ -1,7 +1,7 @@
 //! Everything that `PhysicsPipeline::step` asks for, except the broad phase.
 
 use super::rapier::prelude::*;
-use super::version::{SoftBodySet, Vector};
+use super::version::{self, SoftBodySet, Vector};
 
 /// A Rapier world without its broad phase, which is given to each step.
 pub struct World {
@@ -59,6 +59,14 @@ impl World {
         handle
     }
 
+    /// How many pairs the narrow phase holds of which nothing comes: no active contact, and no intersection.
+    pub fn pairs_without_contact(&self) -> usize {
+        let contacts = self.narrow_phase.contact_pairs();
+        let intersections = self.narrow_phase.intersection_pairs();
+        contacts.filter(|pair| !version::touches(pair)).count()
+            + intersections.filter(|&(_, _, is_real)| !is_real).count()
+    }
+
     /// Whether the narrow phase would look at a pair of colliders of this world at all.
     ///
     /// The conditions are those of `NarrowPhase::compute_contacts` and `compute_intersections` without hooks and joints:
@@ -78,5 +86,32 @@ impl World {
         !same_parent
             && (types_meet(a) || types_meet(b))
             && a.collision_groups().test(b.collision_groups())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::space::along;
+    use super::*;
+
+    #[test]
+    fn pairs_are_without_contact_while_only_boxes_overlap() {
+        let mut world = World::new(Vector::default());
+        let mut broad_phase = DefaultBroadPhase::new();
+        let ball =
+            || ColliderBuilder::ball(1.0).active_collision_types(ActiveCollisionTypes::all());
+        world.insert(RigidBodyBuilder::fixed(), ball());
+        let body = world.insert(RigidBodyBuilder::kinematic_position_based(), ball());
+        let collider = world.bodies[body].colliders()[0];
+        for is_sensor in [false, true] {
+            world.colliders[collider].set_sensor(is_sensor);
+            for (height, pairs) in [(0.0, 0), (1.6, 1), (3.2, 0)] {
+                let place = along(0, 1.6) + along(1, height);
+                world.bodies[body].set_translation(place, true);
+                world.step(&mut broad_phase, &(), &());
+                let found = world.pairs_without_contact();
+                assert_eq!(found, pairs, "sensor: {is_sensor}, at {height}");
+            }
+        }
     }
 }

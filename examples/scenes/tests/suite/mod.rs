@@ -95,6 +95,33 @@ macro_rules! scene_tests {
             }
 
             #[test]
+            fn what_is_built_stands_and_falls_asleep() {
+                for kind in [SceneKind::Stacks, SceneKind::Wall, SceneKind::Pyramids] {
+                    let built = Scene::build(kind, 150, 1);
+                    let (scene, _) = run(kind, 150, 1, 5 * STEPS);
+                    assert_eq!(scene.sanity().sleeping, 150, "{}", kind.name());
+                    for (handle, body) in scene.world.bodies.iter() {
+                        let [now, then] = [body, &built.world.bodies[handle]].map(place);
+                        let is_there = |axis: usize| (now[axis] - then[axis]).abs() < 0.2;
+                        let name = kind.name();
+                        assert!(
+                            (0..DIM).all(is_there),
+                            "{name}: {now:?} instead of {then:?}"
+                        );
+                    }
+                }
+            }
+
+            #[test]
+            fn boxes_of_chains_overlap_and_links_do_not() {
+                let (scene, _) = run(SceneKind::Chains, 400, 1, STEPS);
+                let in_vain = scene.world.pairs_without_contact();
+                // More than the neighbours in a chain, which are joined.
+                assert!(in_vain > 2 * 400, "{in_vain}");
+                assert_eq!(scene.world.narrow_phase.contact_pairs().count(), in_vain);
+            }
+
+            #[test]
             fn most_of_sleeping_stays_asleep() {
                 let (scene, _) = run(SceneKind::Sleeping, 120, 1, STEPS);
                 assert!(scene.sanity().sleeping > 60, "{:?}", scene.sanity());

@@ -33,6 +33,8 @@ pub struct Outcome {
     pub timing: Both<Timing>,
     /// The scene simulated on each broad phase alone, as often as was asked for.
     pub independent: Vec<Both<Independent>>,
+    /// The scene simulated once more on the default alone, to time its broad phase; none without independent runs.
+    pub clocked: Option<Clocked>,
 }
 
 impl Outcome {
@@ -79,6 +81,8 @@ pub struct Independent {
     pub sanity: Sanity,
     /// Whether it is still physics, or else the first bound that it breaks.
     pub verdict: Result<(), String>,
+    /// How many pairs its own narrow phase holds without a contact or an intersection.
+    pub pairs_without_contact: usize,
     /// How long the steps took, with the script, the solver, the queries and everything else.
     pub elapsed: Duration,
     /// How much of that was for rays.
@@ -91,5 +95,37 @@ impl Both<Independent> {
     /// How many times as fast the whole steps were with the candidate.
     pub fn ratio(&self) -> f64 {
         self.default.elapsed.as_secs_f64() / self.candidate.elapsed.as_secs_f64()
+    }
+}
+
+/// The times of a scene that was simulated on the default broad phase alone, while a clock watched it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Clocked {
+    /// How long the steps took, with the script, the solver, the queries and everything else.
+    pub elapsed: Duration,
+    /// How much of that the broad phase took.
+    pub broad_phase: Duration,
+}
+
+impl Clocked {
+    /// How many times as fast the whole steps would be on a broad phase that takes no time.
+    pub fn limit(&self) -> f64 {
+        let rest = self.elapsed.saturating_sub(self.broad_phase);
+        self.elapsed.as_secs_f64() / rest.as_secs_f64()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Clocked, Duration};
+
+    #[test]
+    fn the_limit_is_that_of_a_broad_phase_for_nothing() {
+        let [elapsed, broad_phase] = [12, 4].map(Duration::from_millis);
+        let clocked = Clocked {
+            elapsed,
+            broad_phase,
+        };
+        assert_eq!(clocked.limit(), 1.5);
     }
 }

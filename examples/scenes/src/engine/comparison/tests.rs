@@ -190,7 +190,7 @@ fn independent_runs_are_sane() {
         steps += 1;
         assert_eq!(step, steps);
     });
-    assert_eq!(steps, 200);
+    assert_eq!(steps, 240);
     assert!(outcome.is_equal());
     assert_eq!(outcome.contact_checks, 6);
     assert_eq!(outcome.independent.len(), 2);
@@ -199,6 +199,8 @@ fn independent_runs_are_sane() {
         assert_eq!(runs.default.sanity.bodies, runs.candidate.sanity.bodies);
         assert!(runs.ratio() > 0.0 && runs.ratio().is_finite());
     }
+    let clocked = outcome.clocked.expect("a clocked run");
+    assert!(clocked.limit() > 1.0 && clocked.limit().is_finite());
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::container::Container;
 use super::lattice::Lattice;
 use super::queries::Queries;
+use super::rapier::math::Real;
 use super::script::{Cue, Script};
 use super::space::*;
 use super::stage::{Link, Stage};
@@ -12,6 +13,7 @@ use crate::SceneKind;
 use crate::random::Random;
 
 mod bullets;
+mod chains;
 mod churn;
 mod crowd;
 mod falling_balls;
@@ -27,14 +29,16 @@ mod shapes;
 mod ships;
 mod sleeping;
 mod soft;
+mod stacks;
 mod swarm;
 mod tile_map;
+mod wall;
 
 /// Builds the stage of a scene.
 pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stage {
     match kind {
         SceneKind::FallingBalls => falling_balls::build(bodies, random),
-        SceneKind::Pyramid => pyramid::build(bodies, random),
+        SceneKind::Pyramid => pyramid::build_one(bodies, random),
         SceneKind::Gas => gas::build(bodies, random),
         SceneKind::Ropes => ropes::build(bodies, random),
         SceneKind::Net => net::build(bodies, random),
@@ -54,6 +58,10 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Ships => ships::build(bodies, random),
         SceneKind::Ghosts => ghosts::build(bodies, random),
         SceneKind::Player => player::build(bodies, random),
+        SceneKind::Stacks => stacks::build(bodies, random),
+        SceneKind::Wall => wall::build(bodies, random),
+        SceneKind::Pyramids => pyramid::build_many(bodies, random),
+        SceneKind::Chains => chains::build(bodies, random),
     }
 }
 
@@ -65,4 +73,13 @@ fn falling() -> World {
 /// A world without gravity.
 fn floating() -> World {
     World::new(vector(|_| 0.0))
+}
+
+/// Inserts a floor whose top is at height zero.
+fn lay_floor(world: &mut World, half_width: Real) {
+    const HALF_THICKNESS: Real = 2.0;
+    let floor = cuboid(wide_high(half_width, HALF_THICKNESS));
+    world
+        .colliders
+        .insert(floor.translation(along(UP, -HALF_THICKNESS)));
 }

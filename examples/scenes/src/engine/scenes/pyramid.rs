@@ -1,7 +1,10 @@
-//! A pyramid of cuboids: deep contact chains that come to rest and fall asleep.
+//! Pyramids of cuboids, one or many: contact chains, deep or shallow, that come to rest and fall asleep.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Random, Stage, UP, cube, cuboid, falling, horizontal, vector, wide_high};
+use super::{
+    Container, Lattice, Random, Stage, UP, Vector, World, cube, falling, horizontal, lay_floor,
+    vector,
+};
 
 /// Half the side of a cuboid.
 const HALF: Real = 0.5;
@@ -12,7 +15,15 @@ const SPACING: Real = 1.1;
 /// How far a cuboid may be off its place along each horizontal axis.
 const OFFSET: Real = 0.01;
 
-pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
+/// How many cuboids wide one of many pyramids is. Of either dimension it has [`SMALL`] cuboids.
+const SMALL_BASE: usize = if DIM == 2 { 10 } else { 5 };
+const SMALL: usize = 55;
+
+/// The distance between two of many pyramids, from middle to middle.
+const APART: Real = SMALL_BASE as Real * SPACING + 2.0;
+
+/// Builds one pyramid of all bodies.
+pub(super) fn build_one(bodies: usize, random: &mut Random) -> Stage {
     let mut base = 0;
     let mut count = 0;
     while count < bodies {
@@ -21,17 +32,35 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     }
 
     let mut world = falling();
-    let half_floor = base as Real * SPACING + 10.0;
-    world
-        .colliders
-        .insert(
-            cuboid(wide_high(half_floor, 2.0)).translation(vector(|axis| match axis {
-                UP => -2.0,
-                _ => 0.0,
-            })),
-        );
-    // The tip is cut off where the bodies run out.
-    let mut left = bodies;
+    lay_floor(&mut world, base as Real * SPACING + 10.0);
+    insert_pyramid(&mut world, Vector::default(), base, bodies, random);
+    Stage::new(world, Container::above_ground())
+}
+
+/// Builds small pyramids side by side, in a row or in rows.
+pub(super) fn build_many(bodies: usize, random: &mut Random) -> Stage {
+    let pyramids = bodies.div_ceil(SMALL);
+    let lattice = Lattice::layer(pyramids, APART);
+    let mut world = falling();
+    lay_floor(&mut world, lattice.half_width() + 10.0);
+    for pyramid in 0..pyramids {
+        let mut middle = lattice.center(pyramid);
+        middle[UP] = 0.0;
+        let cuboids = SMALL.min(bodies - pyramid * SMALL);
+        insert_pyramid(&mut world, middle, SMALL_BASE, cuboids, random);
+    }
+    Stage::new(world, Container::above_ground())
+}
+
+/// Inserts a pyramid. Its tip is cut off where the cuboids run out.
+fn insert_pyramid(
+    world: &mut World,
+    middle: Vector,
+    base: usize,
+    cuboids: usize,
+    random: &mut Random,
+) {
+    let mut left = cuboids;
     for layer in 0..base {
         let side = base - layer;
         for index in 0..side.pow(DIM as u32 - 1).min(left) {
@@ -40,11 +69,10 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             for axis in horizontal() {
                 let place = (rest % side) as Real - (side - 1) as Real / 2.0;
                 rest /= side;
-                center[axis] = place * SPACING + random.range(-OFFSET, OFFSET);
+                center[axis] = place * SPACING + random.range(-OFFSET, OFFSET) + middle[axis];
             }
             world.insert(RigidBodyBuilder::dynamic().translation(center), cube(HALF));
             left -= 1;
         }
     }
-    Stage::new(world, Container::above_ground())
 }
