@@ -11,7 +11,7 @@ use std::time::Duration;
 use unisize::PairFilter;
 
 /// Compares in one case; `on_step` is called after each simulated step.
-pub(crate) fn compare(case: Case, options: &Options, on_step: impl FnMut(usize)) -> Row {
+pub(crate) fn compare(case: Case, options: &Options, mut on_step: impl FnMut(usize)) -> Row {
     let comparison = Comparison {
         steps: options.steps(),
         contacts_every: options.contacts_every,
@@ -19,7 +19,22 @@ pub(crate) fn compare(case: Case, options: &Options, on_step: impl FnMut(usize))
         repeats: options.repeats,
         ..Comparison::new(case.kind, options.bodies(case), options.seed)
     };
-    let outcome = comparison.run(&candidate(options), on_step);
+    let filter = PairFilter::from(options.filter);
+    let outcome = match filter {
+        PairFilter::Shapes => {
+            // The default's pairs are all of those whose boxes overlap: so first, it is these that must be the same.
+            let boxes = Comparison {
+                repeats: 0,
+                ..comparison
+            };
+            let mut boxes = boxes.run(&candidate(options, PairFilter::Groups), &mut on_step);
+            let shapes = candidate(options, filter).leaving_out_more();
+            let mut outcome = comparison.run(&shapes, |step| on_step(comparison.steps + step));
+            outcome.first_difference = boxes.first_difference.take().or(outcome.first_difference);
+            outcome
+        }
+        _ => comparison.run(&candidate(options, filter), on_step),
+    };
     Row {
         scene: case.name(),
         dim: DIM,
@@ -48,15 +63,13 @@ pub(crate) fn compare(case: Case, options: &Options, on_step: impl FnMut(usize))
     }
 }
 
-fn candidate(options: &Options) -> Candidate<UnisizeBroadPhase> {
+fn candidate(options: &Options, filter: PairFilter) -> Candidate<UnisizeBroadPhase> {
     let kernel = match options.kernel {
         Kernel::GridSweep => ours::Kernel::GridSweep,
         Kernel::RankSweep => ours::Kernel::RankSweep,
         Kernel::BruteForce => ours::Kernel::BruteForce,
     };
-    let settings = Settings::default()
-        .with_kernel(kernel)
-        .with_filter(PairFilter::from(options.filter));
+    let settings = Settings::default().with_kernel(kernel).with_filter(filter);
     let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
         .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
         .with_queries(QueryAccess::new(

@@ -221,7 +221,8 @@ pub(super) use when_boxes_are_handed_over;
 
 /// Finds the contacts of these pairs in a copy of the world.
 pub(super) fn detect(
-    world: &World,
+    distance: Real,
+    islands: &IslandManager,
     pairs: impl BroadPhase,
     narrow_phase: &mut NarrowPhase,
     bodies: &mut RigidBodySet,
@@ -229,8 +230,8 @@ pub(super) fn detect(
     hooks: &dyn PhysicsHooks,
 ) {
     CollisionPipeline::new().step(
-        world.params.prediction_distance(),
-        &mut world.islands.clone(),
+        distance,
+        &mut islands.clone(),
         &mut DefaultBroadPhase::custom(pairs),
         narrow_phase,
         bodies,

@@ -76,6 +76,23 @@ impl BroadPhase for Replay {
     }
 }
 
+/// A world's bodies and colliders as they were at some time.
+pub(super) struct Copies {
+    islands: IslandManager,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+}
+
+impl Copies {
+    pub(super) fn of(world: &World) -> Self {
+        Self {
+            islands: world.islands.clone(),
+            bodies: world.bodies.clone(),
+            colliders: world.colliders.clone(),
+        }
+    }
+}
+
 /// The two narrow phases.
 #[derive(Default)]
 pub(super) struct ContactCheck {
@@ -88,17 +105,18 @@ impl ContactCheck {
         Touching::of(&self.narrow_phases[side])
     }
 
-    /// Brings both narrow phases up to date, and says how their results differ, if they do.
+    /// Brings both narrow phases up to date, and says how the results of both differ on these copies, if they do.
     pub(super) fn check(
         &mut self,
         world: &World,
+        copies: &Copies,
         journals: &mut Both<Journal>,
         hooks: &dyn PhysicsHooks,
     ) -> Option<String> {
         for side in [Side::Default, Side::Candidate] {
             // A copy for each: Rapier 0.36 notes in the bodies which islands the contacts have joined.
-            let mut colliders = world.colliders.clone();
-            let mut bodies = world.bodies.clone();
+            let mut colliders = copies.colliders.clone();
+            let mut bodies = copies.bodies.clone();
             let narrow_phase = &mut self.narrow_phases[side];
             let journal = &mut journals[side];
             narrow_phase.handle_user_changes(
@@ -112,7 +130,8 @@ impl ContactCheck {
             mark_modified(&mut colliders);
             let replay = Replay(journal.events.drain(..).map(Into::into).collect());
             version::detect(
-                world,
+                world.params.prediction_distance(),
+                &copies.islands,
                 replay,
                 narrow_phase,
                 &mut bodies,

@@ -96,12 +96,12 @@ impl HeldPairs {
     }
 
     /// The first pair that one side holds and the other does not, with the side that holds it, and how many
-    /// there are; those that the narrow phase drops anyway are left out.
-    pub(super) fn difference(&self, world: &World) -> Option<(Side, Pair, usize)> {
-        let mut differences = self
-            .uneven
-            .iter()
-            .filter(|pair| !pair.is_dropped_by_narrow_phase(world));
+    /// there are; those that the narrow phase drops anyway are left out, and those of the default if the candidate may hold
+    /// fewer.
+    pub(super) fn difference(&self, world: &World, fewer: bool) -> Option<(Side, Pair, usize)> {
+        let mut differences = self.uneven.iter().filter(|&&pair| {
+            !pair.is_dropped_by_narrow_phase(world) && !(fewer && self.holds(Side::Default, pair))
+        });
         let &pair = differences.next()?;
         let side = if self.holds(Side::Default, pair) {
             Side::Default

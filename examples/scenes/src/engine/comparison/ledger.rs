@@ -39,8 +39,8 @@ impl<C: BroadPhase + 'static> Ledger<C> {
         &self.tee.unheard.inner
     }
 
-    /// Enters the updates of the step that was just made.
-    pub(super) fn enter_step(&mut self) {
+    /// Enters the updates of the step that was just made. Returns how many there were.
+    pub(super) fn enter_step(&mut self) -> usize {
         let default = self.tee.heard.take_updates();
         let candidate = self.tee.unheard.take_updates();
         for (index, (default, candidate)) in default.iter().zip(&candidate).enumerate() {
@@ -48,6 +48,7 @@ impl<C: BroadPhase + 'static> Ledger<C> {
             self.enter(Side::Default, index + 1, default);
             self.enter(Side::Candidate, index + 1, candidate);
         }
+        default.len()
     }
 
     fn enter(&mut self, side: Side, number: usize, update: &Update) {
