@@ -56,6 +56,14 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     }
 }
 
+/// What is needed to move proxies in place, by slot.
+pub(crate) struct Parts<'a, R, const D: usize, K> {
+    pub(crate) boxes: &'a mut [Aabb<R, D>],
+    pub(crate) fat_boxes: &'a [Aabb<R, D>],
+    pub(crate) keys: &'a [K],
+    pub(crate) volumes: VolumesPart<'a, R, D>,
+}
+
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R, const D: usize, K> {
@@ -190,16 +198,13 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// The boxes, the fat boxes and the filter keys of all slots, to move proxies in place. Each move is to be
     /// [noted](Self::note).
-    pub(crate) fn parts(
-        &mut self,
-    ) -> (
-        &mut [Aabb<R, D>],
-        &[Aabb<R, D>],
-        &[K],
-        VolumesPart<'_, R, D>,
-    ) {
-        let volumes = self.volumes.part();
-        (&mut self.boxes, &self.fat_boxes, &self.keys, volumes)
+    pub(crate) fn parts(&mut self) -> Parts<'_, R, D, K> {
+        Parts {
+            boxes: &mut self.boxes,
+            fat_boxes: &self.fat_boxes,
+            keys: &self.keys,
+            volumes: self.volumes.part(),
+        }
     }
 
     /// Takes note of proxies that were moved in place, of the ones among `moved` that have left their fat box, and of those

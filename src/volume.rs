@@ -9,7 +9,7 @@
 //! |---|---|
 //! | balls | the line of centres |
 //! | balls and capsules | the line of centres, and that of the points of their core segments that are nearest to each other |
-//! | with a cuboid | the line of centres, the axes of the world, the axes of the cuboids |
+//! | with a cuboid | those of the world and of the cuboids, and from the segments of each to the centre of the other |
 //! | with a half-space | its normal |
 //!
 //! Volumes that are apart have an axis that proves it, whichever it is and however inexactly it was found. So an axis that
@@ -100,8 +100,9 @@ impl<R: Real, const D: usize> Ball<R, D> {
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         let between = sub(other.center, self.center);
         let reach = self.radius + other.radius + slack + (self.rounding() + other.rounding());
-        // True if that cannot be told.
-        !(dot(between, between) > reach * reach)
+        // False if that cannot be told.
+        let are_apart = dot(between, between) > reach * reach;
+        !are_apart
     }
 
     /// What rounding may do to it.
@@ -220,7 +221,8 @@ impl<R: Real, const D: usize> Volume<R, D> {
                 !(pair.is_apart_in_world()
                     || pair.is_apart_by_sides([self, other])
                     || pair.is_apart_by_sides([other, self])
-                    || pair.is_apart(pair.between))
+                    || pair.is_apart(pair.shortest_from([self, other]))
+                    || pair.is_apart(pair.shortest_from([other, self])))
             }
         }
     }
@@ -292,31 +294,47 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
         dot(center, normal) > reach
     }
 
+    /// From the segments of a volume, where they are nearest to the centre of the other one, to that centre, or back: the sign does
+    /// not matter.
+    fn shortest_from(&self, [volume, other]: [&Volume<R, D>; 2]) -> [R; D] {
+        let between = sub(other.ball.center, volume.ball.center);
+        let mut shortest = between;
+        for &half in volume.half_axes() {
+            let t = clamped(dot(between, half), dot(half, half));
+            shortest = core::array::from_fn(|k| shortest[k] - t * half[k]);
+        }
+        shortest
+    }
+
     /// From the first one's segment to the second one's, where they are nearest, or nearly so. A ball's segment is a point.
     ///
     /// See Ericson, Real-Time Collision Detection, 5.1.9.
     fn shortest_between_cores(&self) -> [R; D] {
-        let one = R::from_f64(1.0);
         let [u, v] = self.volumes.map(|volume| volume.half_axes[0]);
         let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
         let [ud, vd] = [dot(u, self.between), dot(v, self.between)];
-        let clamp = |numerator: R, denominator: R| {
-            if !(denominator > R::ZERO) {
-                return R::ZERO;
-            }
-            let x = numerator / denominator;
-            if x > one {
-                one
-            } else if x < R::ZERO - one {
-                R::ZERO - one
-            } else {
-                x
-            }
-        };
-        let s = clamp(ud * vv - vd * uv, uu * vv - uv * uv);
-        let t = clamp(s * uv - vd, vv);
-        let s = clamp(t * uv + ud, uu);
+        let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
+        let t = clamped(s * uv - vd, vv);
+        let s = clamped(t * uv + ud, uu);
         core::array::from_fn(|k| self.between[k] + t * v[k] - s * u[k])
+    }
+}
+
+/// The number from -1 to 1 that is nearest to a quotient; 0 if the denominator is not positive.
+#[inline(always)]
+fn clamped<R: Real>(numerator: R, denominator: R) -> R {
+    let one = R::from_f64(1.0);
+    let quotient = numerator / denominator;
+    if denominator > R::ZERO {
+        if quotient > one {
+            one
+        } else if quotient < R::ZERO - one {
+            R::ZERO - one
+        } else {
+            quotient
+        }
+    } else {
+        R::ZERO
     }
 }
 

@@ -10,7 +10,7 @@
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::bit_set::{BitSet, ones};
-use crate::pair_tracker::{FilterKey, VolumesPart};
+use crate::pair_tracker::{FilterKey, Parts, VolumesPart};
 use crate::tuning::update::{
     PARTS_A_THREAD, READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM, THREADS_FROM,
 };
@@ -283,7 +283,12 @@ impl<'a, R: Real, const D: usize, M, K: FilterKey> Rest<'a, R, D, M, K> {
     /// All slots.
     fn of(table: &'a mut ProxyTable<R, D, M, K>) -> Self {
         let has_volumes = table.tracker.volumes().are_used();
-        let (boxes, fat_boxes, keys, volumes) = table.tracker.parts();
+        let Parts {
+            boxes,
+            fat_boxes,
+            keys,
+            volumes,
+        } = table.tracker.parts();
         Self {
             first_slot: 0,
             generations: &table.generations,

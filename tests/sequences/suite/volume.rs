@@ -163,10 +163,20 @@ impl Volume {
                 !(is_apart_in_world()
                     || is_apart_by_sides(self, other)
                     || is_apart_by_sides(other, self)
-                    || is_apart(between))
+                    || is_apart(self.shortest_to_center(other))
+                    || is_apart(other.shortest_to_center(self)))
             }
             _ => !(is_apart(between) || is_apart(self.shortest(other, between))),
         }
+    }
+
+    /// From the nearest point of its segments to the other's centre.
+    fn shortest_to_center(&self, other: &Self) -> Array {
+        let between = minus(other.center, self.center);
+        self.halves.iter().fold(between, |shortest, &half| {
+            let t = part(dot(between, half), dot(half, half));
+            std::array::from_fn(|k| shortest[k] - t * half[k])
+        })
     }
 
     /// From one core segment to the other, where they are nearest.
@@ -175,14 +185,17 @@ impl Volume {
         let (u, v) = (core(self), core(other));
         let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
         let [ud, vd] = [dot(u, between), dot(v, between)];
-        let part = |numerator: Real, denominator: Real| match denominator > 0.0 {
-            true => (numerator / denominator).clamp(-1.0, 1.0),
-            false => 0.0,
-        };
         let s = part(ud * vv - vd * uv, uu * vv - uv * uv);
         let t = part(s * uv - vd, vv);
         let s = part(t * uv + ud, uu);
         std::array::from_fn(|k| between[k] + t * v[k] - s * u[k])
+    }
+}
+
+fn part(numerator: Real, denominator: Real) -> Real {
+    match denominator > 0.0 {
+        true => (numerator / denominator).clamp(-1.0, 1.0),
+        false => 0.0,
     }
 }
 

@@ -100,7 +100,8 @@ impl HeldPairs {
     /// fewer.
     pub(super) fn difference(&self, world: &World, fewer: bool) -> Option<(Side, Pair, usize)> {
         let mut differences = self.uneven.iter().filter(|&&pair| {
-            !pair.is_dropped_by_narrow_phase(world) && !(fewer && self.holds(Side::Default, pair))
+            let may_be_missing = fewer && self.holds(Side::Default, pair);
+            !(may_be_missing || pair.is_dropped_by_narrow_phase(world))
         });
         let &pair = differences.next()?;
         let side = if self.holds(Side::Default, pair) {
