@@ -50,6 +50,11 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may be a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
 
+    /// Whether the two, if they meet, would touch, and not only intersect; the same in either order.
+    fn may_touch(self, _other: Self) -> bool {
+        true
+    }
+
     /// Whether a proxy whose key has changed from `former` to this one gets a new box, without a margin.
     fn renews_box(self, _former: Self) -> bool {
         false
@@ -272,6 +277,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// The held pairs, by slots, smaller first.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.candidates.held()
+    }
+
+    /// Calls `visit` with the slots of each pair with one of these slots whose boxes overlapped at the end of the last update, and
+    /// that is not held, by its volumes alone. **O(candidates)**.
+    pub(crate) fn near(&mut self, slots: &[u32], mut visit: impl FnMut([u32; 2])) {
+        if self.volumes.are_used() && !slots.is_empty() {
+            let keys = &self.keys;
+            self.candidates.near_of(slots, keys.len(), |[a, b]| {
+                if keys[a as usize].may_touch(keys[b as usize]) {
+                    visit([a, b]);
+                }
+            });
+        }
     }
 
     /// The slots that have a proxy, with their boxes.

@@ -173,6 +173,24 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         handles(&self.generations, pair)
     }
 
+    /// Calls `visit` with one of these handles and that of a neighbour, for each pair whose boxes overlapped at the end of the last
+    /// update, and that only its volumes tell apart. **O(candidates)**.
+    pub(crate) fn near<H: Handle>(&mut self, handles: &[H], mut visit: impl FnMut(H, H)) {
+        let slots = handles.iter().filter_map(|&handle| self.slot_of(handle));
+        let mut slots: Vec<_> = slots.collect();
+        slots.sort_unstable();
+        let generations = &self.generations;
+        let is_known = |slot: u32| generations[slot as usize].is_some();
+        self.tracker.near(&slots, |[a, b]| {
+            for [slot, other] in [[a, b], [b, a]] {
+                if slots.binary_search(&slot).is_ok() && is_known(other) {
+                    let [first, second] = self::handles(generations, [slot, other]);
+                    visit(first, second);
+                }
+            }
+        });
+    }
+
     /// The slot of a handle, if it is known to have the handle's collider.
     pub(crate) fn slot_of(&self, handle: impl Handle) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();

@@ -2,8 +2,10 @@
 
 use super::BroadPhaseBvh;
 use crate::alloc_prelude::*;
-use crate::dynamics::{IntegrationParameters, RigidBodySet};
-use crate::geometry::{Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet};
+use crate::dynamics::{IntegrationParameters, IslandManager, RigidBodySet};
+use crate::geometry::{
+    Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderSet,
+};
 use core::any::Any;
 use parry::partitioning::Bvh;
 
@@ -33,6 +35,13 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         for (handle, aabb) in aabbs {
             self.set_aabb(params, *handle, *aabb);
         }
+    }
+
+    /// Colliders that the last update was given, each with one whose box overlapped its own before and that was not reported as its
+    /// pair, and whether it was given as removed. What has no pair with a changed collider is not woken by the narrow phase; these
+    /// are woken all the same.
+    fn unreported(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
+        &[]
     }
 
     /// A tree over the boxes as they are now, for queries and CCD. Its leaves are the indices of handles.
@@ -75,6 +84,32 @@ impl BroadPhaseBvh {
         }
         for (handle, aabb) in aabbs {
             self.set_aabb(params, *handle, *aabb);
+        }
+    }
+
+    /// Wakes the bodies of unreported pairs, as the narrow phase wakes those of the pairs it knows.
+    pub(crate) fn wake_unreported(
+        &self,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let Some(custom) = &self.custom.0 else {
+            return;
+        };
+        for &(listed, other, is_removed) in custom.unreported() {
+            let has_changed = colliders.get(listed).is_some_and(|collider| {
+                let unfelt = ColliderChanges::IN_MODIFIED_SET | ColliderChanges::DEFORMED;
+                collider.changes.needs_narrow_phase_update() && !unfelt.contains(collider.changes)
+            });
+            if !(is_removed || has_changed) {
+                continue;
+            }
+            for handle in [listed, other] {
+                if let Some(parent) = colliders.get(handle).and_then(|collider| collider.parent) {
+                    islands.wake_up(bodies, parent.handle, true);
+                }
+            }
         }
     }
 

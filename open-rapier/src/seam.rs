@@ -149,6 +149,15 @@ pub use self::custom::CustomBroadPhase;
         change: Change::Replace("self.update_moved_collider_aabbs(&step_parameters, colliders, broad_phase)"),
     },
     Edit {
+        file: "src/pipeline/physics_pipeline/solve.rs",
+        purpose: "a changed collider wakes what is near it, reported as its pair or not",
+        find: "        if handle_user_changes {
+",
+        times: 1,
+        change: Change::After("            broad_phase.wake_unreported(islands, bodies, colliders);
+"),
+    },
+    Edit {
         file: "src/pipeline/query_pipeline.rs",
         purpose: "queries, and with them CCD, go through its tree",
         find: "            bvh: &self.tree,\n",

@@ -34,6 +34,8 @@ pub struct UnisizeBroadPhase {
     /// Scratch: how pairs have changed.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
+    /// See [`Self::unreported_neighbors`].
+    pub(super) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -68,6 +70,7 @@ impl UnisizeBroadPhase {
             settings,
             changes: Changes::default(),
             query_tree: QueryTree::default(),
+            near: Vec::new(),
         }
     }
 
@@ -120,6 +123,13 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
+    /// What the last update was given, each with one whose box had overlapped its own and that is no pair by its shape, and whether it
+    /// was given as removed.
+    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
+    pub(crate) fn unreported_neighbors(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
+        &self.near
+    }
+
     /// Takes boxes that are handed over, as a part of the next update. Without the colliders, only balls keep their volumes.
     #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
     pub(crate) fn hand_over(
@@ -153,8 +163,16 @@ impl UnisizeBroadPhase {
         lists: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
+        self.near.clear();
         if lists.iter().all(|handles| handles.is_empty()) && !self.table.is_begun() {
             return;
+        }
+        if version::WAKES_NEAR {
+            for (handles, is_removed) in lists.into_iter().zip([false, true]) {
+                self.table.near(handles, |listed, other| {
+                    self.near.push((listed, other, is_removed))
+                });
+            }
         }
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);

@@ -21,6 +21,7 @@ pub(super) struct ColliderKey {
     body_type: RigidBodyType,
     collision_types: ActiveCollisionTypes,
     groups: InteractionGroups,
+    is_sensor: bool,
 }
 
 /// Stands for no body.
@@ -35,6 +36,7 @@ impl Default for ColliderKey {
             body_type: RigidBodyType::Dynamic,
             collision_types: ActiveCollisionTypes::all(),
             groups: InteractionGroups::all(),
+            is_sensor: false,
         }
     }
 }
@@ -56,6 +58,7 @@ impl ColliderKey {
         key.body = parent.map_or(NOBODY, |body| body.into_raw_parts().0);
         key.body_type = body.map_or(RigidBodyType::Fixed, RigidBody::body_type);
         key.collision_types = collider.active_collision_types();
+        key.is_sensor = filter >= PairFilter::Shapes && collider.is_sensor();
         if filter >= PairFilter::Groups || version::REINSERTS {
             key.groups = collider.collision_groups();
         }
@@ -73,6 +76,11 @@ impl FilterKey for ColliderKey {
         let groups_meet = self.groups.test(other.groups);
         (bodies_meet | (self.filter == PairFilter::Off))
             & (groups_meet | (self.filter < PairFilter::Groups))
+    }
+
+    #[inline(always)]
+    fn may_touch(self, other: Self) -> bool {
+        !(self.is_sensor | other.is_sensor)
     }
 
     /// Whatever the filter, because the box without a margin shows in the pairs.

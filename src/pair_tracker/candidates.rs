@@ -40,6 +40,22 @@ impl Candidates {
         self.array.held()
     }
 
+    /// Calls `visit` with each candidate of one of these slots whose boxes overlap, and that is not held. There are `count` slots in
+    /// all.
+    pub(super) fn near_of(&mut self, of: &[u32], count: usize, visit: impl FnMut([u32; 2])) {
+        let Self { array, slots, .. } = self;
+        slots.resize(count);
+        for &slot in of {
+            slots.insert(slot as usize);
+        }
+        let is_one = slots.lookup();
+        let near = array.near().map(|(_, pair)| pair);
+        near.filter(|pair| pair.iter().any(|&slot| is_one(slot as usize)))
+            .for_each(visit);
+        drop(is_one);
+        slots.clear_around(of);
+    }
+
     /// The candidates whose boxes overlap, and that are not held.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {

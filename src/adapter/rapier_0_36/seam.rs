@@ -34,6 +34,10 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         self.hand_over(params, Some(colliders), aabbs);
     }
 
+    fn unreported(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
+        self.unreported_neighbors()
+    }
+
     fn bvh(&self) -> &Bvh {
         self.tree()
     }

@@ -94,7 +94,6 @@ impl CandidateArray {
     }
 
     /// The rows whose boxes overlap and that are not held, with their pairs.
-    #[cfg(feature = "serde-serialize")]
     pub(super) fn near(&self) -> impl Iterator<Item = (usize, [u32; 2])> + '_ {
         let all = self.pairs.iter().zip(&self.states).enumerate();
         all.filter_map(|(row, (&pair, &state))| (state == PairState::Near).then_some((row, pair)))

@@ -158,7 +158,10 @@ impl Volume {
             (_, Kind::HalfSpace) => {
                 !is_behind(other.halves[0], minus(self.center, other.center), self)
             }
-            (Kind::Ball, Kind::Ball) => !(dot(between, between) > reach * reach),
+            (Kind::Ball, Kind::Ball) => {
+                let are_apart = dot(between, between) > reach * reach;
+                !are_apart
+            }
             (Kind::Cuboid, _) | (_, Kind::Cuboid) => {
                 !(is_apart_in_world()
                     || is_apart_by_sides(self, other)
