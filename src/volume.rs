@@ -144,22 +144,39 @@ impl<R: Real, const D: usize> Volume<R, D> {
         volume
     }
 
-    /// Its centre, its radius and its half axes.
+    /// Its radius, its centre and its half axes; as many of them as are finite, for some formats have no others. What is left out is
+    /// that of a volume that meets all.
     #[cfg(feature = "serde-serialize")]
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = R> + '_ {
+    pub(crate) fn numbers(&self) -> Vec<R> {
         let Ball { center, radius } = self.ball;
-        let half_axes = self.half_axes().as_flattened();
-        center
-            .into_iter()
-            .chain([radius])
-            .chain(half_axes.iter().copied())
+        let numbers = [radius].into_iter().chain(center);
+        let mut numbers: Vec<_> = numbers
+            .chain(self.half_axes().as_flattened().iter().copied())
+            .collect();
+        if !numbers.iter().all(|x| x.is_finite()) {
+            numbers.truncate(usize::from(radius.is_finite()));
+        }
+        numbers
     }
 
-    /// The volume with these numbers, if there are as many as it has.
+    /// The volume that has these [numbers](Self::numbers), if there is one.
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
-        let (center, rest) = numbers.split_first_chunk()?;
-        let (&radius, rest) = rest.split_first()?;
+        let Some((&radius, rest)) = numbers.split_first() else {
+            return Some(Self { kind, ..Self::BOX });
+        };
+        if rest.is_empty() {
+            let ball = Ball {
+                radius,
+                ..Self::BOX.ball
+            };
+            return Some(Self {
+                kind,
+                ball,
+                ..Self::BOX
+            });
+        }
+        let (center, rest) = rest.split_first_chunk()?;
         let half_axes: Option<Vec<[R; D]>> =
             rest.chunks(D).map(|half| half.try_into().ok()).collect();
         let half_axes = half_axes.filter(|half_axes| half_axes.len() == kind.axes::<D>())?;

@@ -91,7 +91,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         slots
             .map(|slot| {
                 let volume = self.get(slot);
-                (volume.kind, volume.numbers().collect())
+                (volume.kind, volume.numbers())
             })
             .collect()
     }

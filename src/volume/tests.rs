@@ -212,10 +212,22 @@ fn numbers_make_the_volume_again() {
     let mut random = Rand64::new(13);
     for kind in KINDS {
         let volume = Placed::<3>::random(&mut random, kind, 3.0, 1.0).rounded::<f32>();
-        let mut numbers: Vec<_> = volume.numbers().collect();
+        let mut numbers = volume.numbers();
         assert_eq!(Volume::of_numbers(kind, &numbers), Some(volume));
         numbers.push(0.0);
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers), None);
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers[..3]), None);
+        let radius = volume.ball.radius;
+        for (x, kept) in [(radius, vec![radius]), (f32::INFINITY, vec![])] {
+            let ball = Ball {
+                center: [f32::NAN; 3],
+                radius: x,
+            };
+            let lost = Volume { ball, ..volume };
+            assert_eq!(lost.numbers(), kept);
+            let found = Volume::<f32, 3>::of_numbers(kind, &kept).unwrap();
+            assert_eq!(found.kind, kind);
+            assert!(found.meets(&volume, 0.0));
+        }
     }
 }

@@ -25,7 +25,7 @@ pub(super) const REINSERTS: bool = true;
 pub(super) const WAKES_NEAR: bool = true;
 
 /// The default filter.
-pub(super) const PAIR_FILTER: PairFilter = PairFilter::Groups;
+pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 
 /// The origin of a pose.
 #[inline(always)]
