@@ -34,12 +34,14 @@ pub enum PairFilter {
     /// - `CollisionPipeline` does not list the colliders of a body whose type changes for the second time, so their pairs
     ///   begin when they are listed next.
     Bodies,
-    /// Also pairs whose collision groups forbid it. Default for Rapier 0.36, whose own broad phase leaves out the same.
+    /// Also pairs whose collision groups forbid it: what Rapier 0.36's own broad phase leaves out.
     ///
     /// In Rapier 0.27, changing a collider does not wake sleeping neighbours that its groups forbid.
     Groups,
-    /// Also pairs whose boxes overlap and whose shapes cannot meet, which the narrow phase would look at in every step to find
-    /// nothing: in the corners of boxes around balls, beside tilted capsules, and within the margins.
+    /// Also pairs whose boxes overlap and whose shapes cannot meet. Default for Rapier 0.36.
+    ///
+    /// The narrow phase would look at them in every step to find nothing: in the corners of boxes around balls, beside tilted
+    /// capsules, and within the margins.
     ///
     /// A pair begins when the two are within the prediction distance and their contact skins, by their boxes *and* by bounding
     /// volumes of their shapes, as they are in this update. It ends when the boxes with their margins part, or the volumes are
@@ -54,7 +56,8 @@ pub enum PairFilter {
     /// Colliders with physics hooks have none either, so hooks are called for the same pairs, and so have those whose box is
     /// larger than the shape: with soft CCD, or soft. Where boxes are handed over one by one, only balls have volumes.
     ///
-    /// Contacts and intersections are the same. What differs is what Rapier tells by pairs without a contact: changing or
-    /// removing a collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
+    /// Contacts and intersections are the same. Rapier also wakes what it holds pairs with, whether they touch or not: the opened copy
+    /// of Rapier 0.36 does so with what is left out here. In Rapier 0.27, and in 0.36 without the copy, changing or removing a
+    /// collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
     Shapes,
 }

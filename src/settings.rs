@@ -39,7 +39,7 @@ pub struct Settings<R> {
     /// and 0.04 in 0.36, which makes the boxes the same as there.
     pub margin: Option<R>,
     /// Which pairs are left out because they can have no effect. Default: `None`, [`PairFilter::Off`] for Rapier 0.27
-    /// and [`PairFilter::Groups`] for 0.36.
+    /// and [`PairFilter::Shapes`] for 0.36.
     pub filter: Option<PairFilter>,
     /// How far ahead colliders are searched for, in multiples of their last move. It decides the speed, never the
     /// answer. Default: `None`, as far as the pairs that it finds too early are worth it, which depends on how fast

@@ -19,8 +19,8 @@ use crate::{Kernel, PairFilter, Stats};
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
 /// opened copy, or call its `update` yourself.
 ///
-/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and like Rapier's it reports
-/// every pair whose boxes overlap, except those that the [filter](PairFilter) leaves out. Contacts, intersections and the
+/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports every pair whose boxes
+/// overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and the
 /// bodies that are woken are therefore the same.
 ///
 /// An update in which no collider has left its margin costs one box comparison for each listed collider. Pairs are

@@ -33,7 +33,7 @@ use std::process::ExitCode;
 const RAPIER: &str = "0.36";
 
 /// The default of `--filter`, as the library has it.
-const FILTER: &str = "groups";
+const FILTER: &str = "shapes";
 
 #[path = "../../../examples/compare"]
 mod dim2 {

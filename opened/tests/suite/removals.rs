@@ -86,6 +86,32 @@ fn a_stream() {
     }
 }
 
+/// Rapier wakes what it holds a pair with, whether the two touch or not.
+#[test]
+fn a_post_that_is_near_and_does_not_touch() {
+    let changes: [fn(&mut PhysicsWorld, ColliderHandle); 3] = [
+        |world, post| {
+            world.remove_collider(post);
+        },
+        |world, post| world.colliders[post].set_translation_wrt_parent(at(0.001, 0.0)),
+        |world, post| world.colliders[post].set_enabled(false),
+    ];
+    for (i, change) in changes.into_iter().enumerate() {
+        for gap in [0.05, 0.5] {
+            let mut twins = Twins::heavy();
+            twins.insert_floor();
+            let (body, cube) = twins.insert(dynamic(0.0, 0.6), cube());
+            let (_, post) = twins.insert(fixed(0.6 + gap, 2.0), post());
+            let seen = twins.step_until(|seen| seen.sleeps(body));
+            assert!(!seen.touches(cube, post));
+            twins.both(|world| change(world, post));
+            let seen = twins.step();
+            assert_eq!(seen.sleeps(body), gap > 0.1, "change {i}, gap {gap}");
+            twins.steps(10);
+        }
+    }
+}
+
 fn groups(bits: Group) -> InteractionGroups {
     InteractionGroups::new(bits, bits, InteractionTestMode::And)
 }

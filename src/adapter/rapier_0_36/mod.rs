@@ -73,8 +73,8 @@ impl UnisizeBroadPhase {
     /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that
     /// are gone: their pairs end without an event.
     ///
-    /// By default it reports no pairs that the narrow phase would drop, like Rapier's own: see
-    /// [`PairFilter::Groups`](crate::PairFilter::Groups). Once such a pair is allowed, it is reported by the next update in
+    /// By default it reports no pairs that the narrow phase would drop, like Rapier's own, and none whose shapes cannot meet: see
+    /// [`PairFilter::Shapes`](crate::PairFilter::Shapes). Once a pair that groups or types forbade is allowed, it is reported by the next update in
     /// which one of the two is listed as modified, and once it is forbidden, it ends by such an update. (Rapier's own keeps a
     /// reported pair until the boxes part.)
     pub fn update(
@@ -97,7 +97,8 @@ impl UnisizeBroadPhase {
     /// `aabb` is that of `Collider::compute_broad_phase_aabb`, or at least contains it; the margin is added if the collider
     /// has left the box that is held. Only its position may have changed: for anything else it must be listed. A box for a
     /// collider that the broad phase does not know counts once the next update finds it in the set; an invalid box
-    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a valid one comes. **O(1)**.
+    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a valid one comes. Only of a ball does the box tell
+    /// where the shape is: other colliders are pairs by their boxes until they are listed. **O(1)**.
     pub fn set_aabb(
         &mut self,
         params: &IntegrationParameters,

@@ -23,7 +23,10 @@ struct Driven {
 
 impl Driven {
     fn new() -> Self {
-        let settings = Settings::default().with_margin(0.0);
+        // Without margins, and with all pairs whose boxes overlap, as Rapier's own.
+        let settings = Settings::default()
+            .with_margin(0.0)
+            .with_filter(PairFilter::Groups);
         Self {
             bodies: RigidBodySet::new(),
             colliders: ColliderSet::new(),

@@ -23,7 +23,9 @@ impl Stepped {
         );
         Self {
             world,
-            ours: UnisizeBroadPhase::new(),
+            ours: UnisizeBroadPhase::with_settings(
+                Settings::default().with_filter(PairFilter::Groups),
+            ),
             unfiltered: UnisizeBroadPhase::with_settings(
                 Settings::default().with_filter(PairFilter::Off),
             ),
