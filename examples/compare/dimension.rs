@@ -27,7 +27,7 @@ pub(crate) fn compare(case: Case, options: &Options, mut on_step: impl FnMut(usi
                 repeats: 0,
                 ..comparison
             };
-            let mut boxes = boxes.run(&candidate(options, PairFilter::Groups), &mut on_step);
+            let mut boxes = boxes.run(&candidate(options, crate::FILTER_OF_DEFAULT), &mut on_step);
             let shapes = candidate(options, filter).leaving_out_more();
             let mut outcome = comparison.run(&shapes, |step| on_step(comparison.steps + step));
             outcome.first_difference = boxes.first_difference.take().or(outcome.first_difference);

@@ -28,6 +28,9 @@ const RAPIER: &str = "0.27";
 /// The default of `--filter`, as the library has it.
 const FILTER: &str = "off";
 
+/// The level that leaves out what the default broad phase leaves out.
+const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Off;
+
 #[path = "."]
 mod dim2 {
     use unisize::rapier2d as ours;

@@ -35,6 +35,9 @@ const RAPIER: &str = "0.36";
 /// The default of `--filter`, as the library has it.
 const FILTER: &str = "shapes";
 
+/// The level that leaves out what the default broad phase leaves out.
+const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
+
 #[path = "../../../examples/compare"]
 mod dim2 {
     use unisize::rapier2d_0_36 as ours;
