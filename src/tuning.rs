@@ -1,7 +1,7 @@
 //! The numbers of policy: what decides speed and nothing else. Those of the kernels that are there to be studied and compared
 //! with, and sizes of buffers and batches, stand where they are used.
 //!
-//! No set of pairs depends on them; their order does, and so do the golden hashes and a few unit tests. Each has its unit, what
+//! No event depends on them, nor does the order of events; a few unit tests do. Each has its unit, what
 //! goes wrong above and below, and the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a
 //! factor of two to either side costs a few per cent, which is why none is a setting.
 

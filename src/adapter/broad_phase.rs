@@ -27,6 +27,9 @@ use crate::{Kernel, PairFilter, Stats};
 /// searched for some updates ahead, so most updates only compare boxes that are known to be near each other. What moves
 /// otherwise than foreseen is looked up among the others in about **O(log n)** each; where that is much, there is one
 /// run of the [kernel](Kernel) over all boxes.
+///
+/// The events of an update come in one order, however they were found: first pairs that end, then pairs that begin, both by the
+/// smaller index of the two colliders and then the larger one.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,

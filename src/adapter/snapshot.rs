@@ -1,6 +1,6 @@
 //! The broad phase as it is written and read by serde, in the middle of a simulation.
 //!
-//! What is written decides all events to come, and their order. Scratch memory, outlines of shapes and the tree for
+//! What is written decides all events to come, and how much work it is to find them. Scratch memory, outlines of shapes and the tree for
 //! queries are not written: they are made anew when they are needed.
 
 use serde::de::{Deserialize, Deserializer, Error};
@@ -21,7 +21,7 @@ struct Snapshot {
     table: TableSnapshot<Real, DIM, ColliderKey>,
 }
 
-/// What is written decides all events to come, and their order: a simulation that is restored, with all of Rapier's
+/// What is written decides all events to come: a simulation that is restored, with all of Rapier's
 /// sets, goes on as the one that was saved. For that the format must keep numbers bit for bit, as binary formats do. If
 /// another version of the library wrote the snapshot in another format, reading it is an error that says so.
 impl Serialize for UnisizeBroadPhase {

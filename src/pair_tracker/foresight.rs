@@ -3,8 +3,8 @@
 //! A longer horizon means fewer searches and more candidates to compare. Which one is best depends on how fast things
 //! move, how densely they lie and how straight they go, so it is tried: every update counts its work, in the
 //! [prices](crate::tuning::prices) of its units. Half as many moves and twice as many are tried in turn, each for some updates,
-//! and the cheapest horizon is kept. Where neither pays, trials become rare. No clock is asked, because the choice decides the
-//! order of events, which must be the same on every machine.
+//! and the cheapest horizon is kept. Where neither pays, trials become rare. No clock is asked: the events are the same
+//! whatever is chosen, but so should be the work, on every machine.
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,8 @@
 //! A tracker as it is written and read by serde.
 //!
-//! Pairs depend on boxes alone, but the order in which changes are reported depends on more: on fat boxes, on the order
-//! of the candidates, on when there were full runs. All of that is written, so that a tracker that was read goes on as
-//! the one that was written does. Between two updates boxes may have been handed over, so what has been touched since the
+//! The changes to come depend on boxes and filter keys alone, and so does their order in events; but the work that they take
+//! depends on more: on fat boxes, on the candidates, on when there were full runs. All of that is written, so that a tracker that
+//! was read goes on as the one that was written does. Between two updates boxes may have been handed over, so what has been touched since the
 //! last update is written too. What follows from this is not written but made anew: which candidates are held,
 //! lists, sorted layers. What is read is checked, so a tracker that was read is always consistent.
 
@@ -15,7 +15,7 @@ use crate::slot_set::SlotSet;
 use crate::volume::VolumeKind;
 use crate::{Aabb, Kernel, Real};
 
-/// What decides the changes to come.
+/// What decides the changes to come, and the work that they take.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, K: Serialize",

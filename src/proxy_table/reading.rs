@@ -4,8 +4,8 @@
 //! order of their indices the processor can foresee the next ones, which halves the time of reading them in scenes
 //! too large for the caches. Very many are read in parts, runs of slots, each by one thread.
 //!
-//! The order affects only speed and the order of events, and never depends on the number of threads: what is not a simple
-//! move, say a new collider, is deferred, and all results are put together in the order of a single thread.
+//! The order affects only speed, not even the order of events, and never depends on the number of threads: what is not a
+//! simple move, say a new collider, is deferred, and all results are put together in the order of a single thread.
 
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};

@@ -20,7 +20,7 @@ pub(super) struct Crowd {
     bodies: RigidBodySet,
     handles: Vec<ColliderHandle>,
     pub(super) velocities: Vec<Vector<Real>>,
-    modified: Vec<ColliderHandle>,
+    pub(super) modified: Vec<ColliderHandle>,
     removed: Vec<ColliderHandle>,
     side: Real,
     random: Rand32,

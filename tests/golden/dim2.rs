@@ -1,9 +1,9 @@
 //! The suite for rapier2d.
 
 use rapier2d as rapier;
-use unisize::rapier2d::UnisizeBroadPhase;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier2d::{PairFilter, Settings};
+use unisize::rapier2d::PairFilter;
+use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim2::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim2::{Observed, Scene};

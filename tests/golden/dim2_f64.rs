@@ -1,9 +1,9 @@
 //! The suite for rapier2d-f64.
 
 use rapier2d_f64 as rapier;
-use unisize::rapier2d_f64::UnisizeBroadPhase;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier2d_f64::{PairFilter, Settings};
+use unisize::rapier2d_f64::PairFilter;
+use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim2_f64::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim2_f64::{Observed, Scene};

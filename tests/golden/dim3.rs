@@ -1,9 +1,9 @@
 //! The suite for rapier3d.
 
 use rapier3d as rapier;
-use unisize::rapier3d::UnisizeBroadPhase;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier3d::{PairFilter, Settings};
+use unisize::rapier3d::PairFilter;
+use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim3::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim3::{Observed, Scene};

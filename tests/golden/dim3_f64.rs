@@ -1,9 +1,9 @@
 //! The suite for rapier3d-f64.
 
 use rapier3d_f64 as rapier;
-use unisize::rapier3d_f64::UnisizeBroadPhase;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier3d_f64::{PairFilter, Settings};
+use unisize::rapier3d_f64::PairFilter;
+use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim3_f64::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim3_f64::{Observed, Scene};

@@ -1,9 +1,10 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{PairEvent, REPLAYS, UnisizeBroadPhase};
+use super::{Kernel, PairEvent, REPLAYS, Settings, UnisizeBroadPhase};
 use crate::hash::Hash;
 use crowd::Crowd;
+use oorandom::Rand32;
 use rapier::math::{DIM, Real};
 
 #[path = "../crowd/mod.rs"]
@@ -49,6 +50,28 @@ const fn replay(
     }
 }
 
+/// What must not matter.
+#[derive(Clone, Default)]
+struct Way {
+    settings: Settings,
+    /// Whether clones take each other's place.
+    is_cloned: bool,
+    /// Whether colliders are listed in another order in each update.
+    is_shuffled: bool,
+}
+
+/// Whether pairs end before others begin, each by the smaller index and then the larger one.
+fn are_in_order(events: &[PairEvent]) -> bool {
+    let key = |event: &PairEvent| {
+        let pair = event.pair();
+        let index = |handle: rapier::geometry::ColliderHandle| handle.into_raw_parts().0;
+        let [first, second] = [pair.collider1, pair.collider2].map(index);
+        assert!(first < second);
+        (event.is_add(), first, second)
+    };
+    events.is_sorted_by(|a, b| key(a) < key(b))
+}
+
 fn write(hash: &mut Hash, events: &[PairEvent]) {
     hash.write(events.len() as u32);
     for event in events {
@@ -63,8 +86,8 @@ fn write(hash: &mut Hash, events: &[PairEvent]) {
 }
 
 impl Replay {
-    /// The hash of all events; with `is_cloned`, of clones that take each other's place.
-    fn hash(&self, is_cloned: bool) -> u64 {
+    /// The hash of all events.
+    fn hash(&self, way: &Way) -> u64 {
         // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
@@ -75,15 +98,23 @@ impl Replay {
         let mut crowd = Crowd::new(self.count, side, self.speed);
         // It is refused until it gets a sound position.
         crowd.spoil_last();
-        let mut broad_phase = UnisizeBroadPhase::new();
+        let mut broad_phase = UnisizeBroadPhase::with_settings(way.settings);
+        let mut random = Rand32::new(5);
         let mut hash = Hash::default();
         let mut events = 0;
         for &stride in self.strides {
             for _ in 0..10 {
-                if is_cloned {
+                if way.is_cloned {
                     broad_phase = broad_phase.clone();
                 }
+                if way.is_shuffled {
+                    for i in (1..crowd.modified.len()).rev() {
+                        let other = random.rand_range(0..i as u32 + 1) as usize;
+                        crowd.modified.swap(i, other);
+                    }
+                }
                 let found = crowd.update(&mut broad_phase);
+                assert!(are_in_order(&found), "{}: {found:?}", self.name);
                 write(&mut hash, &found);
                 events += found.len();
                 crowd.advance(stride);
@@ -100,8 +131,8 @@ impl Replay {
     }
 }
 
-fn hashes(is_cloned: bool) -> [u64; REPLAYS.len()] {
-    std::array::from_fn(|i| ALL[i].hash(is_cloned))
+fn hashes(way: &Way) -> [u64; REPLAYS.len()] {
+    ALL.map(|replay| replay.hash(way))
 }
 
 fn check<const N: usize>(found: [u64; N], golden: [u64; N]) {
@@ -111,12 +142,16 @@ fn check<const N: usize>(found: [u64; N], golden: [u64; N]) {
 
 #[test]
 fn replays_are_golden() {
-    check(hashes(false), REPLAYS);
+    check(hashes(&Way::default()), REPLAYS);
 }
 
 #[test]
 fn clones_go_on_alike() {
-    check(hashes(true), REPLAYS);
+    let way = Way {
+        is_cloned: true,
+        ..Way::default()
+    };
+    check(hashes(&way), REPLAYS);
 }
 
 #[test]
@@ -124,7 +159,54 @@ fn threads_do_not_matter() {
     for threads in 1..=3 {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.expect("there are threads to be had");
-        check(pool.install(|| hashes(false)), REPLAYS);
+        check(pool.install(|| hashes(&Way::default())), REPLAYS);
+    }
+}
+
+#[test]
+fn the_order_of_the_lists_does_not_matter() {
+    let way = Way {
+        is_shuffled: true,
+        ..Way::default()
+    };
+    check(hashes(&way), REPLAYS);
+}
+
+#[test]
+fn foresight_and_layers_do_not_matter() {
+    let settings = Settings::default();
+    for settings in [
+        settings.with_foresight(0),
+        settings.with_foresight(3),
+        settings.with_foresight(64),
+        settings.with_layers(false),
+    ] {
+        let way = Way {
+            settings,
+            ..Way::default()
+        };
+        check(hashes(&way), REPLAYS);
+    }
+}
+
+#[test]
+fn kernels_do_not_matter() {
+    for kernel in [Kernel::RankSweep, Kernel::BruteForce] {
+        let way = Way {
+            settings: Settings::default().with_kernel(kernel),
+            ..Way::default()
+        };
+        for (replay, golden) in ALL.iter().zip(REPLAYS) {
+            // Brute force takes its time.
+            if kernel != Kernel::BruteForce || replay.count <= 1000 {
+                let found = replay.hash(&way);
+                assert!(
+                    found == golden,
+                    "{} with {kernel:?}: {found:#x}",
+                    replay.name
+                );
+            }
+        }
     }
 }
 
@@ -132,7 +214,7 @@ fn threads_do_not_matter() {
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {
-    use super::{Observed, PairFilter, SCENES, Scene, Settings};
+    use super::{Observed, PairFilter, SCENES, Scene};
     use unisize_scenes::SceneKind;
 
     let hash = |kind| {

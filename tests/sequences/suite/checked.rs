@@ -116,6 +116,7 @@ impl CheckedBroadPhase {
         let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");
+        assert_in_order(&sent);
         // A box is renewed only when its collider is listed, so it may date from an earlier prediction distance.
         self.prediction = self.prediction.min(params.prediction_distance());
         for pair in &expected.deleted {
@@ -169,6 +170,19 @@ fn changes(events: &[BroadPhasePairEvent]) -> Changes {
         added: as_set(&added),
         deleted: as_set(&deleted),
     }
+}
+
+/// Pairs must end before others begin, each by the smaller index and then the larger one.
+fn assert_in_order(events: &[BroadPhasePairEvent]) {
+    let keys = events.iter().map(|event| {
+        let (is_added, pair) = match event {
+            BroadPhasePairEvent::AddPair(pair) => (true, raw(pair)),
+            BroadPhasePairEvent::DeletePair(pair) => (false, raw(pair)),
+        };
+        (is_added, pair.map(|(index, _)| index))
+    });
+    let keys: Vec<_> = keys.collect();
+    assert!(keys.is_sorted_by(|a, b| a < b), "not in order: {keys:?}");
 }
 
 /// A pair that is not held must be farther apart than the prediction distance, by the shapes and not their boxes.
