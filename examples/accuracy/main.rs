@@ -39,6 +39,9 @@ use std::process::ExitCode;
 /// The version of Rapier.
 const RAPIER: &str = "0.27";
 
+/// The level that leaves out what the default broad phase leaves out: with it, and with events in order, both do the same to the bit.
+const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Off;
+
 /// What the names of its charts end with.
 const SUFFIX: &str = "";
 

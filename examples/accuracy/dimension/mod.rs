@@ -25,7 +25,9 @@ pub(crate) fn run(case: &Case) -> Run {
             simulate(case, stage, &mut install(sorted))
         }
         Finder::Unisize if case.is_sorted => {
-            let sorted = Observed::new(ours::UnisizeBroadPhase::new()).sorted();
+            let settings = ours::Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
+            let ours = ours::UnisizeBroadPhase::with_settings(settings);
+            let sorted = Observed::new(ours).sorted();
             simulate(case, stage, &mut install(sorted))
         }
         Finder::Rapier => simulate(case, stage, &mut DefaultBroadPhase::new()),

@@ -1,6 +1,6 @@
 //! The broad phases that a case is run on.
 
-use super::ours::UnisizeBroadPhase;
+use super::ours::{Settings, UnisizeBroadPhase};
 use super::scenes::rapier::prelude::DefaultBroadPhase;
 use super::scenes::{Observed, OwnBroadPhase, Steppable, install};
 use super::version;
@@ -53,9 +53,10 @@ impl Contender {
         }
     }
 
-    /// unisize under observation, or what is put in its place.
+    /// unisize with the default's pairs, under observation, or what is put in its place.
     pub(super) fn observed(self) -> Observed<UnisizeBroadPhase> {
-        let observed = Observed::new(UnisizeBroadPhase::new());
+        let settings = Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
+        let observed = Observed::new(UnisizeBroadPhase::with_settings(settings));
         match self {
             #[cfg(test)]
             Self::Blind => observed.silent(),

@@ -35,6 +35,9 @@ use std::process::ExitCode;
 /// The version of Rapier.
 const RAPIER: &str = "0.36";
 
+/// The level that leaves out what the default broad phase leaves out: with it, and with events in order, both do the same to the bit.
+const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
+
 /// What the names of its charts end with.
 const SUFFIX: &str = "-0-36";
 

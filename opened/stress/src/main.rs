@@ -41,6 +41,9 @@ use std::process::ExitCode;
 /// The version of Rapier.
 const RAPIER: &str = "0.36";
 
+/// The level that leaves out what the default broad phase leaves out: with it, and with events in order, both do the same to the bit.
+const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
+
 /// Whether the charts of this version are in the documentation.
 const HAS_CHARTS: bool = false;
 

@@ -25,7 +25,7 @@ use super::world::World;
 use crate::SceneKind;
 use crate::random::Random;
 use both::Side;
-use contacts::{ContactCheck, Copies, Touching};
+use contacts::{ContactCheck, Placed, Touching};
 use ledger::Ledger;
 use rays::RayCheck;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -200,7 +200,7 @@ impl Comparison {
             scene.prepare_asking(&version::access_to_own().to(&ledger.tee.heard.inner));
             let is_due = step % self.contacts_every.max(1) == 0 || step == self.steps;
             // A candidate that leaves out more has the pairs of the poses that its update has seen, and no others.
-            let before = (is_due && candidate.leaves_out_more).then(|| Copies::of(&scene.world));
+            let before = (is_due && candidate.leaves_out_more).then(|| Placed::of(&scene.world));
             scene.world.step(ledger.tee.for_step(), &(), &());
             let updates = ledger.enter_step();
             let touching = Touching::of(&scene.world.narrow_phase);
@@ -213,10 +213,10 @@ impl Comparison {
                 outcome.first_difference = candidate
                     .difference(&mut ledger, &scene.world, &touching)
                     .or_else(|| {
-                        let copies = before.unwrap_or_else(|| Copies::of(&scene.world));
                         let journals = &mut ledger.journals;
-                        check_contacts
-                            .then(|| contact_check.check(&scene.world, &copies, journals, &()))?
+                        check_contacts.then(|| {
+                            contact_check.check(&scene.world, before.as_ref(), journals, &())
+                        })?
                     })
                     .or_else(|| ray_check.as_mut()?.check(&scene, &ledger))
                     .map(|difference| format!("step {step}: {difference}"));

@@ -144,14 +144,14 @@ pub(super) use when_boxes_are_handed_over;
 
 /// Finds the contacts of these pairs in a copy of the world.
 pub(super) fn detect(
-    distance: Real,
-    _: &IslandManager,
+    world: &World,
     mut pairs: impl BroadPhase,
     narrow_phase: &mut NarrowPhase,
     bodies: &mut RigidBodySet,
     colliders: &mut ColliderSet,
     hooks: &dyn PhysicsHooks,
 ) {
+    let distance = world.params.prediction_distance();
     CollisionPipeline::new().step(
         distance,
         &mut pairs,

@@ -221,8 +221,7 @@ pub(super) use when_boxes_are_handed_over;
 
 /// Finds the contacts of these pairs in a copy of the world.
 pub(super) fn detect(
-    distance: Real,
-    islands: &IslandManager,
+    world: &World,
     pairs: impl BroadPhase,
     narrow_phase: &mut NarrowPhase,
     bodies: &mut RigidBodySet,
@@ -230,8 +229,8 @@ pub(super) fn detect(
     hooks: &dyn PhysicsHooks,
 ) {
     CollisionPipeline::new().step(
-        distance,
-        &mut islands.clone(),
+        world.params.prediction_distance(),
+        &mut world.islands.clone(),
         &mut DefaultBroadPhase::custom(pairs),
         narrow_phase,
         bodies,

@@ -76,19 +76,31 @@ impl BroadPhase for Replay {
     }
 }
 
-/// A world's bodies and colliders as they were at some time.
-pub(super) struct Copies {
-    islands: IslandManager,
-    bodies: RigidBodySet,
-    colliders: ColliderSet,
-}
+/// Where colliders will be found by the next update, and with what shapes.
+pub(super) struct Placed(Vec<(ColliderHandle, version::Pose, SharedShape)>);
 
-impl Copies {
+impl Placed {
     pub(super) fn of(world: &World) -> Self {
-        Self {
-            islands: world.islands.clone(),
-            bodies: world.bodies.clone(),
-            colliders: world.colliders.clone(),
+        let place = |(handle, collider): (_, &Collider)| {
+            // A body takes its colliders along at the beginning of a step.
+            let body = collider.parent().and_then(|body| world.bodies.get(body));
+            let pose = match (body, collider.position_wrt_parent()) {
+                (Some(body), Some(local)) => *body.position() * *local,
+                _ => *collider.position(),
+            };
+            (handle, pose, collider.shared_shape().clone())
+        };
+        Self(world.colliders.iter().map(place).collect())
+    }
+
+    fn restore(&self, colliders: &mut ColliderSet) {
+        for (handle, pose, shape) in &self.0 {
+            if let Some(collider) = colliders.get_mut(*handle) {
+                collider.set_position(*pose);
+                if !std::sync::Arc::ptr_eq(&collider.shared_shape().0, &shape.0) {
+                    collider.set_shape(shape.clone());
+                }
+            }
         }
     }
 }
@@ -105,18 +117,22 @@ impl ContactCheck {
         Touching::of(&self.narrow_phases[side])
     }
 
-    /// Brings both narrow phases up to date, and says how the results of both differ on these copies, if they do.
+    /// Brings both narrow phases up to date, and says how their results differ, if they do, with the colliders as they are or as they
+    /// were placed.
     pub(super) fn check(
         &mut self,
         world: &World,
-        copies: &Copies,
+        placed: Option<&Placed>,
         journals: &mut Both<Journal>,
         hooks: &dyn PhysicsHooks,
     ) -> Option<String> {
         for side in [Side::Default, Side::Candidate] {
             // A copy for each: Rapier 0.36 notes in the bodies which islands the contacts have joined.
-            let mut colliders = copies.colliders.clone();
-            let mut bodies = copies.bodies.clone();
+            let mut colliders = world.colliders.clone();
+            let mut bodies = world.bodies.clone();
+            if let Some(placed) = placed {
+                placed.restore(&mut colliders);
+            }
             let narrow_phase = &mut self.narrow_phases[side];
             let journal = &mut journals[side];
             narrow_phase.handle_user_changes(
@@ -130,8 +146,7 @@ impl ContactCheck {
             mark_modified(&mut colliders);
             let replay = Replay(journal.events.drain(..).map(Into::into).collect());
             version::detect(
-                world.params.prediction_distance(),
-                &copies.islands,
+                world,
                 replay,
                 narrow_phase,
                 &mut bodies,

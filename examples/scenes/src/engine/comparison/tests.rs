@@ -1,6 +1,6 @@
 //! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
 
-use super::contacts::{ContactCheck, Copies};
+use super::contacts::ContactCheck;
 use super::ledger::Ledger;
 use super::rapier::prelude::*;
 use super::space::{Vector, along};
@@ -311,12 +311,8 @@ impl Watched {
     }
 
     fn difference(&mut self) -> Option<String> {
-        self.check.check(
-            &self.world,
-            &Copies::of(&self.world),
-            &mut self.ledger.journals,
-            &(),
-        )
+        self.check
+            .check(&self.world, None, &mut self.ledger.journals, &())
     }
 
     /// Advances by one step, and expects this many contacts and intersections on both sides.
