@@ -4,7 +4,7 @@
 //! whether the move changes more than rounding does.
 
 use super::clocked::Clocked;
-use super::ours::UnisizeBroadPhase;
+use super::ours::{Settings, UnisizeBroadPhase};
 use super::scenes::rapier::{math::DIM, prelude::*};
 use super::scenes::{Installed, Observed, OwnBroadPhase, Scene, Steppable, Tee, World, install};
 use super::together;
@@ -86,7 +86,9 @@ impl Shifted {
         }
         // With events in order, the twin takes the same course.
         let default = Observed::new(Clocked::new(OwnBroadPhase::new()));
-        let ours = Observed::new(Clocked::new(UnisizeBroadPhase::new()));
+        let settings = Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
+        let ours = UnisizeBroadPhase::with_settings(settings);
+        let ours = Observed::new(Clocked::new(ours));
         Self {
             scene,
             broad_phases: install(Tee::new(default.with_held().sorted(), ours.with_held())),

