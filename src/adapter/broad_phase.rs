@@ -126,6 +126,20 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
+    /// Notes the neighbors that [`Self::unreported_neighbors`] tells of, before an update with these lists.
+    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
+    pub(crate) fn note_neighbors(&mut self, lists: [&[ColliderHandle]; 2]) {
+        self.near.clear();
+        if self.filter() < PairFilter::Shapes {
+            return;
+        }
+        for (handles, is_removed) in lists.into_iter().zip([false, true]) {
+            self.table.near(handles, |listed, other| {
+                self.near.push((listed, other, is_removed))
+            });
+        }
+    }
+
     /// What the last update was given, each with one whose box had overlapped its own and that is no pair by its shape, and whether it
     /// was given as removed.
     #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
@@ -166,16 +180,8 @@ impl UnisizeBroadPhase {
         lists: [&[ColliderHandle]; 2],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        self.near.clear();
         if lists.iter().all(|handles| handles.is_empty()) && !self.table.is_begun() {
             return;
-        }
-        if version::WAKES_NEAR {
-            for (handles, is_removed) in lists.into_iter().zip([false, true]) {
-                self.table.near(handles, |listed, other| {
-                    self.near.push((listed, other, is_removed))
-                });
-            }
         }
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
         let margin = self.margin(params);

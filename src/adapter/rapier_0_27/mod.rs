@@ -23,9 +23,6 @@ pub(super) const MARGIN: Real = 0.01;
 /// Whether Rapier's own broad phase inserts a collider afresh, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = false;
 
-/// Whether what is near a listed collider is noted, so that an opened copy can wake it.
-pub(super) const WAKES_NEAR: bool = false;
-
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 

@@ -18,6 +18,7 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let lists = [modified_colliders, removed_colliders];
+        self.note_neighbors(lists);
         self.bring_up_to_date(params, colliders, bodies, lists, events);
     }
 
