@@ -24,6 +24,12 @@ impl BitSet {
         is_new
     }
 
+    /// Whether a number, which must be below the capacity, is in the set.
+    #[inline(always)]
+    pub(crate) fn contains(&self, i: usize) -> bool {
+        self.words[i / 64] >> (i % 64) & 1 == 1
+    }
+
     /// Tells whether a number is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is
     /// unspecified.
     pub(crate) fn lookup(&self) -> impl Fn(usize) -> bool + Send + Sync + '_ {

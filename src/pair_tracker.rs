@@ -25,6 +25,7 @@ mod volumes;
 
 use std::fmt::Debug;
 
+use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::volume::Volume;
@@ -33,6 +34,8 @@ use candidates::Candidates;
 use foresight::{Foresight, Spent};
 use layers::{Layers, retain_from};
 use mover::Mover;
+#[cfg(test)]
+pub(crate) use volumes::VOLUME_MARGIN;
 pub(crate) use volumes::{Volumes, VolumesPart};
 
 #[cfg(feature = "serde-serialize")]
@@ -90,8 +93,10 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     slack: R,
     /// Slots touched since the last `finish`; may repeat.
     touched: Vec<u32>,
-    /// Slots whose volume has changed since the last `finish`, and possibly not their box; may repeat.
+    /// Slots whose volume has changed since the last `finish`, but not their box at that time; may repeat.
     stirred: Vec<u32>,
+    /// Scratch: the slots that have another box, if volumes are in use.
+    renewed: BitSet,
     /// The same for the update before.
     last_touched: Vec<u32>,
     /// Those of `touched` that have left their fat box, have none yet, or are gone.
@@ -125,6 +130,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             slack: R::ZERO,
             touched: Vec::new(),
             stirred: Vec::new(),
+            renewed: BitSet::default(),
             last_touched: Vec::new(),
             escaped: SlotSet::default(),
             foresight: Foresight::new(foresight),
@@ -166,9 +172,16 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
+    /// Takes note of the margin that boxes have from now on.
+    pub(crate) fn note_margin(&mut self, margin: R) {
+        if self.volumes.note_margin(margin) {
+            self.stirred.extend(0..self.boxes.len() as u32);
+        }
+    }
+
     /// Sets the volume of a slot, for which there must be room.
-    pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>) {
-        if self.volumes.set(slot, volume) {
+    pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) {
+        if self.volumes.set(slot, volume, is_renewed) && !is_renewed {
             self.stirred.push(slot);
         }
     }

@@ -219,7 +219,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        self.begin();
+        self.begin(margin);
         self.gathered.listed += listed.len() + removed.len();
         let lap = self.tracker.stopwatch.start();
         // Removals first: a listed collider may already have the slot of a removed one.
@@ -238,8 +238,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.gathered.is_begun
     }
 
-    /// Begins an update, if none has begun.
-    fn begin(&mut self) {
+    /// Begins an update, if none has begun, or goes on with it.
+    fn begin(&mut self, margin: R) {
+        self.tracker.note_margin(margin);
         if !std::mem::replace(&mut self.gathered.is_begun, true) {
             self.tracker.stopwatch.times = PhaseTimes::default();
         }
@@ -290,12 +291,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.memos[index] = memo;
         let renews_box = key.renews_box(self.tracker.key(slot));
         self.tracker.set_key(slot, key);
-        self.tracker.set_volume(slot, &volume);
         let held = self.tracker.slot_box(slot);
         let verdict = match Verdict::of(&held, &aabb, margin) {
             Verdict::Keep | Verdict::Renew(_) if renews_box => Verdict::Renew(aabb),
             verdict => verdict,
         };
+        self.tracker
+            .set_volume(slot, &volume, verdict != Verdict::Keep);
         match verdict {
             Verdict::Keep => {}
             Verdict::Renew(renewed) => {

@@ -168,7 +168,7 @@ pub(crate) mod update {
     /// in the midst of the run, and is copied. Below: memory.
     pub(crate) const FOUND_SPARE_ONE_IN: usize = 8;
 
-    /// Candidates for each slot and held pair. With more, foresight is cut to a quarter: huge boxes are about to pass over
+    /// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut to a quarter: huge boxes are about to pass over
     /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
     pub(crate) const MOST_CANDIDATES: usize = 8;
 }

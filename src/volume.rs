@@ -29,9 +29,19 @@ mod tests;
 pub(crate) struct Volume<R, const D: usize> {
     pub(crate) kind: VolumeKind,
     /// The point and the ball. If the centre has a NaN, the volume meets all. Of a half-space it is a point on the plane.
+    /// Except of a ball, the radius has room for what rounding may do to all of its numbers.
     pub(crate) ball: Ball<R, D>,
     /// The halves of the segments, as many as its kind has; zeros behind them.
     pub(crate) half_axes: [[R; D]; D],
+}
+
+/// A volume whose numbers are kept elsewhere.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct VolumeRef<'a, R, const D: usize> {
+    pub(crate) kind: VolumeKind,
+    pub(crate) ball: &'a Ball<R, D>,
+    /// As many as its kind has.
+    pub(crate) half_axes: &'a [[R; D]],
 }
 
 /// A ball.
@@ -84,7 +94,7 @@ impl<R: Real, const D: usize> Ball<R, D> {
         let half = R::from_f64(0.5);
         let center = core::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) * half);
         let ball = Self { center, ..self };
-        let diameter = (ball.radius + ball.rounding()) * R::from_f64(2.0);
+        let diameter = ball.loosened() * R::from_f64(2.0);
         let mut fits = true;
         for k in 0..D {
             fits &= aabb.maxs[k] - aabb.mins[k] <= diameter;
@@ -99,27 +109,33 @@ impl<R: Real, const D: usize> Ball<R, D> {
     #[inline(always)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         let between = sub(other.center, self.center);
-        let reach = self.radius + other.radius + slack + (self.rounding() + other.rounding());
+        let reach = self.loosened() + other.loosened() + slack;
         // False if that cannot be told.
         let are_apart = dot(between, between) > reach * reach;
         !are_apart
     }
 
-    /// What rounding may do to it.
+    /// The sum of the changes of all numbers; NaN if that is not known.
     #[inline(always)]
-    fn rounding(&self) -> R {
-        rounding(
-            self.center
-                .iter()
-                .fold(self.radius, |size, x| size + x.abs()),
-        )
+    pub(crate) fn change_to(&self, other: &Self) -> R {
+        let centers = self.center.iter().zip(&other.center);
+        centers.fold((other.radius - self.radius).abs(), |change, (from, to)| {
+            change + (*to - *from).abs()
+        })
+    }
+
+    /// The radius, loosened by what rounding may do to the numbers.
+    #[inline(always)]
+    fn loosened(&self) -> R {
+        loosened(self.radius, &self.center)
     }
 }
 
-/// What rounding may do to a volume whose numbers have this sum.
+/// A radius, loosened by what rounding may do to a volume that has it and these other numbers.
 #[inline(always)]
-fn rounding<R: Real>(size: R) -> R {
-    size * (R::from_f64(ROUNDINGS) * R::EPSILON)
+fn loosened<'a, R: Real>(radius: R, numbers: impl IntoIterator<Item = &'a R>) -> R {
+    let size = numbers.into_iter().fold(radius, |size, x| size + x.abs());
+    radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
 }
 
 impl<R: Real, const D: usize> Volume<R, D> {
@@ -133,10 +149,21 @@ impl<R: Real, const D: usize> Volume<R, D> {
         half_axes: [[R::ZERO; D]; D],
     };
 
+    #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
+        let mut volume = Self::of_parts(kind, Ball { center, radius }, half_axes);
+        if kind != VolumeKind::Ball {
+            let numbers = center.iter().chain(volume.half_axes().as_flattened());
+            volume.ball.radius = loosened(radius, numbers);
+        }
+        volume
+    }
+
+    #[inline(always)]
+    fn of_parts(kind: VolumeKind, ball: Ball<R, D>, half_axes: &[[R; D]]) -> Self {
         let mut volume = Self {
             kind,
-            ball: Ball { center, radius },
+            ball,
             ..Self::BOX
         };
         let count = kind.axes::<D>();
@@ -144,22 +171,16 @@ impl<R: Real, const D: usize> Volume<R, D> {
         volume
     }
 
-    /// Its radius, its centre and its half axes; as many of them as are finite, for some formats have no others. What is left out is
-    /// that of a volume that meets all.
-    #[cfg(feature = "serde-serialize")]
-    pub(crate) fn numbers(&self) -> Vec<R> {
-        let Ball { center, radius } = self.ball;
-        let numbers = [radius].into_iter().chain(center);
-        let mut numbers: Vec<_> = numbers
-            .chain(self.half_axes().as_flattened().iter().copied())
-            .collect();
-        if !numbers.iter().all(|x| x.is_finite()) {
-            numbers.truncate(usize::from(radius.is_finite()));
+    #[inline(always)]
+    pub(crate) fn as_ref(&self) -> VolumeRef<'_, R, D> {
+        VolumeRef {
+            kind: self.kind,
+            ball: &self.ball,
+            half_axes: self.half_axes(),
         }
-        numbers
     }
 
-    /// The volume that has these [numbers](Self::numbers), if there is one.
+    /// The volume that has these [numbers](VolumeRef::numbers), if there is one.
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
         let Some((&radius, rest)) = numbers.split_first() else {
@@ -180,7 +201,11 @@ impl<R: Real, const D: usize> Volume<R, D> {
         let half_axes: Option<Vec<[R; D]>> =
             rest.chunks(D).map(|half| half.try_into().ok()).collect();
         let half_axes = half_axes.filter(|half_axes| half_axes.len() == kind.axes::<D>())?;
-        Some(Self::new(kind, *center, radius, &half_axes))
+        let ball = Ball {
+            center: *center,
+            radius,
+        };
+        Some(Self::of_parts(kind, ball, &half_axes))
     }
 
     /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but
@@ -199,16 +224,19 @@ impl<R: Real, const D: usize> Volume<R, D> {
         Self { ball, ..self }
     }
 
+    #[inline(always)]
     fn fills(&self, aabb: &Aabb<R, D>) -> bool {
         let Ball { center, radius } = self.ball;
-        let reach = radius + self.rounding();
-        (0..D).all(|k| {
+        let mut fills = true;
+        for k in 0..D {
             let reach = self
                 .half_axes()
                 .iter()
-                .fold(reach, |sum, half| sum + half[k].abs());
-            center[k] - reach <= aabb.mins[k] && aabb.maxs[k] <= center[k] + reach
-        })
+                .fold(radius, |sum, half| sum + half[k].abs());
+            fills &= center[k] - reach <= aabb.mins[k];
+            fills &= aabb.maxs[k] <= center[k] + reach;
+        }
+        fills
     }
 
     #[inline(always)]
@@ -217,13 +245,46 @@ impl<R: Real, const D: usize> Volume<R, D> {
     }
 
     /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
-    #[inline(always)]
+    #[cfg(test)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
+        self.as_ref().meets(other.as_ref(), slack)
+    }
+}
+
+impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
+    /// Its radius, its centre and its half axes; as many of them as are finite, for some formats have no others. What is left out is
+    /// that of a volume that meets all.
+    #[cfg(feature = "serde-serialize")]
+    pub(crate) fn numbers(self) -> Vec<R> {
+        let Ball { center, radius } = *self.ball;
+        let numbers = [radius].into_iter().chain(center);
+        let mut numbers: Vec<_> = numbers
+            .chain(self.half_axes.as_flattened().iter().copied())
+            .collect();
+        if !numbers.iter().all(|x| x.is_finite()) {
+            numbers.truncate(usize::from(radius.is_finite()));
+        }
+        numbers
+    }
+
+    /// The sum of the changes of all numbers between two volumes of one kind: no point has moved by more. NaN if that is not known.
+    #[inline(always)]
+    pub(crate) fn change_to(self, other: Self) -> R {
+        let numbers = self.half_axes.as_flattened().iter();
+        let numbers = numbers.zip(other.half_axes.as_flattened());
+        numbers.fold(self.ball.change_to(other.ball), |change, (from, to)| {
+            change + (*to - *from).abs()
+        })
+    }
+
+    /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
+    #[inline(always)]
+    pub(crate) fn meets(self, other: Self, slack: R) -> bool {
         use VolumeKind::{Ball, Box, Capsule, HalfSpace};
-        let [a, b] = [&self.ball, &other.ball];
+        let [a, b] = [self.ball, other.ball];
         let pair = Pair {
             between: sub(b.center, a.center),
-            reach: a.radius + b.radius + slack + (self.rounding() + other.rounding()),
+            reach: self.radius() + other.radius() + slack,
             volumes: [self, other],
         };
         match (self.kind, other.kind) {
@@ -244,21 +305,19 @@ impl<R: Real, const D: usize> Volume<R, D> {
         }
     }
 
-    /// What rounding may do to it.
+    /// Its radius, loosened by what rounding may do.
     #[inline(always)]
-    fn rounding(&self) -> R {
-        let numbers = self
-            .ball
-            .center
-            .iter()
-            .chain(self.half_axes().as_flattened());
-        rounding(numbers.fold(self.ball.radius, |size, x| size + x.abs()))
+    fn radius(self) -> R {
+        match self.kind {
+            VolumeKind::Ball => self.ball.loosened(),
+            _ => self.ball.radius,
+        }
     }
 
     /// How far its segments reach from its centre along an axis, times the length of the axis.
     #[inline(always)]
-    fn reach_of_segments(&self, axis: [R; D]) -> R {
-        self.half_axes()
+    fn reach_of_segments(self, axis: [R; D]) -> R {
+        self.half_axes
             .iter()
             .fold(R::ZERO, |sum, &half| sum + dot(half, axis).abs())
     }
@@ -266,14 +325,14 @@ impl<R: Real, const D: usize> Volume<R, D> {
 
 /// Two volumes that may be apart.
 struct Pair<'a, R, const D: usize> {
-    volumes: [&'a Volume<R, D>; 2],
+    volumes: [VolumeRef<'a, R, D>; 2],
     /// From the first centre to the second one.
     between: [R; D],
-    /// The sum of what loosens them: radii, slack and rounding.
+    /// The sum of what loosens them: radii and slack.
     reach: R,
 }
 
-impl<R: Real, const D: usize> Pair<'_, R, D> {
+impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     /// Whether their intervals along an axis of any length do not meet. False if that cannot be told.
     #[inline(always)]
     fn is_apart(&self, axis: [R; D]) -> bool {
@@ -286,16 +345,19 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
     /// Whether they are apart along an axis of the world.
     #[inline(always)]
     fn is_apart_in_world(&self) -> bool {
-        let halves = || self.volumes.iter().flat_map(|volume| volume.half_axes());
-        (0..D).any(|k| {
-            let reach = halves().fold(self.reach, |sum, half| sum + half[k].abs());
-            self.between[k].abs() > reach
-        })
+        let [a, b] = self.volumes;
+        let mut reach = [self.reach; D];
+        for half in a.half_axes.iter().chain(b.half_axes) {
+            for k in 0..D {
+                reach[k] = reach[k] + half[k].abs();
+            }
+        }
+        (0..D).any(|k| self.between[k].abs() > reach[k])
     }
 
     /// Whether they are apart along an axis of this one of them, if it is a cuboid.
     #[inline(always)]
-    fn is_apart_by_sides(&self, [cuboid, other]: [&Volume<R, D>; 2]) -> bool {
+    fn is_apart_by_sides(&self, [cuboid, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
         cuboid.kind == VolumeKind::Cuboid
             && cuboid.half_axes.iter().any(|&axis| {
                 // Its other axes are at right angles, or nearly so: what is left of them is in the rounding.
@@ -306,17 +368,17 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
     }
 
     /// Whether a volume, with its centre at `center` from a point on a plane, is in front of the plane.
-    fn is_in_front(&self, normal: [R; D], center: [R; D], volume: &Volume<R, D>) -> bool {
+    fn is_in_front(&self, normal: [R; D], center: [R; D], volume: VolumeRef<'a, R, D>) -> bool {
         let reach = self.reach * dot(normal, normal).sqrt() + volume.reach_of_segments(normal);
         dot(center, normal) > reach
     }
 
     /// From the segments of a volume, where they are nearest to the centre of the other one, to that centre, or back: the sign does
     /// not matter.
-    fn shortest_from(&self, [volume, other]: [&Volume<R, D>; 2]) -> [R; D] {
+    fn shortest_from(&self, [volume, other]: [VolumeRef<'a, R, D>; 2]) -> [R; D] {
         let between = sub(other.ball.center, volume.ball.center);
         let mut shortest = between;
-        for &half in volume.half_axes() {
+        for &half in volume.half_axes {
             let t = clamped(dot(between, half), dot(half, half));
             shortest = core::array::from_fn(|k| shortest[k] - t * half[k]);
         }
@@ -327,7 +389,10 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
     ///
     /// See Ericson, Real-Time Collision Detection, 5.1.9.
     fn shortest_between_cores(&self) -> [R; D] {
-        let [u, v] = self.volumes.map(|volume| volume.half_axes[0]);
+        let core = |volume: VolumeRef<R, D>| volume.half_axes.first().copied();
+        let [u, v] = self
+            .volumes
+            .map(|volume| core(volume).unwrap_or([R::ZERO; D]));
         let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
         let [ud, vd] = [dot(u, self.between), dot(v, self.between)];
         let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);

@@ -12,7 +12,7 @@ mod retired;
 mod snapshot;
 mod state;
 
-use super::policy::Extent;
+use super::policy::{self, Extent};
 use super::{FilterKey, PairChange};
 use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
@@ -64,6 +64,11 @@ impl Candidates {
 
     pub(super) fn held_count(&self) -> usize {
         self.array.held_count()
+    }
+
+    /// How many candidates overlap, held or not.
+    pub(super) fn overlapping_count(&self) -> usize {
+        self.array.overlapping_count()
     }
 
     /// All candidates, held or not.
@@ -146,13 +151,37 @@ impl Candidates {
         work
     }
 
-    /// Brings the candidates that are near, and of which no box was renewed, up to date with the present volumes.
-    pub(super) fn compare_near<R: Real, const D: usize, K: FilterKey>(
+    /// Brings the candidates of the `stirred`, of which no box was renewed, up to date with the present volumes.
+    pub(super) fn compare_stirred<R: Real, const D: usize, K: FilterKey>(
         &mut self,
+        stirred: &[u32],
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        self.array.compare_near(&mut self.rows, proxies, report);
+        let Self {
+            array,
+            lists,
+            slots,
+            rows,
+        } = self;
+        if lists.state().are_made && policy::is_walking_cheaper(stirred.len(), array.rows()) {
+            for &slot in stirred {
+                lists.walk(slot, |row| {
+                    array.compare(row, proxies, report);
+                    array.get(row).is_some()
+                });
+            }
+            return;
+        }
+        slots.resize(proxies.now.len());
+        for &slot in stirred {
+            slots.insert(slot as usize);
+        }
+        let is_stirred = slots.lookup();
+        let has_stirred = |[a, b]: [u32; 2]| is_stirred(a as usize) | is_stirred(b as usize);
+        array.compare_near(rows, has_stirred, proxies, report);
+        drop(is_stirred);
+        slots.clear_around(stirred);
     }
 
     fn compare_all<R: Real, const D: usize, K: FilterKey>(

@@ -84,7 +84,7 @@ impl Spent {
 pub(super) struct Motion {
     /// Box sizes a move, on average; `None` if nothing has moved that was there before.
     pub(super) speed: Option<f64>,
-    /// Held pairs per slot.
+    /// Pairs of overlapping boxes per slot.
     pub(super) pairs: f64,
 }
 

@@ -30,18 +30,19 @@ impl<R: Real, const D: usize> Mover<'_, R, D> {
         &self.volumes
     }
 
-    /// Moves the ball of a slot, whose volume must be one, into a box.
+    /// Moves the ball of a slot, whose volume must be one, into a box, by which its own `is_renewed` or not.
     #[inline(always)]
-    pub(crate) fn stir_ball(&mut self, slot: u32, aabb: &Aabb<R, D>) {
-        if self.volumes.set_ball_in(slot as usize, aabb) {
+    pub(crate) fn stir_ball(&mut self, slot: u32, aabb: &Aabb<R, D>, is_renewed: bool) {
+        // What has another box is compared for that.
+        if self.volumes.set_ball_in(slot as usize, aabb, is_renewed) && !is_renewed {
             self.stirred.push(slot);
         }
     }
 
-    /// Moves the volume of a slot, whose kind must be the same as before.
+    /// Moves the volume of a slot, whose kind must be the same as before, and whose box `is_renewed` or not.
     #[inline(always)]
-    pub(crate) fn stir(&mut self, slot: u32, volume: &Volume<R, D>) {
-        if self.volumes.set(slot as usize, volume) {
+    pub(crate) fn stir(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) {
+        if self.volumes.set(slot as usize, volume, is_renewed) && !is_renewed {
             self.stirred.push(slot);
         }
     }

@@ -20,13 +20,13 @@ pub(super) struct Known {
     pub(super) slots: usize,
     /// Slots that were touched: their proxies were placed, refused or removed. A slot may count more than once.
     pub(super) touched: usize,
-    /// Slots whose volume has changed. May count more than once, and may have been touched as well.
+    /// Slots whose volume has changed, and not their box. May count more than once, and may have been touched as well.
     pub(super) stirred: usize,
     /// Touched slots whose proxies have left their fat boxes, have none yet, or are gone.
     pub(super) escaped: usize,
     pub(super) candidates: usize,
-    /// Candidates that are held.
-    pub(super) held: usize,
+    /// Candidates whose boxes overlap.
+    pub(super) overlapping: usize,
     /// Rows of the candidates, tombstones included.
     pub(super) rows: usize,
     pub(super) lists: ListState,
@@ -76,7 +76,7 @@ impl Plan {
         if known.is_full_run_due() {
             let motion = || Motion {
                 speed: mean_speed(),
-                pairs: known.held as f64 / known.slots as f64,
+                pairs: known.overlapping as f64 / known.slots as f64,
             };
             return Self::FullRun(known.foresight.adapted::<D>(known.spent, motion));
         }
@@ -110,16 +110,10 @@ impl Known {
     }
 
     fn extent(&self) -> Extent {
-        // Where most have another volume, that is seen to apart.
-        let stirred = match are_most_touched(self.stirred, self.slots) {
-            true => 0,
-            false => self.stirred,
-        };
-        let changed = self.touched + stirred;
-        if are_most_touched(changed, self.slots) {
+        if are_most_touched(self.touched, self.slots) {
             return Extent::All;
         }
-        let is_cheaper = WALKED * to_u64(changed) < PICKED * to_u64(self.rows);
+        let is_cheaper = is_walking_cheaper(self.touched, self.rows);
         let are_few = is_cheaper && self.rows <= ListState::MOST_ROWS;
         match self.lists {
             _ if !are_few => Extent::Picked {
@@ -168,7 +162,12 @@ fn to_u64(count: usize) -> u64 {
     count as u64
 }
 
+/// Whether walking the lists of some slots is cheaper than picking their candidates from all rows.
+pub(super) fn is_walking_cheaper(slots: usize, rows: usize) -> bool {
+    WALKED * to_u64(slots) < PICKED * to_u64(rows)
+}
+
 /// Whether there are more candidates than foresight can be worth.
-pub(super) fn are_too_many(candidates: usize, slots: usize, held: usize) -> bool {
-    candidates / MOST_CANDIDATES > slots + held
+pub(super) fn are_too_many(candidates: usize, slots: usize, overlapping: usize) -> bool {
+    candidates / MOST_CANDIDATES > slots + overlapping
 }

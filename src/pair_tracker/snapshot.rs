@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 
 use super::candidates::{Candidates, CandidatesSnapshot};
 use super::layers::LayersSnapshot;
+use super::volumes::VolumesSnapshot;
 use super::{FilterKey, Foresight, PairTracker, Spent, overlapping};
 use crate::slot_set::SlotSet;
-use crate::volume::VolumeKind;
 use crate::{Aabb, Kernel, Real};
 
 /// What decides the changes to come, and the work that they take.
@@ -28,8 +28,7 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     other_keys: Vec<(u32, K)>,
     /// The slots touched since the last `finish`, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
-    /// By slot, if volumes are in use: the kind of the volume, and its numbers.
-    volumes: Vec<(VolumeKind, Vec<R>)>,
+    volumes: VolumesSnapshot<R>,
     /// The slots whose volumes have changed since the last `finish`.
     stirred: Vec<u32>,
     /// Those of `touched` that have left their fat box, have none yet, or are gone.

@@ -166,7 +166,7 @@ fn check_with(kernel: Kernel, slots: u32, seed: u64, volumes: bool) {
             }
             if let (Some(volumes), Some(aabb)) = (&mut model.volumes, model.proxies.get(&slot)) {
                 let volume = random_volume(&mut random, aabb);
-                tracker.set_volume(slot, &volume);
+                tracker.set_volume(slot, &volume, true);
                 volumes.insert(slot, volume);
             }
         }
@@ -175,7 +175,7 @@ fn check_with(kernel: Kernel, slots: u32, seed: u64, volumes: bool) {
             let slot = random.rand_range(0..slots);
             if let (Some(volumes), Some(aabb)) = (&mut model.volumes, model.proxies.get(&slot)) {
                 let volume = random_volume(&mut random, aabb);
-                tracker.set_volume(slot, &volume);
+                tracker.set_volume(slot, &volume, false);
                 volumes.insert(slot, volume);
             }
         }

@@ -43,6 +43,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             // Stable: of several keys that a slot has had in this update, the first one is kept.
             self.former_keys.sort_by_key(|&(slot, _)| slot);
             self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
+            self.mark_renewed();
         }
         let plan = Plan::of::<D>(&self.known(), || {
             mean_speed(&self.touched, &self.boxes, &self.previous)
@@ -74,6 +75,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
 
+    /// Marks the slots that have another box, if volumes are in use.
+    fn mark_renewed(&mut self) {
+        if !self.volumes.are_used() {
+            return;
+        }
+        self.renewed.resize(self.boxes.len());
+        for &slot in &self.touched {
+            let i = slot as usize;
+            if self.boxes[i] != self.previous[i] {
+                self.renewed.insert(i);
+            }
+        }
+    }
+
     /// What decides the plan.
     fn known(&self) -> Known {
         Known {
@@ -82,7 +97,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             stirred: self.stirred.len(),
             escaped: self.escaped.len(),
             candidates: self.candidates.len(),
-            held: self.candidates.held_count(),
+            overlapping: self.candidates.overlapping_count(),
             rows: self.candidates.rows(),
             lists: self.candidates.lists(),
             are_layers_used: self.layers.are_used(),
@@ -121,26 +136,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             keys: &self.keys,
             former_keys: &self.former_keys,
             volumes: &self.volumes,
+            renewed: &self.renewed,
             slack: self.slack,
         };
-        // Where most have another volume, all that are near are looked at, after those that have another box.
-        let are_near_compared =
-            self.volumes.are_used() && are_most_touched(self.stirred.len(), self.boxes.len());
-        let changed = if are_near_compared || self.stirred.is_empty() {
-            &self.touched
-        } else {
-            self.stirred.extend_from_slice(&self.touched);
-            &self.stirred
-        };
         let (mut comparing, mut are_all_compared) = (Work::default(), false);
-        if !changed.is_empty() {
+        if !self.touched.is_empty() {
+            let (touched, escaped) = (&self.touched, &self.escaped);
             comparing = self
                 .candidates
-                .compare(extent, changed, &self.escaped, &proxies, report);
+                .compare(extent, touched, escaped, &proxies, report);
             are_all_compared = extent == Extent::All;
         }
-        if are_near_compared && !are_all_compared {
-            self.candidates.compare_near(&proxies, report);
+        if !(self.stirred.is_empty() || are_all_compared) {
+            self.candidates
+                .compare_stirred(&self.stirred, &proxies, report);
         }
         self.work = Work {
             compared: comparing.compared,
@@ -188,6 +197,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             keys: &self.keys,
             former_keys: &self.former_keys,
             volumes: &self.volumes,
+            renewed: &self.renewed,
             slack: self.slack,
         };
         self.candidates.replace(&mut self.found, &proxies, report);
@@ -221,17 +231,21 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Whether this number of candidates is more than foresight can be worth.
     fn are_too_many(&self, candidates: usize) -> bool {
-        policy::are_too_many(candidates, self.boxes.len(), self.candidates.held_count())
+        policy::are_too_many(
+            candidates,
+            self.boxes.len(),
+            self.candidates.overlapping_count(),
+        )
     }
 
-    /// Whether too many candidates were found. How many of them are held is not known yet.
+    /// Whether too many candidates were found. How many of them overlap is not known yet.
     fn are_too_many_found(&self) -> bool {
         let overlap =
             |&&[a, b]: &&[u32; 2]| self.boxes[a as usize].overlaps(&self.boxes[b as usize]);
         // There are hardly ever that many, so boxes are hardly ever compared here.
         self.are_too_many(self.found.len()) && {
-            let held = self.found.iter().filter(overlap).count();
-            policy::are_too_many(self.found.len(), self.boxes.len(), held)
+            let overlapping = self.found.iter().filter(overlap).count();
+            policy::are_too_many(self.found.len(), self.boxes.len(), overlapping)
         }
     }
 
@@ -249,6 +263,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             parallel::for_each(&mut parts, |(previous, boxes)| {
                 previous.copy_from_slice(boxes)
             });
+        }
+        if self.volumes.are_used() {
+            self.renewed.clear_around(&self.touched);
         }
         std::mem::swap(&mut self.touched, &mut self.last_touched);
         self.touched.clear();

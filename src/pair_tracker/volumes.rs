@@ -1,9 +1,17 @@
 //! The bounding volumes of all slots, if pairs are told apart by them.
 //!
+//! As a box has a margin, so has a volume, of a part of it: while the collider's own differs by less, and the box is not renewed, it
+//! stays, and the proxy is *slow* until its box is renewed. So what hardly moves is not compared again. The volumes of what is slow are
+//! loosened by that margin; others are as of this update.
+//!
 //! A ball takes a kind, a centre and a radius; half axes are kept only up to the highest slot that has had some.
 
-use crate::volume::{Ball, Volume, VolumeKind};
+use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 use crate::{Aabb, Real};
+
+/// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
+/// one, more of what settles is compared in each update. Events depend on it.
+pub(crate) const VOLUME_MARGIN: f64 = 0.125;
 
 /// Volumes by slot; none unless they are in use.
 #[derive(Clone, Debug)]
@@ -13,6 +21,20 @@ pub(crate) struct Volumes<R, const D: usize> {
     balls: Vec<Ball<R, D>>,
     /// Of the first slots; behind them, no volume has any.
     half_axes: Vec<[[R; D]; D]>,
+    /// Whether the collider may be elsewhere, by less than the margin.
+    are_slow: Vec<bool>,
+    /// The largest margin that volumes have had.
+    margin: R,
+}
+
+/// Volumes as they are written.
+#[cfg(feature = "serde-serialize")]
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(crate) struct VolumesSnapshot<R> {
+    /// `None` if it is infinite.
+    margin: Option<R>,
+    /// The kind of each, whether it is slow, and its numbers; none if volumes are not in use.
+    by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
 }
 
 /// The volumes of a run of slots, whose kinds stay as they are.
@@ -20,6 +42,8 @@ pub(crate) struct VolumesPart<'a, R, const D: usize> {
     kinds: &'a [VolumeKind],
     balls: &'a mut [Ball<R, D>],
     half_axes: &'a mut [[[R; D]; D]],
+    are_slow: &'a mut [bool],
+    margin: R,
 }
 
 impl<R: Real, const D: usize> Volumes<R, D> {
@@ -29,7 +53,19 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             kinds: Vec::new(),
             balls: Vec::new(),
             half_axes: Vec::new(),
+            are_slow: Vec::new(),
+            margin: R::ZERO,
         }
+    }
+
+    /// Takes note of the margin that boxes have from now on. Returns whether that of the volumes has grown by it.
+    pub(super) fn note_margin(&mut self, margin: R) -> bool {
+        let margin = margin * R::from_f64(VOLUME_MARGIN);
+        let has_grown = self.are_used && margin > self.margin;
+        if has_grown {
+            self.margin = margin;
+        }
+        has_grown
     }
 
     pub(crate) fn are_used(&self) -> bool {
@@ -40,60 +76,57 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         if self.are_used && slots > self.kinds.len() {
             self.kinds.resize(slots, VolumeKind::Box);
             self.balls.resize(slots, Volume::BOX.ball);
+            self.are_slow.resize(slots, false);
         }
     }
 
-    /// The volume of a slot; one that meets all if there is none.
-    #[inline(always)]
-    pub(crate) fn get(&self, slot: u32) -> Volume<R, D> {
+    /// The volume of a slot if it is a ball.
+    pub(crate) fn ball(&self, slot: u32) -> Option<Volume<R, D>> {
         let index = slot as usize;
-        let (Some(&kind), Some(&ball)) = (self.kinds.get(index), self.balls.get(index)) else {
-            return Volume::BOX;
-        };
-        Volume {
-            kind,
-            ball,
-            half_axes: match kind.axes::<D>() {
-                0 => Volume::<R, D>::BOX.half_axes,
-                _ => self.half_axes[index],
-            },
-        }
+        let is_ball = self.kinds.get(index) == Some(&VolumeKind::Ball);
+        is_ball.then(|| Volume {
+            kind: VolumeKind::Ball,
+            ball: self.balls[index],
+            ..Volume::BOX
+        })
     }
 
-    /// Sets the volume of a slot, for which there must be room. Returns whether it is another one than before.
-    pub(super) fn set(&mut self, slot: u32, volume: &Volume<R, D>) -> bool {
+    /// The volume of a slot, for which there must be room.
+    #[inline(always)]
+    pub(crate) fn get(&self, slot: u32) -> VolumeRef<'_, R, D> {
+        volume_of(&self.kinds, &self.balls, &self.half_axes, slot as usize)
+    }
+
+    /// Sets the volume of a slot, for which there must be room, unless it is within the margin of what it is, and the box is not
+    /// renewed. Returns whether it is another one than before.
+    pub(super) fn set(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) -> bool {
         if !self.are_used {
             return false;
         }
-        let index = slot as usize;
-        let has_changed = self.get(slot) != *volume;
-        let Volume {
-            kind,
-            ball,
-            half_axes,
-        } = *volume;
+        let (index, kind) = (slot as usize, volume.kind);
+        let is_of_another_kind = kind != self.kinds[index];
         self.kinds[index] = kind;
-        self.balls[index] = ball;
-        if kind.axes::<D>() > 0 {
-            if index >= self.half_axes.len() {
-                self.half_axes
-                    .resize(index + 1, Volume::<R, D>::BOX.half_axes);
-            }
-            self.half_axes[index] = half_axes;
+        if kind.axes::<D>() > 0 && index >= self.half_axes.len() {
+            self.half_axes
+                .resize(index + 1, Volume::<R, D>::BOX.half_axes);
         }
-        has_changed
+        self.part()
+            .set(index, volume, is_renewed | is_of_another_kind)
+            | is_of_another_kind
     }
 
-    /// By slot, the kinds and the numbers.
+    /// All volumes, as they are written.
     #[cfg(feature = "serde-serialize")]
-    pub(super) fn snapshot(&self) -> Vec<(VolumeKind, Vec<R>)> {
+    pub(super) fn snapshot(&self) -> VolumesSnapshot<R> {
         let slots = 0..self.kinds.len() as u32;
-        slots
-            .map(|slot| {
-                let volume = self.get(slot);
-                (volume.kind, volume.numbers())
-            })
-            .collect()
+        let volumes = slots.map(|slot| (self.get(slot), self.are_slow[slot as usize]));
+        VolumesSnapshot {
+            // Some formats have no infinity.
+            margin: self.margin.is_finite().then_some(self.margin),
+            by_slot: volumes
+                .map(|(volume, is_slow)| (volume.kind, is_slow, volume.numbers()))
+                .collect(),
+        }
     }
 
     /// The volumes of this number of slots.
@@ -103,16 +136,27 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
-        volumes: Vec<(VolumeKind, Vec<R>)>,
+        snapshot: VolumesSnapshot<R>,
         slots: usize,
     ) -> Result<(), &'static str> {
-        if volumes.len() != if self.are_used { slots } else { 0 } {
+        let VolumesSnapshot { margin, by_slot } = snapshot;
+        if by_slot.len() != if self.are_used { slots } else { 0 } {
             return Err("snapshot: there is not one volume for each slot");
         }
-        self.make_room(volumes.len());
-        for (slot, (kind, numbers)) in (0..).zip(volumes) {
+        self.margin = margin.unwrap_or(R::INFINITY);
+        let is_distance = self.margin >= R::ZERO;
+        if !is_distance {
+            return Err("snapshot: the margin of volumes is not a distance");
+        }
+        self.make_room(by_slot.len());
+        for (slot, (kind, is_slow, numbers)) in (0..).zip(by_slot) {
             let volume = Volume::of_numbers(kind, &numbers);
-            self.set(slot, &volume.ok_or("snapshot: a volume lacks a number")?);
+            self.set(
+                slot,
+                &volume.ok_or("snapshot: a volume lacks a number")?,
+                true,
+            );
+            self.are_slow[slot as usize] = is_slow;
         }
         Ok(())
     }
@@ -123,22 +167,61 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             kinds: &self.kinds,
             balls: &mut self.balls,
             half_axes: &mut self.half_axes,
+            are_slow: &mut self.are_slow,
+            margin: self.margin,
         }
     }
 
-    /// Whether two proxies may meet, by their volumes, loosened by half of `slack` each.
+    /// Whether two proxies may meet, by their volumes, loosened by half of `slack` each, and by their margins.
     #[inline(always)]
     pub(super) fn meet(&self, pair: [u32; 2], slack: R) -> bool {
-        let [i, j] = pair.map(|slot| slot as usize);
-        if self.kinds[i] == VolumeKind::Ball && self.kinds[j] == VolumeKind::Ball {
-            return self.balls[i].meets(&self.balls[j], slack);
+        match self.meet_as_balls(pair, slack) {
+            Some(meet) => meet,
+            None => self.meet_beyond_balls(pair, slack),
         }
-        self.meet_beyond_balls(pair, slack)
+    }
+
+    /// The same if both are balls, and so are most proxies.
+    #[inline(always)]
+    pub(super) fn meet_as_balls(&self, [a, b]: [u32; 2], slack: R) -> Option<bool> {
+        // A box, too, is a ball that meets all. The first slot is the smaller one.
+        let (i, j) = (a as usize, b as usize);
+        let are_balls = i >= self.half_axes.len();
+        are_balls.then(|| self.balls[i].meets(&self.balls[j], self.loosened([a, b], slack)))
     }
 
     #[inline(never)]
     fn meet_beyond_balls(&self, [a, b]: [u32; 2], slack: R) -> bool {
-        self.get(a).meets(&self.get(b), slack)
+        self.get(a).meets(self.get(b), self.loosened([a, b], slack))
+    }
+
+    /// A slack, and the margins of those that are slow.
+    #[inline(always)]
+    fn loosened(&self, pair: [u32; 2], slack: R) -> R {
+        let [a, b] = pair.map(|slot| match self.are_slow[slot as usize] {
+            true => self.margin,
+            false => R::ZERO,
+        });
+        slack + (a + b)
+    }
+}
+
+/// The volume of the slot `i` of a run of slots.
+#[inline(always)]
+fn volume_of<'a, R: Real, const D: usize>(
+    kinds: &[VolumeKind],
+    balls: &'a [Ball<R, D>],
+    half_axes: &'a [[[R; D]; D]],
+    i: usize,
+) -> VolumeRef<'a, R, D> {
+    let kind = kinds[i];
+    VolumeRef {
+        kind,
+        ball: &balls[i],
+        half_axes: match kind.axes::<D>() {
+            0 => &[],
+            axes => &half_axes[i][..axes],
+        },
     }
 }
 
@@ -149,6 +232,8 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
             kinds,
             balls,
             half_axes,
+            are_slow,
+            margin,
         } = self;
         let (front_kinds, rest) = kinds.split_at(count.min(kinds.len()));
         *kinds = rest;
@@ -156,6 +241,8 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
             kinds: front_kinds,
             balls: split_front(balls, count),
             half_axes: split_front(half_axes, count),
+            are_slow: split_front(are_slow, count),
+            margin: *margin,
         }
     }
 
@@ -165,27 +252,45 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
         self.kinds[i]
     }
 
-    /// Moves the volume of the slot `i` of the part, whose kind must be the same as before. Returns whether it is another one.
+    /// Moves the volume of the slot `i` of the part, whose kind must be the same as before, or lets it stay, unless the box is
+    /// renewed. Returns whether pairs have to be compared for it.
     #[inline(always)]
-    pub(crate) fn set(&mut self, i: usize, volume: &Volume<R, D>) -> bool {
+    pub(crate) fn set(&mut self, i: usize, volume: &Volume<R, D>, is_renewed: bool) -> bool {
         debug_assert_eq!(volume.kind, self.kinds[i]);
-        let mut has_changed = self.set_ball(i, volume.ball);
-        if volume.kind.axes::<D>() > 0 {
-            let half_axes = volume.half_axes;
-            has_changed |= std::mem::replace(&mut self.half_axes[i], half_axes) != half_axes;
+        if volume.kind == VolumeKind::Box && !is_renewed {
+            return false;
         }
-        has_changed
+        let former = volume_of(self.kinds, self.balls, self.half_axes, i);
+        let change = former.change_to(volume.as_ref());
+        if change <= self.margin && !is_renewed {
+            return self.stay(i, change);
+        }
+        self.balls[i] = volume.ball;
+        if volume.kind.axes::<D>() > 0 {
+            self.half_axes[i] = volume.half_axes;
+        }
+        self.are_slow[i] &= !is_renewed;
+        true
     }
 
-    /// Moves the ball of the slot `i` of the part, which must be one, into a box. Returns whether it is another one.
+    /// Moves the ball of the slot `i` of the part, which must be one, into a box, like [`Self::set`].
     #[inline(always)]
-    pub(crate) fn set_ball_in(&mut self, i: usize, aabb: &Aabb<R, D>) -> bool {
-        self.set_ball(i, self.balls[i].in_box(aabb))
+    pub(crate) fn set_ball_in(&mut self, i: usize, aabb: &Aabb<R, D>, is_renewed: bool) -> bool {
+        let ball = self.balls[i].in_box(aabb);
+        let change = self.balls[i].change_to(&ball);
+        if change <= self.margin && !is_renewed {
+            return self.stay(i, change);
+        }
+        self.balls[i] = ball;
+        self.are_slow[i] &= !is_renewed;
+        true
     }
 
+    /// Lets the volume of the slot `i` stay, whose collider has changed by this. Returns whether it was exact until now.
     #[inline(always)]
-    fn set_ball(&mut self, i: usize, ball: Ball<R, D>) -> bool {
-        std::mem::replace(&mut self.balls[i], ball) != ball
+    fn stay(&mut self, i: usize, change: R) -> bool {
+        let is_slow = self.are_slow[i] | (change > R::ZERO);
+        is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow)
     }
 }
 

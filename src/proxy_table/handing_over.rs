@@ -43,20 +43,20 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         margin: R,
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) {
-        self.begin();
+        self.begin(margin);
         let lap = self.tracker.stopwatch.start();
         let mut boxes = boxes.into_iter();
         while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
             self.gathered.listed += 1;
             if let Some(slot) = self.slot_of(handle) {
                 let key = self.tracker.key(slot);
-                let former = self.tracker.volumes().get(slot);
+                let ball = self.tracker.volumes().ball(slot);
                 let are_used = self.tracker.volumes().are_used();
                 self.admit(handle, margin, |memo| {
-                    let volume = match former.kind {
+                    let volume = match ball {
                         _ if !are_used => Volume::BOX,
-                        VolumeKind::Ball => former.in_box(&aabb),
-                        _ => volume(handle, memo, &aabb),
+                        Some(ball) => ball.in_box(&aabb),
+                        None => volume(handle, memo, &aabb),
                     };
                     Some(Reading { aabb, key, volume })
                 });
@@ -92,24 +92,26 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             if !is_known(generations, slot, generation) {
                 break Some((handle, aabb));
             }
-            match Verdict::of(mover.held(slot), &aabb, margin) {
-                Verdict::Keep => {}
+            let verdict = Verdict::of(mover.held(slot), &aabb, margin);
+            let is_renewed = match verdict {
+                Verdict::Keep => false,
                 Verdict::Renew(renewed) => {
                     mover.place(slot, renewed);
                     moved += 1;
+                    true
                 }
                 Verdict::Recheck => break Some((handle, aabb)),
-            }
+            };
             if has_volumes {
                 let index = slot as usize;
                 match mover.volumes().kind(index) {
-                    VolumeKind::Ball => mover.stir_ball(slot, &aabb),
+                    VolumeKind::Ball => mover.stir_ball(slot, &aabb, is_renewed),
                     kind => {
                         let volume = volume(handle, &mut memos[index], &aabb);
                         if volume.kind != kind {
                             break Some((handle, aabb));
                         }
-                        mover.stir(slot, &volume);
+                        mover.stir(slot, &volume, is_renewed);
                     }
                 }
             }

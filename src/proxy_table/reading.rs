@@ -93,16 +93,19 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
         let memo = &mut self.memos[i];
         let verdict = match source.read(handle, memo) {
             Some((aabb, key)) if !source.has_keys() || key == self.keys[i] => {
-                if self.has_volumes {
+                let verdict = Verdict::of(&self.boxes[i], &aabb, margin);
+                if self.has_volumes && verdict != Verdict::Recheck {
                     let volume = source.volume(handle, memo, &aabb);
                     if volume.kind != self.volumes.kind(i) {
                         return self.findings.defer(slot, generation);
                     }
-                    if self.volumes.set(i, &volume) {
+                    let is_renewed = verdict != Verdict::Keep;
+                    // What has another box is compared for that.
+                    if self.volumes.set(i, &volume, is_renewed) && !is_renewed {
                         self.findings.stirred.push(slot as u32);
                     }
                 }
-                Verdict::of(&self.boxes[i], &aabb, margin)
+                verdict
             }
             _ => Verdict::Recheck,
         };

@@ -212,7 +212,7 @@ fn numbers_make_the_volume_again() {
     let mut random = Rand64::new(13);
     for kind in KINDS {
         let volume = Placed::<3>::random(&mut random, kind, 3.0, 1.0).rounded::<f32>();
-        let mut numbers = volume.numbers();
+        let mut numbers = volume.as_ref().numbers();
         assert_eq!(Volume::of_numbers(kind, &numbers), Some(volume));
         numbers.push(0.0);
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers), None);
@@ -224,7 +224,7 @@ fn numbers_make_the_volume_again() {
                 radius: x,
             };
             let lost = Volume { ball, ..volume };
-            assert_eq!(lost.numbers(), kept);
+            assert_eq!(lost.as_ref().numbers(), kept);
             let found = Volume::<f32, 3>::of_numbers(kind, &kept).unwrap();
             assert_eq!(found.kind, kind);
             assert!(found.meets(&volume, 0.0));

@@ -20,6 +20,8 @@ pub(super) struct CandidateArray {
     /// By row.
     states: Vec<PairState>,
     held_count: usize,
+    /// Those whose boxes overlap, held or not.
+    overlapping_count: usize,
     tombstones: usize,
     /// Held pairs that were retired in this update, if there are volumes.
     retired: RetiredPairs,
@@ -55,6 +57,7 @@ impl CandidateArray {
             }
         }
         array.held_count = array.held().count();
+        array.overlapping_count = array.held_count + near.len();
         array.tombstones = array.rows() - array.iter().count();
         Ok(array)
     }
@@ -77,6 +80,10 @@ impl CandidateArray {
 
     pub(super) fn held_count(&self) -> usize {
         self.held_count
+    }
+
+    pub(super) fn overlapping_count(&self) -> usize {
+        self.overlapping_count
     }
 
     pub(super) fn is_sparse(&self) -> bool {
@@ -132,6 +139,7 @@ impl CandidateArray {
         std::mem::swap(pairs, found);
         states.clear();
         self.held_count = 0;
+        self.overlapping_count = 0;
         self.tombstones = 0;
         let pairs = std::mem::take(pairs);
         self.hold_new(&pairs, proxies, report);
@@ -159,6 +167,7 @@ impl CandidateArray {
             states,
             retired,
             held_count,
+            overlapping_count,
             answers,
             ..
         } = self;
@@ -177,6 +186,7 @@ impl CandidateArray {
             let state = proxies.state_of_overlapping(pair, was_held);
             states[first + i] = state;
             *held_count += usize::from(state.is_held());
+            *overlapping_count += 1;
             match (was_held, state.is_held()) {
                 (false, true) => report(PairChange::Added(pair)),
                 (true, false) => report(PairChange::Deleted(pair)),
@@ -263,16 +273,17 @@ impl CandidateArray {
         }
     }
 
-    /// Brings the rows that are near, and of which no box was renewed, up to date with the present volumes.
+    /// Brings the rows that are near, and that have one of these slots, up to date with the present volumes.
     pub(super) fn compare_near<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         changed: &mut BitSet,
+        is_one: impl Fn([u32; 2]) -> bool + Sync + Send,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
         let Self { pairs, states, .. } = self;
         changed.ask(pairs.len(), |rows| {
-            proxies.turned_near(&pairs[rows.clone()], &states[rows])
+            proxies.turned_near(&pairs[rows.clone()], &states[rows], &is_one)
         });
         for row in changed.iter() {
             self.set_state(row, PairState::Held, report);
@@ -282,6 +293,8 @@ impl CandidateArray {
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState, report: &mut impl FnMut(PairChange)) {
         let former = std::mem::replace(&mut self.states[row], state);
+        self.overlapping_count += usize::from(state.overlaps());
+        self.overlapping_count -= usize::from(former.overlaps());
         match (former.is_held(), state.is_held()) {
             (false, true) => {
                 report(PairChange::Added(self.pairs[row]));
@@ -308,7 +321,9 @@ impl CandidateArray {
         };
         self.pairs[row] = [TOMBSTONE; 2];
         self.tombstones += 1;
-        if std::mem::take(&mut self.states[row]).is_held() {
+        let state = std::mem::take(&mut self.states[row]);
+        self.overlapping_count -= usize::from(state.overlaps());
+        if state.is_held() {
             self.held_count -= 1;
             if proxies.has_volumes() {
                 if proxies.are_left(pair) {
@@ -344,6 +359,8 @@ impl CandidateArray {
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
         assert_eq!(self.held().count(), self.held_count);
+        let overlapping = self.states.iter().filter(|state| state.overlaps());
+        assert_eq!(overlapping.count(), self.overlapping_count);
         assert_eq!(self.iter().count(), self.len());
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {
             let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);

@@ -1,8 +1,8 @@
 //! Which pairs of proxies overlap now, and which did before.
 
 use super::array::gather;
-use super::state::PairState;
-use crate::bit_set::ones;
+use super::state::{PairState, near_and_held};
+use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Volumes};
 use crate::{Aabb, Real};
 
@@ -16,6 +16,8 @@ pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
     pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
     /// The volumes of all slots, which decide if they are in use.
     pub(in crate::pair_tracker) volumes: &'a Volumes<R, D>,
+    /// The slots with another box than at the end of the last update, if volumes are in use.
+    pub(in crate::pair_tracker) renewed: &'a BitSet,
     /// How far the volumes of a held pair may be apart.
     pub(in crate::pair_tracker) slack: R,
 }
@@ -50,8 +52,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     /// Whether one of two boxes is another one than at the end of the last update.
     #[inline(always)]
     fn is_renewed(&self, pair: [u32; 2]) -> bool {
-        pair.iter()
-            .any(|&slot| self.now[slot as usize] != self.before[slot as usize])
+        let [a, b] = pair.map(|slot| self.renewed.contains(slot as usize));
+        a | b
     }
 
     /// The state of a pair that had this one.
@@ -63,32 +65,52 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
         }
     }
 
+    /// Of up to 64 pairs those whose boxes overlap.
+    #[inline(never)]
+    fn overlapping(&self, pairs: &[[u32; 2]]) -> u64 {
+        // By itself: beside other code, the compiler makes branches of it, which are mispredicted.
+        gather(pairs, |&pair| self.overlap(pair))
+    }
+
     /// Of up to 64 pairs those whose state is another one now.
     #[inline(always)]
     pub(super) fn turned(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+        let overlap = self.overlapping(pairs);
+        let [near, held] = near_and_held(states);
         if !self.has_volumes() {
-            return gather(pairs.iter().zip(states), |(&pair, &state)| {
-                self.overlap(pair) ^ state.is_held()
-            });
+            return overlap ^ held;
         }
-        let overlap = gather(pairs, |&pair| self.overlap(pair));
-        let overlapped = gather(states, |&state| state != PairState::Apart);
-        (overlap ^ overlapped) | self.turned_of(overlap, pairs, states)
+        let turned = |i: usize| self.has_turned(pairs[i], held >> i & 1 == 1);
+        let turned = ones(overlap).fold(0, |word, i| word | u64::from(turned(i)) << i);
+        // What overlaps only now has turned in any case.
+        (overlap ^ (near | held)) | turned
     }
 
-    /// Of up to 64 pairs those whose boxes overlap, as they did before, and whose volumes have met now.
+    /// Of up to 64 pairs that are near, and have one of these slots, those whose volumes have met now.
     #[inline(always)]
-    pub(super) fn turned_near(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
-        let near = gather(states, |&state| state == PairState::Near);
-        self.turned_of(near, pairs, states)
+    pub(super) fn turned_near(
+        &self,
+        pairs: &[[u32; 2]],
+        states: &[PairState],
+        is_one: impl Fn([u32; 2]) -> bool,
+    ) -> u64 {
+        let [near, _] = near_and_held(states);
+        let has_turned = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
+        ones(near).fold(0, |turned, i| turned | u64::from(has_turned(i)) << i)
     }
 
-    /// Of these ones among up to 64 pairs, whose boxes overlap, those whose state is another one now.
+    /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.
     #[inline(always)]
-    fn turned_of(&self, these: u64, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
-        let has_turned =
-            |i: usize| self.state_of_overlapping(pairs[i], states[i].is_held()) != states[i];
-        ones(these).fold(0, |turned, i| turned | u64::from(has_turned(i)) << i)
+    fn has_turned(&self, pair: [u32; 2], was_held: bool) -> bool {
+        // Which balls meet is practically random, so there is no branch on it.
+        let slack = if was_held { self.slack } else { R::ZERO };
+        if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
+            return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
+        }
+        match was_held {
+            true => self.is_renewed(pair) && !self.volumes.meet(pair, slack),
+            false => self.volumes.meet(pair, slack),
+        }
     }
 
     /// Whether neither proxy of a pair was removed since the last update.

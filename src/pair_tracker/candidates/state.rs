@@ -2,19 +2,70 @@
 
 /// Whether a candidate is a pair. By a byte, so that many are asked at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u8)]
 pub(in crate::pair_tracker) enum PairState {
     /// Its boxes do not overlap.
     #[default]
-    Apart,
+    Apart = 0,
     /// Its boxes overlap, but it is not held, because its volumes have not met yet, or no longer do.
-    Near,
+    Near = NEAR,
     /// It is held.
-    Held,
+    Held = HELD,
 }
+
+const NEAR: u8 = 1;
+const HELD: u8 = 2;
 
 impl PairState {
     #[inline(always)]
+    pub(super) fn overlaps(self) -> bool {
+        self != Self::Apart
+    }
+
+    #[inline(always)]
     pub(super) fn is_held(self) -> bool {
         self == Self::Held
+    }
+}
+
+/// Of up to 64 candidates, those that are near and those that are held, the first one lowest.
+#[inline(always)]
+pub(super) fn near_and_held(states: &[PairState]) -> [u64; 2] {
+    /// The lowest bit of each byte.
+    const LOWEST: u64 = 0x0101_0101_0101_0101;
+    /// Gathers the lowest bits of all bytes in the highest byte.
+    const GATHER: u64 = 0x0102_0408_1020_4080;
+    let (mut near, mut held) = (0, 0);
+    for (i, eight) in states.chunks(8).enumerate() {
+        let word = match eight.first_chunk::<8>() {
+            Some(eight) => u64::from_le_bytes(eight.map(|state| state as u8)),
+            None => eight
+                .iter()
+                .rfold(0, |word, &state| word << 8 | u64::from(state as u8)),
+        };
+        let gathered = |bits: u64| ((bits & LOWEST).wrapping_mul(GATHER) >> 56) << (8 * i);
+        near |= gathered(word / u64::from(NEAR));
+        held |= gathered(word / u64::from(HELD));
+    }
+    [near, held]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_are_gathered_in_order() {
+        let all = [PairState::Apart, PairState::Near, PairState::Held];
+        for count in 0..=64 {
+            let states: Vec<_> = (0..count).map(|i| all[i * i * 5 % 7 % 3]).collect();
+            let gathered = [PairState::Near, PairState::Held].map(|wanted| {
+                let bits = states.iter().enumerate();
+                bits.fold(0, |word, (i, &state)| {
+                    word | u64::from(state == wanted) << i
+                })
+            });
+            assert_eq!(near_and_held(&states), gathered);
+        }
     }
 }

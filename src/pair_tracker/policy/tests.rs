@@ -10,7 +10,7 @@ fn world() -> Known {
         stirred: 0,
         escaped: 0,
         candidates: 4000,
-        held: 2000,
+        overlapping: 2000,
         rows: 5000,
         lists: ListState::default(),
         are_layers_used: true,
@@ -58,19 +58,14 @@ fn nothing_is_done_if_nothing_was_touched() {
 }
 
 #[test]
-fn what_has_another_volume_is_compared_as_if_it_were_touched_unless_it_is_most() {
-    for stirred in [1, 10, 100, 400] {
-        let known = |touched, stirred| Known {
+fn what_has_another_volume_alone_asks_for_a_comparison_and_changes_no_extent() {
+    for touched in [0, 1, 10, 100, 400] {
+        let known = |stirred| Known {
             touched,
             stirred,
             ..world()
         };
-        let most = are_most_touched(stirred, 1000);
-        let alike = known(if most { 0 } else { stirred }, 0);
-        let Plan::Compare(extent) = plan(known(0, stirred)) else {
-            panic!("candidates are compared");
-        };
-        assert_eq!(extent, alike.extent());
+        assert_eq!(plan(known(500)), Plan::Compare(known(0).extent()));
     }
 }
 

@@ -3,14 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Colliders, Id, MARGIN, SLACK, Side};
-use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::{FilterKey, VOLUME_MARGIN};
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, GridSweep, PairFilter, PairFinder};
 
 /// What the table should hold.
 pub(super) struct Model {
     filter: PairFilter,
-    volumes: BTreeMap<u32, Volume<f32, 2>>,
+    /// And whether they are slow.
+    volumes: BTreeMap<u32, (Volume<f32, 2>, bool)>,
     /// The boxes at the end of the last update.
     before: BTreeMap<u32, Aabb<f32, 2>>,
     /// Known colliders, with their boxes; none where the collider is refused.
@@ -54,7 +55,7 @@ impl Model {
             Some(known) if known.0 == id.generation => {
                 let side = self.sides[&id.slot];
                 // A ball needs nothing but its box.
-                let former = self.volumes[&id.slot];
+                let former = self.volumes[&id.slot].0;
                 let volume = match former.kind {
                     VolumeKind::Ball => former.in_box(&aabb),
                     _ => colliders.volume_in(id, &aabb),
@@ -108,14 +109,30 @@ impl Model {
             }
         }
         self.sides.insert(id.slot, side);
-        self.volumes.insert(id.slot, volume);
         let held = &mut self.known.entry(id.slot).or_insert((id.generation, None)).1;
         let renewed = match held {
-            Some(held) if aabb.is_valid() && held.contains(&aabb) => return,
+            Some(held) if aabb.is_valid() && held.contains(&aabb) => {
+                let former = self.volumes.get_mut(&id.slot).unwrap();
+                if former.0.kind != volume.kind {
+                    *former = (volume, false);
+                    return;
+                }
+                let change = former.0.as_ref().change_to(volume.as_ref());
+                if change <= VOLUME_MARGIN as f32 * MARGIN {
+                    former.1 |= change > 0.0;
+                } else {
+                    former.0 = volume;
+                }
+                return;
+            }
             Some(_) if aabb.is_valid() => Some(aabb.loosened(MARGIN)),
-            None if !aabb.is_valid() => return,
+            None if !aabb.is_valid() => {
+                self.volumes.insert(id.slot, (volume, false));
+                return;
+            }
             _ => aabb.is_valid().then_some(aabb),
         };
+        self.volumes.insert(id.slot, (volume, false));
         *held = renewed;
         self.moved += 1;
     }
@@ -125,11 +142,13 @@ impl Model {
         if self.filter != PairFilter::Shapes {
             return true;
         }
-        let [a, b] = pair.map(|slot| self.volumes[&slot]);
+        let [(a, is_slow), (b, is_other_slow)] = pair.map(|slot| self.volumes[&slot]);
+        let margins = [is_slow, is_other_slow].map(|is_slow| f32::from(is_slow) * MARGIN);
+        let margins = (margins[0] + margins[1]) * VOLUME_MARGIN as f32;
         let is_renewed = |slot| self.before.get(slot) != self.known[slot].1.as_ref();
         match self.held.contains(&pair) {
-            false => a.meets(&b, 0.0),
-            true => !pair.iter().any(is_renewed) || a.meets(&b, SLACK),
+            false => a.meets(&b, margins),
+            true => !pair.iter().any(is_renewed) || a.meets(&b, SLACK + margins),
         }
     }
 

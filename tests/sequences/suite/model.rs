@@ -18,6 +18,10 @@ pub(super) struct Model {
     /// The boxes at the end of the last update.
     settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
+    /// The margin of volumes: an eighth of the largest that boxes have had.
+    volume_margin: Real,
+    /// Whether anything was handed over since the last update.
+    is_begun: bool,
     /// Colliders that the next update has to look for, with the boxes that were handed over.
     awaited: Vec<(ColliderHandle, Option<Aabb>)>,
 }
@@ -29,6 +33,8 @@ struct Proxy {
     aabb: Option<Aabb>,
     key: Key,
     volume: Volume,
+    /// Whether the collider may be elsewhere, by less than the margin.
+    is_slow: bool,
 }
 
 /// What filters look at, as of when the collider was last listed.
@@ -54,6 +60,8 @@ impl Model {
             proxies: BTreeMap::new(),
             settled: BTreeMap::new(),
             held: BTreeSet::new(),
+            volume_margin: 0.0,
+            is_begun: false,
             awaited: Vec::new(),
         }
     }
@@ -67,6 +75,8 @@ impl Model {
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
     /// at; otherwise the next update looks for the collider.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
+        self.is_begun = true;
+        self.note_margin(margin);
         let (index, generation) = handle.into_raw_parts();
         if let Some(known) = self.proxies.get(&index).cloned() {
             if known.generation == generation {
@@ -126,6 +136,9 @@ impl Model {
         bodies: &RigidBodySet,
         [modified, removed]: [&[ColliderHandle]; 2],
     ) -> Changes {
+        if std::mem::take(&mut self.is_begun) || !(modified.is_empty() && removed.is_empty()) {
+            self.note_margin(margin);
+        }
         for &handle in removed {
             self.forget(handle);
         }
@@ -178,6 +191,10 @@ impl Model {
         }
     }
 
+    fn note_margin(&mut self, margin: Real) {
+        self.volume_margin = self.volume_margin.max(margin * 0.125);
+    }
+
     /// Whether a pair whose boxes overlap is held, by its volumes: as soon as they meet, until one of its boxes is renewed and
     /// they are farther apart than `slack`.
     fn volumes_meet(&self, pair: &Pair, slack: Real) -> bool {
@@ -185,11 +202,13 @@ impl Model {
             return true;
         }
         let [a, b] = pair.map(|(index, _)| &self.proxies[&index]);
+        let margin = |proxy: &Proxy| f32::from(proxy.is_slow) as Real * self.volume_margin;
+        let meet = |slack| a.volume.meets(&b.volume, slack + (margin(a) + margin(b)));
         let is_renewed =
             |(index, _)| self.settled.get(&index).copied() != self.proxies[&index].aabb;
         match self.held.contains(pair) {
-            false => a.volume.meets(&b.volume, 0.0),
-            true => !pair.iter().copied().any(is_renewed) || a.volume.meets(&b.volume, slack),
+            false => meet(0.0),
+            true => !pair.iter().copied().any(is_renewed) || meet(slack),
         }
     }
 
@@ -233,11 +252,26 @@ impl Model {
             Some(last) if contains(&last, &aabb) => Some(last),
             Some(_) => Some(aabb.loosened(margin)),
         };
+        // What stays in its box, and near to where its volume is, keeps its volume.
+        let is_of_its_kind = |known: &&Proxy| known.volume.kind == volume.kind;
+        let known = known.filter(|known| known.aabb == aabb && !is_another_leaf);
+        let known = known.filter(is_of_its_kind);
+        let (volume, is_slow) = match known {
+            Some(known) => {
+                let difference = known.volume.difference(&volume);
+                match difference <= self.volume_margin {
+                    true => (known.volume.clone(), known.is_slow || difference > 0.0),
+                    false => (volume, known.is_slow),
+                }
+            }
+            None => (volume, false),
+        };
         let proxy = Proxy {
             generation,
             aabb,
             key,
             volume,
+            is_slow,
         };
         self.proxies.insert(index, proxy);
     }

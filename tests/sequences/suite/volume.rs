@@ -11,6 +11,7 @@ pub(super) struct Volume {
     pub(super) kind: Kind,
     /// A NaN if it meets all.
     center: Array,
+    /// Except of a ball, loosened by what rounding may do.
     radius: Real,
     /// Half the axis of a capsule, the half axes of a cuboid, the normal of a half-space.
     halves: Vec<Array>,
@@ -58,7 +59,7 @@ impl Volume {
                 halves: halves.collect(),
             }
         };
-        let volume = if let Some(ball) = shape.as_ball() {
+        let mut volume = if let Some(ball) = shape.as_ball() {
             Self {
                 kind: Kind::Ball,
                 center,
@@ -88,7 +89,21 @@ impl Volume {
             let middle = version::origin(pose) + pose.rotation * ((mins + maxs) * 0.5);
             cuboid(middle.into(), ((maxs - mins) * 0.5).into())
         };
+        if volume.kind != Kind::Ball {
+            volume.radius = volume.loosened();
+        }
         volume.in_box(aabb)
+    }
+
+    /// The sum of how much all numbers of two volumes of one kind differ.
+    pub(super) fn difference(&self, other: &Self) -> Real {
+        let radii = (other.radius - self.radius).abs();
+        let centers = self.center.iter().zip(&other.center);
+        let halves = self.halves.iter().flatten();
+        let halves = halves.zip(other.halves.iter().flatten());
+        centers
+            .chain(halves)
+            .fold(radii, |sum, (a, b)| sum + (b - a).abs())
     }
 
     /// The volume of a collider whose box is this one.
@@ -99,12 +114,14 @@ impl Volume {
             Kind::Box | Kind::HalfSpace => true,
             Kind::Ball => {
                 volume.center = std::array::from_fn(|k| (mins[k] + maxs[k]) * 0.5);
-                let diameter = (volume.radius + volume.rounding()) * 2.0;
+                let diameter = volume.loosened() * 2.0;
                 (0..DIM).all(|k| maxs[k] - mins[k] <= diameter)
             }
             Kind::Capsule | Kind::Cuboid => (0..DIM).all(|k| {
-                let reach = self.radius + self.rounding();
-                let reach = self.halves.iter().fold(reach, |sum, h| sum + h[k].abs());
+                let reach = self
+                    .halves
+                    .iter()
+                    .fold(self.radius, |sum, h| sum + h[k].abs());
                 self.center[k] - reach <= mins[k] && maxs[k] <= self.center[k] + reach
             }),
         };
@@ -114,10 +131,19 @@ impl Volume {
         volume
     }
 
-    /// Eight rounding errors of the sum of all numbers.
-    fn rounding(&self) -> Real {
+    /// The radius, and eight rounding errors of the sum of all numbers.
+    fn loosened(&self) -> Real {
         let numbers = self.center.iter().chain(self.halves.iter().flatten());
-        numbers.fold(self.radius, |sum, x| sum + x.abs()) * (8.0 * Real::EPSILON)
+        let sum = numbers.fold(self.radius, |sum, x| sum + x.abs());
+        self.radius + sum * (8.0 * Real::EPSILON)
+    }
+
+    /// The radius that tells it apart.
+    fn reach(&self) -> Real {
+        match self.kind {
+            Kind::Ball => self.loosened(),
+            _ => self.radius,
+        }
     }
 
     /// How far the segments reach along an axis, times its length.
@@ -130,7 +156,7 @@ impl Volume {
     /// Whether there is no axis that tells two volumes apart, loosened by `slack` together.
     pub(super) fn meets(&self, other: &Self, slack: Real) -> bool {
         let between = minus(other.center, self.center);
-        let reach = self.radius + other.radius + slack + (self.rounding() + other.rounding());
+        let reach = self.reach() + other.reach() + slack;
         let is_apart = |axis: Array| {
             let segments = self.segments(axis) + other.segments(axis);
             dot(between, axis).abs() > reach * dot(axis, axis).sqrt() + segments
