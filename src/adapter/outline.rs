@@ -20,40 +20,39 @@ pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
 }
 
-/// The simple shapes.
+/// The numbers of a simple shape: a ball, a capsule that is centred at its own origin, or a cuboid.
 #[derive(Clone, Copy)]
-enum Profile {
-    Ball {
-        radius: Real,
-    },
-    Cuboid {
-        half_extents: Vector,
-    },
-    /// A capsule centred at its own origin; `end` is one end of its axis.
-    Capsule {
-        end: Vector,
-        radius: Real,
-    },
+struct Profile {
+    /// One end of a capsule's axis, or the half extents of a cuboid; 0 for a ball.
+    extent: Vector,
+    /// Negative for a cuboid.
+    radius: Real,
 }
 
 impl Profile {
     fn of(shape: &SharedShape) -> Option<Self> {
+        let round = |extent, radius: Real| (radius >= 0.0).then_some(Self { extent, radius });
         if let Some(ball) = shape.as_ball() {
-            return Some(Self::Ball {
-                radius: ball.radius,
-            });
+            return round(Vector::default(), ball.radius);
         }
         if let Some(cuboid) = shape.as_cuboid() {
-            return Some(Self::Cuboid {
-                half_extents: cuboid.half_extents,
+            return Some(Self {
+                extent: cuboid.half_extents,
+                radius: -1.0,
             });
         }
         let capsule = shape.as_capsule()?;
         let [start, end] = [capsule.segment.a, capsule.segment.b].map(version::coordinates);
-        (start == -end).then_some(Self::Capsule {
-            end,
-            radius: capsule.radius,
-        })
+        let is_centred = start == -end && end != Vector::default();
+        is_centred.then(|| round(end, capsule.radius)).flatten()
+    }
+
+    fn is_cuboid(self) -> bool {
+        self.radius < 0.0
+    }
+
+    fn is_ball(self) -> bool {
+        self.extent == Vector::default()
     }
 }
 
@@ -70,14 +69,13 @@ impl Outline {
         // The operations are Parry's, in its order.
         let pose = collider.position();
         let center = version::origin(pose);
-        Some(match profile {
-            Profile::Ball { radius } => Aabb::new(center.into(), center.into()).loosened(radius),
-            Profile::Cuboid { half_extents } => {
-                around(center, version::turned(pose, &half_extents))
-            }
-            Profile::Capsule { end, radius } => {
-                around(center, (pose.rotation * end).abs()).loosened(radius)
-            }
+        let Profile { extent, radius } = profile;
+        Some(if profile.is_cuboid() {
+            around(center, version::turned(pose, &extent))
+        } else if profile.is_ball() {
+            Aabb::new(center.into(), center.into()).loosened(radius)
+        } else {
+            around(center, (pose.rotation * extent).abs()).loosened(radius)
         })
     }
 
@@ -91,19 +89,17 @@ impl Outline {
         };
         let pose = collider.position();
         let center = version::origin(pose).into();
-        match profile {
-            Some(Profile::Ball { radius }) => {
-                Volume::new(VolumeKind::Ball, center, radius + distance, &[])
-            }
-            Some(Profile::Capsule { end, radius }) => {
-                let half = (pose.rotation * end).into();
-                Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
-            }
-            Some(Profile::Cuboid { half_extents }) => {
-                let halves = turned_halves(pose, half_extents);
-                Volume::new(VolumeKind::Cuboid, center, distance, &halves)
-            }
-            None => unusual_volume(shape, pose, distance),
+        let Some(Profile { extent, radius }) = profile else {
+            return unusual_volume(shape, pose, distance);
+        };
+        if profile.is_some_and(Profile::is_cuboid) {
+            let halves = turned_halves(pose, extent);
+            Volume::new(VolumeKind::Cuboid, center, distance, &halves)
+        } else if profile.is_some_and(Profile::is_ball) {
+            Volume::new(VolumeKind::Ball, center, radius + distance, &[])
+        } else {
+            let half = (pose.rotation * extent).into();
+            Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
         }
     }
 

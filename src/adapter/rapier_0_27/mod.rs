@@ -2,7 +2,11 @@
 
 use super::adapter::UnisizeBroadPhase;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet};
+#[cfg(test)]
+use super::rapier::geometry::Group;
+use super::rapier::geometry::{
+    BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet, InteractionGroups,
+};
 use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
@@ -25,6 +29,17 @@ pub(super) const REINSERTS: bool = false;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
+
+/// Groups meet if both are in the filter of the other.
+pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
+    false
+}
+
+/// The groups with these memberships and this filter.
+#[cfg(test)]
+pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
+    vec![InteractionGroups::new(memberships, filter)]
+}
 
 /// The origin of a pose.
 #[inline(always)]

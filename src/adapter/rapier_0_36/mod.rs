@@ -3,8 +3,11 @@
 
 use super::adapter::UnisizeBroadPhase;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+#[cfg(test)]
+use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
+    InteractionGroups, InteractionTestMode,
 };
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::shape::HalfSpace;
@@ -23,6 +26,20 @@ pub(super) const REINSERTS: bool = true;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
+
+/// Whether groups meet others of this kind if either is in the filter of the other, and not only if both are.
+#[inline(always)]
+pub(super) fn is_either_enough(groups: &InteractionGroups) -> bool {
+    groups.test_mode == InteractionTestMode::Or
+}
+
+/// The groups with these memberships and this filter.
+#[cfg(test)]
+pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
+    let modes = [InteractionTestMode::And, InteractionTestMode::Or];
+    let groups = modes.map(|mode| InteractionGroups::new(memberships, filter, mode));
+    groups.to_vec()
+}
 
 /// The origin of a pose.
 #[inline(always)]
