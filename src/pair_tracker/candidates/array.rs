@@ -121,6 +121,7 @@ impl CandidateArray {
             ..
         } = self;
         if proxies.has_volumes() {
+            retired.reserve(self.held_count);
             let rows = pairs.iter().zip(states.iter());
             let held = rows.filter(|(_, state)| state.is_held());
             for (&pair, _) in held.filter(|&(&pair, _)| proxies.are_left(pair)) {
@@ -143,6 +144,7 @@ impl CandidateArray {
         self.tombstones = 0;
         let pairs = std::mem::take(pairs);
         self.hold_new(&pairs, proxies, report);
+        self.retired.free_if_large();
         self.pairs = pairs;
     }
 

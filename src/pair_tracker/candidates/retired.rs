@@ -1,5 +1,7 @@
 //! Held pairs whose candidates are retired, until it is known whether they are found again.
 
+use crate::tuning::update::KEEP_SCRATCH_UP_TO;
+
 /// The end of a list.
 const END: u32 = u32::MAX;
 
@@ -15,21 +17,22 @@ pub(super) struct RetiredPairs {
 struct Entry {
     pair: [u32; 2],
     next: u32,
-    is_taken: bool,
 }
+
+/// In place of a pair that was taken out.
+const TAKEN: [u32; 2] = [u32::MAX; 2];
 
 impl RetiredPairs {
     /// Adds a pair that is not in the set.
     pub(super) fn insert(&mut self, pair: [u32; 2]) {
         if self.entries.len() >= self.heads.len() {
-            self.grow();
+            self.reserve(2 * self.entries.len().max(32));
         }
         let link = self.entries.len() as u32;
         let head = hash(pair, self.heads.len());
         self.entries.push(Entry {
             pair,
             next: std::mem::replace(&mut self.heads[head], link),
-            is_taken: false,
         });
     }
 
@@ -42,7 +45,8 @@ impl RetiredPairs {
         while link != END {
             let entry = &mut self.entries[link as usize];
             if entry.pair == pair {
-                return !std::mem::replace(&mut entry.is_taken, true);
+                entry.pair = TAKEN;
+                return true;
             }
             link = entry.next;
         }
@@ -51,18 +55,26 @@ impl RetiredPairs {
 
     /// Empties the set, and calls `visit` with each pair that was left.
     pub(super) fn drain(&mut self, mut visit: impl FnMut([u32; 2])) {
-        let heads = self.heads.len();
-        for entry in self.entries.drain(..) {
-            self.heads[hash(entry.pair, heads)] = END;
-            if !entry.is_taken {
-                visit(entry.pair);
-            }
+        let left = self.entries.iter().filter(|entry| entry.pair != TAKEN);
+        left.for_each(|entry| visit(entry.pair));
+        if !self.entries.is_empty() {
+            self.entries.clear();
+            self.heads.fill(END);
         }
     }
 
-    #[cold]
-    fn grow(&mut self) {
-        let heads = (2 * self.heads.len()).max(64);
+    /// Frees the memory of an empty set, if it is much.
+    pub(super) fn free_if_large(&mut self) {
+        if self.entries.capacity() > KEEP_SCRATCH_UP_TO {
+            *self = Self::default();
+        }
+    }
+
+    /// Makes room for this number of pairs in all.
+    pub(super) fn reserve(&mut self, pairs: usize) {
+        self.entries
+            .reserve_exact(pairs.saturating_sub(self.entries.len()));
+        let heads = pairs.next_power_of_two().max(64);
         self.heads.clear();
         self.heads.resize(heads, END);
         for (link, entry) in (0..).zip(&mut self.entries) {
@@ -96,6 +108,7 @@ mod tests {
             let expected = (0..count).filter(|i| i % 3 == 0);
             assert!(rest.into_iter().eq(expected.map(|i| [i / 7, i + 1])));
             assert!(!retired.take([0, 1]));
+            retired.free_if_large();
         }
     }
 }
