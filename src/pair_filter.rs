@@ -45,7 +45,7 @@ pub enum PairFilter {
     ///
     /// A pair begins when the two are within the prediction distance and their contact skins, by their boxes *and* by bounding
     /// volumes of their shapes, as they are in this update. It ends when the boxes with their margins part, or the volumes are
-    /// farther apart than both margins. So the margin saves work and costs no pairs. What has moved by less than an eighth of the margin
+    /// farther apart than both margins. So the margin saves work and costs no pairs. What has moved by less than a sixteenth of the margin
     /// in a step is *slow* until it leaves its box: then its volume is loosened by as much, and looked at again only when it has moved by more.
     ///
     /// | shape | volume |

@@ -118,24 +118,38 @@ impl<R: Real, const D: usize> Ball<R, D> {
     /// The sum of the changes of all numbers; NaN if that is not known.
     #[inline(always)]
     pub(crate) fn change_to(&self, other: &Self) -> R {
-        let centers = self.center.iter().zip(&other.center);
-        centers.fold((other.radius - self.radius).abs(), |change, (from, to)| {
-            change + (*to - *from).abs()
-        })
+        sum_of_abs(sub(other.center, self.center)) + (other.radius - self.radius).abs()
     }
 
     /// The radius, loosened by what rounding may do to the numbers.
     #[inline(always)]
     fn loosened(&self) -> R {
-        loosened(self.radius, &self.center)
+        loosened(self.radius, &self.center, &[R::ZERO; D])
     }
 }
 
-/// A radius, loosened by what rounding may do to a volume that has it and these other numbers.
+/// A radius, loosened by what rounding may do to a volume that has it, this centre, and this [extent](extent_of).
 #[inline(always)]
-fn loosened<'a, R: Real>(radius: R, numbers: impl IntoIterator<Item = &'a R>) -> R {
-    let size = numbers.into_iter().fold(radius, |size, x| size + x.abs());
+fn loosened<R: Real, const D: usize>(radius: R, center: &[R; D], extent: &[R; D]) -> R {
+    let mut size = radius;
+    for k in 0..D {
+        size = size + (center[k].abs() + extent[k]);
+    }
     radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
+}
+
+/// How far segments with these half axes reach along each axis of the world.
+#[inline(always)]
+fn extent_of<R: Real, const D: usize>(half_axes: &[[R; D]]) -> [R; D] {
+    half_axes.iter().fold([R::ZERO; D], |extent, half| {
+        core::array::from_fn(|k| extent[k] + half[k].abs())
+    })
+}
+
+/// The sum of the absolute values.
+#[inline(always)]
+fn sum_of_abs<R: Real, const D: usize>(vector: [R; D]) -> R {
+    vector.iter().fold(R::ZERO, |sum, x| sum + x.abs())
 }
 
 impl<R: Real, const D: usize> Volume<R, D> {
@@ -153,8 +167,8 @@ impl<R: Real, const D: usize> Volume<R, D> {
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
         let mut volume = Self::of_parts(kind, Ball { center, radius }, half_axes);
         if kind != VolumeKind::Ball {
-            let numbers = center.iter().chain(volume.half_axes().as_flattened());
-            volume.ball.radius = loosened(radius, numbers);
+            let extent = extent_of(volume.half_axes());
+            volume.ball.radius = loosened(radius, &center, &extent);
         }
         volume
     }
@@ -227,12 +241,10 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[inline(always)]
     fn fills(&self, aabb: &Aabb<R, D>) -> bool {
         let Ball { center, radius } = self.ball;
+        let extent = extent_of(self.half_axes());
         let mut fills = true;
         for k in 0..D {
-            let reach = self
-                .half_axes()
-                .iter()
-                .fold(radius, |sum, half| sum + half[k].abs());
+            let reach = radius + extent[k];
             fills &= center[k] - reach <= aabb.mins[k];
             fills &= aabb.maxs[k] <= center[k] + reach;
         }
@@ -270,11 +282,13 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     /// The sum of the changes of all numbers between two volumes of one kind: no point has moved by more. NaN if that is not known.
     #[inline(always)]
     pub(crate) fn change_to(self, other: Self) -> R {
-        let numbers = self.half_axes.as_flattened().iter();
-        let numbers = numbers.zip(other.half_axes.as_flattened());
-        numbers.fold(self.ball.change_to(other.ball), |change, (from, to)| {
-            change + (*to - *from).abs()
-        })
+        // One sum for each axis, so that none waits for the other.
+        let halves = self.half_axes.iter().zip(other.half_axes);
+        let change = halves.fold([R::ZERO; D], |change, (&from, &to)| {
+            let difference = sub(to, from);
+            core::array::from_fn(|k| change[k] + difference[k].abs())
+        });
+        self.ball.change_to(other.ball) + sum_of_abs(change)
     }
 
     /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.

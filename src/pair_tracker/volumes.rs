@@ -11,7 +11,7 @@ use crate::{Aabb, Real};
 
 /// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
 /// one, more of what settles is compared in each update. Events depend on it.
-pub(crate) const VOLUME_MARGIN: f64 = 0.125;
+pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
 /// Volumes by slot; none unless they are in use.
 #[derive(Clone, Debug)]

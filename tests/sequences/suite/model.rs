@@ -18,7 +18,7 @@ pub(super) struct Model {
     /// The boxes at the end of the last update.
     settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
-    /// The margin of volumes: an eighth of the largest that boxes have had.
+    /// The margin of volumes: a sixteenth of the largest that boxes have had.
     volume_margin: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
@@ -192,7 +192,7 @@ impl Model {
     }
 
     fn note_margin(&mut self, margin: Real) {
-        self.volume_margin = self.volume_margin.max(margin * 0.125);
+        self.volume_margin = self.volume_margin.max(margin * 0.0625);
     }
 
     /// Whether a pair whose boxes overlap is held, by its volumes: as soon as they meet, until one of its boxes is renewed and

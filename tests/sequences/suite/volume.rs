@@ -97,13 +97,21 @@ impl Volume {
 
     /// The sum of how much all numbers of two volumes of one kind differ.
     pub(super) fn difference(&self, other: &Self) -> Real {
+        let sum = |vector: Array| vector.iter().fold(0.0, |sum, x: &Real| sum + x.abs());
+        let halves = self.halves.iter().zip(&other.halves);
+        let halves = halves.fold([0.0; DIM], |change: Array, (&a, &b)| {
+            std::array::from_fn(|k| change[k] + minus(b, a)[k].abs())
+        });
         let radii = (other.radius - self.radius).abs();
-        let centers = self.center.iter().zip(&other.center);
-        let halves = self.halves.iter().flatten();
-        let halves = halves.zip(other.halves.iter().flatten());
-        centers
-            .chain(halves)
-            .fold(radii, |sum, (a, b)| sum + (b - a).abs())
+        (sum(minus(other.center, self.center)) + radii) + sum(halves)
+    }
+
+    /// How far the segments reach along each axis of the world.
+    fn extent(&self) -> Array {
+        let halves = self.halves.iter();
+        halves.fold([0.0; DIM], |extent: Array, half| {
+            std::array::from_fn(|k| extent[k] + half[k].abs())
+        })
     }
 
     /// The volume of a collider whose box is this one.
@@ -133,8 +141,9 @@ impl Volume {
 
     /// The radius, and eight rounding errors of the sum of all numbers.
     fn loosened(&self) -> Real {
-        let numbers = self.center.iter().chain(self.halves.iter().flatten());
-        let sum = numbers.fold(self.radius, |sum, x| sum + x.abs());
+        let (center, extent) = (self.center, self.extent());
+        let axes = 0..DIM;
+        let sum = axes.fold(self.radius, |sum, k| sum + (center[k].abs() + extent[k]));
         self.radius + sum * (8.0 * Real::EPSILON)
     }
 
