@@ -280,8 +280,13 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     }
 
     /// The sum of the changes of all numbers between two volumes of one kind: no point has moved by more. NaN if that is not known.
+    /// Infinite for half-spaces, unless they are equal: where they are turned, points move by more the farther they are.
     #[inline(always)]
     pub(crate) fn change_to(self, other: Self) -> R {
+        if self.kind == VolumeKind::HalfSpace {
+            let is_equal = self.ball == other.ball && self.half_axes == other.half_axes;
+            return if is_equal { R::ZERO } else { R::INFINITY };
+        }
         // One sum for each axis, so that none waits for the other.
         let halves = self.half_axes.iter().zip(other.half_axes);
         let change = halves.fold([R::ZERO; D], |change, (&from, &to)| {

@@ -5,6 +5,9 @@ pub(crate) mod dim2 {
     use rapier2d as rapier;
     use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "plane.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_27/mod.rs"]
     mod version;
@@ -17,6 +20,9 @@ pub(crate) mod dim3 {
     use rapier3d as rapier;
     use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "space.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_27/mod.rs"]
     mod version;
@@ -29,6 +35,9 @@ pub(crate) mod dim2_f64 {
     use rapier2d_f64 as rapier;
     use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "plane.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_27/mod.rs"]
     mod version;
@@ -41,6 +50,9 @@ pub(crate) mod dim3_f64 {
     use rapier3d_f64 as rapier;
     use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "space.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_27/mod.rs"]
     mod version;
@@ -53,6 +65,9 @@ pub(crate) mod dim2_0_36 {
     use rapier2d_0_36 as rapier;
     use unisize::rapier2d_0_36::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "plane.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_36/mod.rs"]
     mod version;
@@ -65,6 +80,9 @@ pub(crate) mod dim3_0_36 {
     use rapier3d_0_36 as rapier;
     use unisize::rapier3d_0_36::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "space.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_36/mod.rs"]
     mod version;
@@ -77,6 +95,9 @@ pub(crate) mod dim2_f64_0_36 {
     use rapier2d_f64_0_36 as rapier;
     use unisize::rapier2d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "plane.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_36/mod.rs"]
     mod version;
@@ -89,6 +110,9 @@ pub(crate) mod dim3_f64_0_36 {
     use rapier3d_f64_0_36 as rapier;
     use unisize::rapier3d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
 
+    #[cfg(test)]
+    #[path = "space.rs"]
+    mod solids;
     mod suite;
     #[path = "rapier_0_36/mod.rs"]
     mod version;

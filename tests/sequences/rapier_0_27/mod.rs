@@ -12,12 +12,18 @@ use crate::ops::Triple;
 mod pipelines;
 
 pub(super) type Pose = Isometry<Real>;
+pub(super) type Point = super::rapier::math::Point<Real>;
 
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
 
 pub(super) fn vector(triple: Triple) -> Vector<Real> {
     Vector::from_fn(|i, _| Real::from(triple[i]))
+}
+
+/// A point with these coordinates.
+pub(super) fn point(triple: Triple) -> Point {
+    vector(triple).into()
 }
 
 pub(super) fn translation(triple: Triple) -> Pose {
@@ -63,7 +69,7 @@ pub(super) fn origin(pose: &Pose) -> Vector<Real> {
 }
 
 /// The vector from the origin to a point.
-pub(super) fn arrow(point: Point<Real>) -> Vector<Real> {
+pub(super) fn arrow(point: Point) -> Vector<Real> {
     point.coords
 }
 

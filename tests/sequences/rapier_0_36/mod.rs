@@ -9,12 +9,18 @@ use super::suite::World;
 use crate::ops::Triple;
 
 pub(super) use super::rapier::math::Pose;
+pub(super) type Point = Vector;
 
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = true;
 
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from(std::array::from_fn(|i| Real::from(triple[i])))
+}
+
+/// A point with these coordinates.
+pub(super) fn point(triple: Triple) -> Point {
+    vector(triple)
 }
 
 pub(super) fn translation(triple: Triple) -> Pose {

@@ -1,16 +1,22 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`, and what depends on
 //! Rapier's version as `version`.
 
+#[cfg(test)]
+use super::solids;
 use super::{Kernel, Settings, UnisizeBroadPhase, rapier, version};
 
 pub(super) mod checked;
 mod direct;
+#[cfg(test)]
+mod distances;
 mod model;
 #[cfg(test)]
 pub(super) mod runner;
 mod volume;
 mod world;
 
+#[cfg(test)]
+pub(super) use distances::Solid;
 pub(super) use world::{HandedOver, World};
 
 /// Plays a sequence with lists made by hand, with one of the kernels.

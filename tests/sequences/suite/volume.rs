@@ -95,8 +95,11 @@ impl Volume {
         volume.in_box(aabb)
     }
 
-    /// The sum of how much all numbers of two volumes of one kind differ.
+    /// The sum of how much all numbers of two volumes of one kind differ. Half-spaces are equal or not.
     pub(super) fn difference(&self, other: &Self) -> Real {
+        if self.kind == Kind::HalfSpace {
+            return if self == other { 0.0 } else { Real::INFINITY };
+        }
         let sum = |vector: Array| vector.iter().fold(0.0, |sum, x: &Real| sum + x.abs());
         let halves = self.halves.iter().zip(&other.halves);
         let halves = halves.fold([0.0; DIM], |change: Array, (&a, &b)| {

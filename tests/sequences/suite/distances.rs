@@ -1,0 +1,395 @@
+//! Parry's own distance between all pairs that are not held, shape by shape: with `PairFilter::Shapes` it is never within
+//! reach, whatever the shapes, their sizes and their poses.
+//!
+//! Many are put on the brink: as far from another collider as Parry says that they are within reach, to the last bit.
+
+use oorandom::Rand32;
+use unisize::PairFilter;
+
+use super::rapier::prelude::*;
+use super::{Settings, UnisizeBroadPhase, solids, version};
+use crate::ops::Triple;
+
+/// Makes a shape from three lengths.
+pub(crate) type Solid = fn([Real; 3]) -> SharedShape;
+
+/// Worlds in each flavour, unless `PROPTEST_CASES` says otherwise.
+const WORLDS: u32 = 64;
+
+const COLLIDERS: usize = 60;
+const UPDATES: usize = 10;
+
+/// Lengths that worlds are made of. Parry takes squares of lengths that are below ten rounding errors of 1 for zero, so it cannot
+/// tell small shapes apart in `f32`.
+const UNITS: [f32; 3] = match Real::MANTISSA_DIGITS {
+    24 => [10.0, 100.0, 1000.0],
+    _ => [1.0, 0.01, 100.0],
+};
+
+/// The shapes that each flavour has.
+const SHAPES: [(&str, fn(&mut Random) -> SharedShape); 13] = [
+    ("ball", |random| SharedShape::ball(random.length())),
+    ("capsule", |random| {
+        SharedShape::capsule_y(random.length(), random.length())
+    }),
+    ("capsule off its center", |random| {
+        let [a, b] = random.points();
+        SharedShape::capsule(a, b, random.length())
+    }),
+    ("cuboid", |random| SharedShape::new(random.cuboid())),
+    ("round cuboid", |random| {
+        SharedShape::new(RoundShape {
+            inner_shape: random.cuboid(),
+            border_radius: random.length(),
+        })
+    }),
+    ("segment", |random| {
+        let [a, b] = random.points();
+        SharedShape::segment(a, b)
+    }),
+    ("triangle", |random| {
+        let [a, b, c] = random.points();
+        SharedShape::triangle(a, b, c)
+    }),
+    ("convex hull", |random| {
+        let points: [_; 8] = random.points();
+        SharedShape::convex_hull(&points).unwrap_or(SharedShape::ball(random.length()))
+    }),
+    ("round convex hull", |random| {
+        let (points, border): ([_; 8], _) = (random.points(), random.length());
+        SharedShape::round_convex_hull(&points, border).unwrap_or(SharedShape::ball(border))
+    }),
+    ("compound", |random| {
+        let size = random.size();
+        let mut part = |shape| (version::translation(random.triple(size)), shape);
+        let [half, radius] = [0.5 * Real::from(size), 0.3 * Real::from(size)];
+        SharedShape::compound(vec![
+            part(SharedShape::ball(radius)),
+            part(SharedShape::capsule_x(half, radius)),
+        ])
+    }),
+    ("half-space", |random| {
+        version::half_space(random.triple(1.0))
+    }),
+    ("triangle mesh", |random| {
+        let [a, b, c, d] = random.points();
+        let mesh = SharedShape::trimesh(vec![a, b, c, d], vec![[0, 1, 2], [1, 2, 3]]);
+        mesh.unwrap_or(SharedShape::segment(a, b))
+    }),
+    ("polyline", |random| {
+        let points: [_; 4] = random.points();
+        SharedShape::polyline(points.to_vec(), None)
+    }),
+];
+
+const HALF_SPACE: usize = 10;
+
+/// Those that have no volume but their box.
+const BOXES: std::ops::RangeInclusive<usize> = 11..=12;
+
+const KINDS: usize = SHAPES.len() + solids::SOLIDS.len();
+
+/// Random numbers for a world of this length unit.
+struct Random {
+    numbers: Rand32,
+    unit: f32,
+}
+
+impl Random {
+    fn below(&mut self, end: usize) -> usize {
+        self.numbers.rand_range(0..end as u32) as usize
+    }
+
+    /// Of three orders of magnitude, each as likely as the others.
+    fn size(&mut self) -> f32 {
+        self.unit * 10.0_f32.powf(3.0 * self.numbers.rand_float() - 2.5)
+    }
+
+    fn length(&mut self) -> Real {
+        self.size().into()
+    }
+
+    /// Numbers within this distance of 0.
+    fn triple(&mut self, distance: f32) -> Triple {
+        std::array::from_fn(|_| distance * (2.0 * self.numbers.rand_float() - 1.0))
+    }
+
+    /// Within some size of the origin.
+    fn points<const N: usize>(&mut self) -> [version::Point; N] {
+        let size = self.size();
+        std::array::from_fn(|_| version::point(self.triple(size)))
+    }
+
+    /// In half of all cases with sides of much the same length.
+    fn cuboid(&mut self) -> Cuboid {
+        let half = match self.below(2) {
+            0 => [self.size(); 3].map(|size| size * (0.5 + 0.5 * self.numbers.rand_float())),
+            _ => [(); 3].map(|()| self.size()),
+        };
+        Cuboid::new(version::vector(half))
+    }
+
+    fn shape(&mut self) -> (usize, SharedShape) {
+        // Few half-spaces: they leave little room.
+        let kind = match self.below(KINDS) {
+            HALF_SPACE if self.below(4) > 0 => 0,
+            kind => kind,
+        };
+        let shape = match SHAPES.get(kind) {
+            Some((_, shape)) => shape(self),
+            None => solids::SOLIDS[kind - SHAPES.len()].1([(); 3].map(|()| self.length())),
+        };
+        (kind, shape)
+    }
+
+    fn angles(&mut self) -> Triple {
+        self.triple(std::f32::consts::PI)
+    }
+}
+
+fn name(kind: usize) -> &'static str {
+    let names = SHAPES.iter().map(|shape| shape.0);
+    let mut names = names.chain(solids::SOLIDS.iter().map(|solid| solid.0));
+    names.nth(kind).expect("there are no other kinds")
+}
+
+/// Pairs in all worlds of a flavour.
+struct Counts {
+    /// Not held, and as far apart as they must be.
+    checked: usize,
+    /// Held, and farther apart than they would have to be.
+    held_in_vain: usize,
+    /// By their kinds, the smaller one first: not held, although their boxes overlap.
+    left_out: [[usize; KINDS]; KINDS],
+}
+
+struct Colliders {
+    random: Random,
+    params: IntegrationParameters,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    handles: Vec<ColliderHandle>,
+    kinds: Vec<usize>,
+}
+
+impl Colliders {
+    fn new(seed: u64) -> Self {
+        let unit = UNITS[seed as usize % UNITS.len()];
+        let random = Random {
+            numbers: Rand32::new(seed),
+            unit,
+        };
+        let mut colliders = Self {
+            random,
+            params: IntegrationParameters::default(),
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            handles: Vec::new(),
+            kinds: Vec::new(),
+        };
+        colliders.params.length_unit = unit.into();
+        // Not 0: Parry takes distances that are small for its units for 0, and so it would tell nothing.
+        let predictions = [0.002, 0.02, 0.2];
+        colliders.params.normalized_prediction_distance = predictions[colliders.random.below(3)];
+        for _ in 0..COLLIDERS {
+            let (kind, shape) = colliders.random.shape();
+            // Without bodies they count as fixed.
+            let all = ActiveCollisionTypes::all();
+            let collider = ColliderBuilder::new(shape).active_collision_types(all);
+            colliders.handles.push(colliders.colliders.insert(collider));
+            colliders.kinds.push(kind);
+        }
+        colliders
+    }
+
+    fn get(&self, i: usize) -> &Collider {
+        &self.colliders[self.handles[i]]
+    }
+
+    fn get_mut(&mut self, i: usize) -> &mut Collider {
+        &mut self.colliders[self.handles[i]]
+    }
+
+    /// Puts a collider somewhere, in some pose.
+    fn put(&mut self, i: usize) {
+        let extent = 3.0 * self.random.unit;
+        let place = version::translation(self.random.triple(extent));
+        let pose = place * version::rotation(self.random.angles());
+        self.get_mut(i).set_position(pose);
+    }
+
+    /// Changes a collider in some way. Returns whether only its pose is another one.
+    fn change(&mut self, i: usize) -> bool {
+        let pose = *self.get(i).position();
+        match self.random.below(8) {
+            0 => {
+                let skin = self.random.length() * [0.0, 0.1][self.random.below(2)];
+                self.get_mut(i).set_contact_skin(skin);
+                return false;
+            }
+            1 => {
+                let (kind, shape) = self.random.shape();
+                self.get_mut(i).set_shape(shape);
+                self.kinds[i] = kind;
+                return false;
+            }
+            2 => {
+                let pose = pose * version::rotation(self.random.angles());
+                self.get_mut(i).set_position(pose);
+            }
+            3 => {
+                let by = 0.02 * self.random.unit;
+                let pose = version::moved(pose, self.random.triple(by));
+                self.get_mut(i).set_position(pose);
+            }
+            4 => self.put(i),
+            _ => {
+                self.put(i);
+                let other = (i + 1 + self.random.below(COLLIDERS - 1)) % COLLIDERS;
+                self.bring_to_the_brink(i, other);
+            }
+        }
+        true
+    }
+
+    /// Moves a collider on a ray from another one's origin, as far as Parry says that they are within reach, or one bit
+    /// farther.
+    fn bring_to_the_brink(&mut self, i: usize, other: usize) {
+        let origin = version::coordinates(self.get(other));
+        let far = 20.0 * self.random.unit;
+        let direction = self.random.triple(far);
+        let beyond = self.random.below(2);
+        let mut moving = self.get(i).clone();
+        let mut place_at = |part: Real| {
+            let place = std::array::from_fn(|k| origin[k] + part * Real::from(direction[k]));
+            moving.set_translation(place.into());
+            self.is_near(&moving, self.get(other))
+        };
+        let (mut near, mut far) = (0.0, 1.0);
+        if !place_at(near) || place_at(far) {
+            return;
+        }
+        loop {
+            let middle = near + (far - near) * 0.5;
+            match (near < middle && middle < far, place_at(middle)) {
+                (false, _) => break,
+                (_, true) => near = middle,
+                (_, false) => far = middle,
+            }
+        }
+        place_at([near, far][beyond]);
+        let pose = *moving.position();
+        self.get_mut(i).set_position(pose);
+    }
+
+    fn reach(&self, [a, b]: [&Collider; 2]) -> Real {
+        self.params.prediction_distance() + a.contact_skin() + b.contact_skin()
+    }
+
+    fn is_near(&self, a: &Collider, b: &Collider) -> bool {
+        version::distance(a, b).is_some_and(|distance| distance <= self.reach([a, b]))
+    }
+
+    fn boxes_overlap(&self, pair: [&Collider; 2]) -> bool {
+        let [a, b] = pair.map(|collider| {
+            let distance = self.params.prediction_distance() / 2.0;
+            let aabb = collider.compute_aabb();
+            aabb.loosened(collider.contact_skin() + distance)
+        });
+        a.intersects(&b)
+    }
+}
+
+impl Counts {
+    fn add(&mut self, world: &Colliders, held: &[[bool; COLLIDERS]; COLLIDERS]) {
+        for i in 0..COLLIDERS {
+            for j in i + 1..COLLIDERS {
+                let pair = [world.get(i), world.get(j)];
+                // The larger of both orders: in 10 million pairs Parry's search for the distance ends at 0 once in one of them.
+                let distances = [[0, 1], [1, 0]].map(|[a, b]| version::distance(pair[a], pair[b]));
+                let [Some(distance), Some(other)] = distances else {
+                    continue;
+                };
+                let distance = distance.max(other);
+                let reach = world.reach(pair);
+                if held[i][j] {
+                    self.held_in_vain += usize::from(distance > reach);
+                    continue;
+                }
+                let mut kinds = [world.kinds[i], world.kinds[j]];
+                kinds.sort_unstable();
+                assert!(
+                    distance > reach,
+                    "{:?}: {distance:e} is within {reach:e}",
+                    kinds.map(name)
+                );
+                self.checked += 1;
+                self.left_out[kinds[0]][kinds[1]] += usize::from(world.boxes_overlap(pair));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_held_is_out_of_reach() {
+    let worlds = std::env::var("PROPTEST_CASES").map(|cases| cases.parse());
+    let worlds = worlds.map_or(WORLDS, |cases| cases.expect("PROPTEST_CASES is a number"));
+    let mut counts = Counts {
+        checked: 0,
+        held_in_vain: 0,
+        left_out: [[0; KINDS]; KINDS],
+    };
+    for seed in 0..u64::from(worlds) {
+        let mut world = Colliders::new(seed);
+        let settings = Settings::default().with_filter(PairFilter::Shapes);
+        let mut broad_phase = UnisizeBroadPhase::with_settings(settings);
+        (0..COLLIDERS).for_each(|i| world.put(i));
+        let mut modified = world.handles.clone();
+        for update in 0..UPDATES {
+            let Colliders {
+                params,
+                bodies,
+                colliders,
+                ..
+            } = &world;
+            let mut events = Vec::new();
+            broad_phase.update(params, colliders, bodies, &modified, &[], &mut events);
+            let mut held = [[false; COLLIDERS]; COLLIDERS];
+            for pair in broad_phase.pairs() {
+                let [i, j] = [pair.collider1, pair.collider2]
+                    .map(|handle| handle.into_raw_parts().0 as usize);
+                held[i][j] = true;
+            }
+            counts.add(&world, &held);
+            modified.clear();
+            let mut boxes = Vec::new();
+            let are_handed_over = update % 3 == 1;
+            for _ in 0..world.random.below(2 * COLLIDERS) {
+                let i = world.random.below(COLLIDERS);
+                let is_moved = world.change(i);
+                let aabb = version::handed_over_box(world.get(i), &world.params, &world.bodies);
+                match aabb {
+                    Some(aabb) if is_moved && are_handed_over => {
+                        boxes.push((world.handles[i], aabb))
+                    }
+                    _ => modified.push(world.handles[i]),
+                }
+            }
+            version::hand_over(&mut broad_phase, &world.params, &boxes);
+        }
+    }
+    let Counts {
+        checked,
+        held_in_vain,
+        left_out,
+    } = counts;
+    println!("{checked} pairs are not held, and {held_in_vain} are that need not be");
+    for (i, row) in left_out.iter().enumerate() {
+        for (j, &count) in row.iter().enumerate().skip(i) {
+            let kinds = [i, j];
+            let has_volumes = kinds.iter().all(|kind| !BOXES.contains(kind));
+            let are_told_apart = has_volumes && kinds != [HALF_SPACE; 2];
+            assert_eq!(count > 0, are_told_apart, "{:?}: {count}", kinds.map(name));
+        }
+    }
+}
