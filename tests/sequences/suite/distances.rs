@@ -26,8 +26,11 @@ const UNITS: [f32; 3] = match Real::MANTISSA_DIGITS {
     _ => [1.0, 0.01, 100.0],
 };
 
+/// Makes a shape of random sizes.
+type Draw = fn(&mut Random) -> SharedShape;
+
 /// The shapes that each flavour has.
-const SHAPES: [(&str, fn(&mut Random) -> SharedShape); 13] = [
+const SHAPES: [(&str, Draw); 13] = [
     ("ball", |random| SharedShape::ball(random.length())),
     ("capsule", |random| {
         SharedShape::capsule_y(random.length(), random.length())
