@@ -16,9 +16,9 @@ fn ball(radius: Real) -> ColliderBuilder {
 /// The colliders, and which of them are to be listed.
 #[derive(Clone)]
 pub(super) struct Crowd {
-    colliders: ColliderSet,
+    pub(super) colliders: ColliderSet,
     bodies: RigidBodySet,
-    handles: Vec<ColliderHandle>,
+    pub(super) handles: Vec<ColliderHandle>,
     pub(super) velocities: Vec<Vector<Real>>,
     pub(super) modified: Vec<ColliderHandle>,
     removed: Vec<ColliderHandle>,

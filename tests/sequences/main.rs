@@ -6,6 +6,8 @@
 //! checked by `CheckedBroadPhase`, which forwards it and compares the answer with that of `Model`: the contract by
 //! brute force, written without regard to the implementation.
 //!
+//! `distances` needs no model: it asks Parry how far apart the colliders are that a broad phase tells apart by their shapes.
+//!
 //! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` is
 //! what the fuzzer plays, and `replay` plays the inputs that the fuzzer has kept.
 

@@ -1,5 +1,5 @@
 //! Pairs that are left out because they can have no effect, and every way in which they can come to have one, or cease to:
-//! with either filter, what can be seen is the same as with Rapier's own broad phase, where nobody sleeps.
+//! with each filter, what can be seen is the same as with Rapier's own broad phase, where nobody sleeps.
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
@@ -9,7 +9,12 @@ use super::{PairFilter, Settings, UnisizeBroadPhase, World};
 const STEPS: usize = 3;
 
 fn for_each_filter(test: impl Fn(Twins)) {
-    for filter in [PairFilter::Off, PairFilter::Bodies, PairFilter::Groups] {
+    for filter in [
+        PairFilter::Off,
+        PairFilter::Bodies,
+        PairFilter::Groups,
+        PairFilter::Shapes,
+    ] {
         let mut twins = Twins::weightless();
         let settings = Settings::default().with_filter(filter);
         twins.unisize = UnisizeBroadPhase::with_settings(settings);
@@ -203,12 +208,16 @@ fn what_is_left_out_is_not_held() {
             sleepless(0.5).translation(at(0.5, 0.9)),
             cube().collision_groups(thin),
         );
+        // Beside its corner.
+        let ball = ColliderBuilder::ball(0.5);
+        twins.insert(sleepless(0.5).translation(at(-0.9, -0.9)), ball);
         twins.steps(STEPS);
         let stats = twins.unisize.stats();
         assert!(stats.candidates >= stats.pairs);
         stats.pairs
     };
-    assert_eq!(pairs_with(PairFilter::Off), 5);
-    assert_eq!(pairs_with(PairFilter::Bodies), 2);
-    assert_eq!(pairs_with(PairFilter::Groups), 0);
+    assert_eq!(pairs_with(PairFilter::Off), 6);
+    assert_eq!(pairs_with(PairFilter::Bodies), 3);
+    assert_eq!(pairs_with(PairFilter::Groups), 1);
+    assert_eq!(pairs_with(PairFilter::Shapes), 0);
 }

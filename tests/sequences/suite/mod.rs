@@ -12,11 +12,13 @@ mod distances;
 mod model;
 #[cfg(test)]
 pub(super) mod runner;
+#[cfg(test)]
+mod shapes;
 mod volume;
 mod world;
 
 #[cfg(test)]
-pub(super) use distances::Solid;
+pub(super) use shapes::Solid;
 pub(super) use world::{HandedOver, World};
 
 /// Plays a sequence with lists made by hand, with one of the kernels.

@@ -1,7 +1,7 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{Kernel, Observed, PairEvent, Scene, Settings, Stats, UnisizeBroadPhase};
+use super::{Kernel, Observed, PairEvent, PairFilter, Scene, Settings, Stats, UnisizeBroadPhase};
 
 mod damage;
 mod drift;
