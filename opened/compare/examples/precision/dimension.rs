@@ -5,7 +5,7 @@ use super::scenes::rapier::math::{self, DIM};
 use super::scenes::rapier::parry::query;
 use super::scenes::rapier::prelude::*;
 use crate::volume::{Vector, Volume, directions};
-use crate::{Counts, STEPS};
+use crate::{Counts, STEPS, TESTS, Test};
 use unisize_scenes::SceneKind;
 
 /// Counts in the second half of a run.
@@ -26,8 +26,8 @@ pub(crate) fn count(kind: SceneKind, bodies: usize) -> Counts {
             counts.contacts += usize::from(pair.has_any_active_contact());
             let [a, b] = [pair.collider1, pair.collider2].map(|handle| colliders.get(handle));
             if let (Some(a), Some(b)) = (a, b) {
-                for (count, is_left) in counts.pairs.iter_mut().zip(tests([a, b], prediction)) {
-                    *count += usize::from(is_left);
+                for (count, test) in counts.pairs.iter_mut().zip(TESTS) {
+                    *count += usize::from(is_left(test, [a, b], prediction));
                 }
             }
         }
@@ -35,37 +35,37 @@ pub(crate) fn count(kind: SceneKind, bodies: usize) -> Counts {
     counts
 }
 
-/// Which tests do not tell two colliders apart.
-fn tests([a, b]: [&Collider; 2], prediction: Real) -> [bool; crate::TESTS.len()] {
-    let boxes = [a, b].map(|collider| collider.compute_collision_aabb(prediction / 2.0));
+/// Whether a test does not tell two colliders apart, whose shapes are loosened by half of this distance each.
+pub(crate) fn is_left(test: Test, [a, b]: [&Collider; 2], distance: Real) -> bool {
+    if test == Test::Margins {
+        return true;
+    }
+    let boxes = [a, b].map(|collider| collider.compute_collision_aabb(distance / 2.0));
     let boxes_meet = boxes[0].intersects(&boxes[1]);
-    let skins = a.contact_skin() + b.contact_skin();
-    let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
-    let are_near = distance.is_ok_and(|found| found.distance <= prediction + skins + 1.0e-6);
-    let (Some((a, own_a)), Some((b, own_b))) = (volume(a, prediction), volume(b, prediction))
+    if test == Test::Distance {
+        let found = query::distance(a.position(), a.shape(), b.position(), b.shape());
+        let reach = distance + a.contact_skin() + b.contact_skin() + 1.0e-6;
+        return boxes_meet && found.is_ok_and(|found| found.distance <= reach);
+    }
+    let [Some((a, own_a)), Some((b, own_b))] = [a, b].map(|collider| volume(collider, distance))
     else {
         // A mesh or the like, whose box is all there is.
-        let mut left = [boxes_meet; crate::TESTS.len()];
-        left[0] = true;
-        left[left.len() - 1] &= are_near;
-        return left;
+        return boxes_meet;
     };
-    let corners = a.is_apart(&b, &directions::<DIM>(DIM));
-    let edges = a.is_apart(&b, &directions::<DIM>(2));
-    let centres = a.is_apart(&b, &[a.to(&b)]);
-    let points = a.is_apart(&b, &[a.shortest_to(&b)]);
-    let own = a.is_apart(&b, own_a.iter().chain(&own_b));
-    [
-        true,
-        boxes_meet,
-        boxes_meet && !corners,
-        boxes_meet && !edges,
-        boxes_meet && !(corners || edges),
-        boxes_meet && !centres,
-        boxes_meet && !own,
-        boxes_meet && !(points || own),
-        are_near,
-    ]
+    let corners = || a.is_apart(&b, &directions::<DIM>(DIM));
+    let edges = || a.is_apart(&b, &directions::<DIM>(2));
+    let own = || a.is_apart(&b, own_a.iter().chain(&own_b));
+    boxes_meet
+        && !match test {
+            Test::Margins | Test::Boxes | Test::Distance => false,
+            Test::Balls => a.is_apart_by_balls(&b),
+            Test::Corners => corners(),
+            Test::Edges => edges(),
+            Test::Both => corners() || edges(),
+            Test::Centres => a.is_apart(&b, &[a.to(&b)]),
+            Test::OwnAxes => own(),
+            Test::Points => own() || a.is_apart(&b, &[a.shortest_to(&b)]),
+        }
 }
 
 /// The bounding volume of a collider's shape, if it has one but its box, and the axes of the shape.

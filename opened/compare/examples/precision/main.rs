@@ -7,9 +7,12 @@
 //! Each scene is stepped on Rapier's own broad phase. In the second half of the run it is asked, of each pair that its narrow
 //! phase holds, whether the shapes' intervals, loosened by half the prediction distance, meet along all axes of a set. What no
 //! test leaves out, its narrow phase has to look at in every step. Prints a Markdown table.
+//!
+//! With `--levels` it times whole steps instead, on unisize with each level of its filter, and with each set of axes: see `levels`.
 
 use unisize_scenes::SceneKind;
 
+mod levels;
 mod volume;
 
 /// The scenes, and about how many bodies each has.
@@ -39,43 +42,86 @@ struct Counts {
     pairs: [usize; TESTS.len()],
 }
 
-/// Of each test the name, in the order in which [`Counts`] has them.
-const TESTS: [&str; 9] = [
-    "with margins",
-    "boxes",
-    "corners",
-    "edges",
-    "both",
-    "centres",
-    "own axes",
-    "own axes, nearest points",
-    "distance",
+/// What tells two shapes apart: intervals along some axes, or more.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Test {
+    Margins,
+    Boxes,
+    Balls,
+    Corners,
+    Edges,
+    Both,
+    Centres,
+    OwnAxes,
+    Points,
+    Distance,
+}
+
+/// In the order in which [`Counts`] has them.
+const TESTS: [Test; 9] = [
+    Test::Margins,
+    Test::Boxes,
+    Test::Corners,
+    Test::Edges,
+    Test::Both,
+    Test::Centres,
+    Test::OwnAxes,
+    Test::Points,
+    Test::Distance,
 ];
+
+impl Test {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Margins => "with margins",
+            Self::Boxes => "boxes",
+            Self::Balls => "bounding balls",
+            Self::Corners => "corners",
+            Self::Edges => "edges",
+            Self::Both => "both",
+            Self::Centres => "centres",
+            Self::OwnAxes => "own axes",
+            Self::Points => "own axes, nearest points",
+            Self::Distance => "distance",
+        }
+    }
+}
 
 #[path = "."]
 mod dim2 {
+    use unisize::rapier2d_0_36 as ours;
     use unisize_scenes::dim2_0_36 as scenes;
 
     mod dimension;
+    mod race;
+    mod sieve;
     pub(super) use dimension::count;
+    pub(super) use race::race;
 }
 
 #[path = "."]
 mod dim3 {
+    use unisize::rapier3d_0_36 as ours;
     use unisize_scenes::dim3_0_36 as scenes;
 
     mod dimension;
+    mod race;
+    mod sieve;
     pub(super) use dimension::count;
+    pub(super) use race::race;
 }
 
-fn main() {
+fn main() -> anyhow::Result<()> {
+    if std::env::args().any(|argument| argument == "--levels") {
+        return levels::run();
+    }
     for (dim, count) in [
         (2, dim2::count as fn(SceneKind, usize) -> Counts),
         (3, dim3::count),
     ] {
         println!(
             "## Of 100 pairs, {dim}D\n\n| scene | {} | contact |",
-            TESTS.join(" | ")
+            TESTS.map(Test::name).join(" | ")
         );
         println!("|---|{}", "---:|".repeat(TESTS.len() + 1));
         for (kind, bodies) in SCENES {
@@ -86,4 +132,5 @@ fn main() {
         }
         println!();
     }
+    Ok(())
 }

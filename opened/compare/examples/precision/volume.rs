@@ -16,6 +16,17 @@ impl<const D: usize> Volume<D> {
         self.radius * dot(axis, axis).sqrt() + segments.sum::<f64>()
     }
 
+    /// Whether the balls around two volumes are apart.
+    pub(crate) fn is_apart_by_balls(&self, other: &Self) -> bool {
+        // The longest of the segments' sums: they are at right angles.
+        let longest = |volume: &Self| {
+            let squared = volume.half_axes.iter().map(|half| dot(half, half));
+            volume.radius + squared.sum::<f64>().sqrt()
+        };
+        let between = self.to(other);
+        dot(&between, &between).sqrt() > longest(self) + longest(other)
+    }
+
     /// From one centre to the other.
     pub(crate) fn to(&self, other: &Self) -> Vector<D> {
         std::array::from_fn(|k| other.center[k] - self.center[k])
