@@ -251,7 +251,7 @@ pub(crate) mod prices {
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
     /// sound, and its leaves keep their places: all of it can be visited in no time.
-    pub(crate) const SMALL_UP_TO: usize = 16;
+    pub(crate) const SMALL_UP_TO: u32 = 16;
 
     /// Updates. A tree that has not been asked for in this many is given up. Above: scenes that have stopped asking go
     /// on noting what has changed. Below: a program that asks now and then builds a tree each time.
@@ -259,20 +259,20 @@ pub(crate) mod queries {
 
     /// One leaf in this many. If fewer were renewed, each is written alone, with what becomes of its ancestors; otherwise all
     /// nodes are computed anew. Above: a pass over the whole tree for a few leaves. Below: ancestors are written many times.
-    pub(crate) const WRITE_ALONE_UP_TO_ONE_IN: usize = 8;
+    pub(crate) const FEW_UP_TO_ONE_IN: usize = 8;
 
-    /// One leaf in this many. Once ancestors of more have been enlarged, all nodes are computed anew. Above: time. Below: rays
-    /// visit more of the tree.
+    /// One leaf in this many. Once more have been written alone or removed, the nodes are put in order, which tightens ancestors and
+    /// frees what removed leaves have left. Above: time. Below: rays visit more of the tree.
     pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 2;
 
-    /// One leaf in this many. Once more have left the boxes for which their places were chosen, all at a time, the tree is
-    /// judged by its girth. Above: time. Below: the tree ages before it is noticed.
+    /// One leaf in this many. Once more have left the boxes for which their places were chosen, of many that were written at a time, the
+    /// tree is judged by its girth. Above: time. Below: the tree ages before it is noticed.
     pub(crate) const JUDGE_FROM_ONE_IN: usize = 4;
+
+    /// Leaves that are looked at for that. Above: time. Below: chance decides.
+    pub(crate) const STRAY_SAMPLE: usize = 64;
 
     /// Units of 2^-20 octaves. If the girth has grown by more since the tree was built, it is built afresh. Above: the tree
     /// ages, and rays visit more of it. Below: building takes more than rays save.
-    pub(crate) const BUILD_FROM_GIRTH: u64 = 1 << 19;
-
-    /// One leaf in this many. Once more have been removed, the nodes are put in order, which frees those that they left.
-    pub(crate) const REORDER_FROM_ONE_IN: usize = 4;
+    pub(crate) const BUILD_FROM_GIRTH: u64 = 1 << 20;
 }

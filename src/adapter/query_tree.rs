@@ -7,16 +7,18 @@
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use super::rapier::geometry::Aabb;
+use super::rapier::geometry::Aabb as RapierAabb;
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
 use crate::tuning::queries::{
-    BUILD_FROM_GIRTH, JUDGE_FROM_ONE_IN, KEEP_UNASKED, REORDER_FROM_ONE_IN, SMALL_UP_TO,
-    TIGHTEN_FROM_ONE_IN, WRITE_ALONE_UP_TO_ONE_IN,
+    BUILD_FROM_GIRTH, FEW_UP_TO_ONE_IN, JUDGE_FROM_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
+    TIGHTEN_FROM_ONE_IN,
 };
 
+type Aabb = crate::Aabb<Real, DIM>;
+
 /// The boxes by slot; invalid where there is none.
-type Boxes<'a> = &'a [crate::Aabb<Real, DIM>];
+type Boxes<'a> = &'a [Aabb];
 
 /// The tree, if it was asked for recently.
 #[derive(Default)]
@@ -40,17 +42,12 @@ struct Outdated {
 struct Tree {
     bvh: Bvh,
     workspace: Workspace,
-    /// By slot, the box for which the place of the leaf was chosen; invalid where there is no leaf.
-    placed: Vec<crate::Aabb<Real, DIM>>,
+    /// By slot, the box for which the place of the leaf was chosen, or with which it was last judged.
+    placed: Vec<Aabb>,
     /// Its girth when it was built.
     girth: u64,
-    leaves: usize,
-    /// Leaves removed since the nodes were last put in order.
-    removed: usize,
-    /// Leaves written whose ancestors may be larger than necessary.
+    /// Leaves written alone or removed since the nodes were last put in order.
     loose: usize,
-    /// Whether a leaf is gone that could not be removed.
-    is_unsound: bool,
     /// How many of the boxes handed over since the last update it has.
     seen: usize,
 }
@@ -145,11 +142,9 @@ impl QueryTree {
 impl Tree {
     fn new(boxes: Boxes) -> Self {
         let valid = boxes.iter().enumerate().filter(|(_, aabb)| aabb.is_valid());
-        let leaves: Vec<_> = valid
-            .map(|(slot, &aabb)| (slot, Aabb::from(aabb)))
-            .collect();
-        let count = leaves.len();
-        let bvh = if count > 2 {
+        let leaves = valid.map(|(slot, &aabb)| (slot, RapierAabb::from(aabb)));
+        let leaves: Vec<_> = leaves.collect();
+        let bvh = if leaves.len() > 2 {
             Bvh::from_iter(BvhBuildStrategy::Binned, leaves)
         } else {
             // Parry builds trees of one and two leaves only if their indices are 0 and 1.
@@ -164,10 +159,7 @@ impl Tree {
             bvh,
             workspace: Workspace::default(),
             placed: boxes.to_vec(),
-            leaves: count,
-            removed: 0,
             loose: 0,
-            is_unsound: false,
             seen: 0,
         }
     }
@@ -178,85 +170,64 @@ impl Tree {
     /// tree. If few have moved, it gets a new place. If many have, they go far at about the same time: then, unless what was near
     /// each other has gone together, the tree is built afresh.
     fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
-        self.placed.resize(boxes.len(), ABSENT);
-        let are_few = renewed.len() * WRITE_ALONE_UP_TO_ONE_IN < self.leaves;
-        let mut strays = 0;
+        let leaves = self.bvh.leaf_count() as usize;
+        let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
+        self.placed.resize(boxes.len(), Aabb::ABSENT);
         for &slot in renewed {
-            strays += usize::from(self.write(slot as usize, boxes, are_few));
+            let aabb = boxes[slot as usize];
+            if !aabb.is_valid() {
+                if self.bvh.leaf_count() <= SMALL_UP_TO {
+                    return Self::new(boxes);
+                }
+                self.bvh.remove(slot);
+                self.loose += 1;
+            } else if are_few {
+                self.write(slot, aabb);
+            } else {
+                self.bvh.insert_or_update_partially(aabb.into(), slot, 0.0);
+            }
         }
-        if self.is_unsound {
-            return Self::new(boxes);
-        }
-        if self.leaves <= SMALL_UP_TO {
+        if leaves <= SMALL_UP_TO as usize {
+            // In a tree so small, another order of the nodes gains nothing.
             self.bvh.refit_without_opt();
             return self;
         }
-        if !are_few && strays * JUDGE_FROM_ONE_IN > self.leaves {
+        if self.loose * TIGHTEN_FROM_ONE_IN > leaves {
             self.loose = 0;
+            self.bvh.refit(&mut self.workspace.0);
+        } else if !are_few {
             self.bvh.refit_without_opt();
+        }
+        if !are_few && self.have_strayed(boxes, renewed) {
             if girth(&self.bvh) > self.girth + BUILD_FROM_GIRTH {
                 return Self::new(boxes);
             }
             self.placed.copy_from_slice(boxes);
-            return self;
-        }
-        self.loose += renewed.len();
-        if self.removed * REORDER_FROM_ONE_IN > self.leaves {
-            self.removed = 0;
-            self.loose = 0;
-            self.bvh.refit(&mut self.workspace.0);
-        } else if !are_few || self.loose * TIGHTEN_FROM_ONE_IN > self.leaves {
-            self.loose = 0;
-            self.bvh.refit_without_opt();
         }
         self
     }
 
-    /// Brings the leaf of a slot up to date. Alone, it takes care of its ancestors too. Otherwise, they are to be computed
-    /// afterwards, and it returns whether it has gone far from its place.
-    fn write(&mut self, slot: usize, boxes: Boxes, is_alone: bool) -> bool {
-        if self.is_unsound {
-            // It will be built afresh.
-            return false;
+    /// Whether many of these leaves have left the boxes for which their places were chosen, by a sample.
+    fn have_strayed(&self, boxes: Boxes, renewed: &[u32]) -> bool {
+        let sample = renewed.iter().step_by(renewed.len() / STRAY_SAMPLE + 1);
+        let count = sample.len();
+        let strays = sample.filter(|&&slot| {
+            let i = slot as usize;
+            boxes[i].is_valid() && !boxes[i].overlaps(&self.placed[i])
+        });
+        strays.count() * JUDGE_FROM_ONE_IN > count
+    }
+
+    /// Brings the leaf of a slot and its ancestors up to date.
+    fn write(&mut self, slot: u32, aabb: Aabb) {
+        let placed = &mut self.placed[slot as usize];
+        if !aabb.overlaps(placed) && self.bvh.leaf_count() > SMALL_UP_TO {
+            *placed = aabb;
+            self.bvh.remove(slot);
+            self.loose += 1;
         }
-        let index = slot as u32;
-        let (aabb, placed) = (&boxes[slot], &mut self.placed[slot]);
-        let has_leaf = placed.is_valid();
-        let is_small = self.leaves <= SMALL_UP_TO;
-        if !aabb.is_valid() {
-            if !has_leaf {
-                return false;
-            }
-            *placed = ABSENT;
-            if is_small {
-                // Parry's trees that lose nearly all leaves are not sound.
-                self.is_unsound = true;
-            } else {
-                self.bvh.remove(index);
-                self.removed += 1;
-            }
-            self.leaves -= 1;
-            return false;
-        }
-        let new = Aabb::from(*aabb);
-        if !has_leaf {
-            self.leaves += 1;
-            *placed = *aabb;
-            self.bvh.insert(new, index);
-            return false;
-        }
-        let is_stray = !is_small && !aabb.overlaps(placed);
-        if !is_alone {
-            self.bvh.insert_or_update_partially(new, index, 0.0);
-            return is_stray;
-        }
-        if is_stray {
-            *placed = *aabb;
-            self.bvh.remove(index);
-            self.removed += 1;
-        }
-        self.bvh.insert(new, index);
-        false
+        self.bvh.insert(aabb.into(), slot);
+        self.loose += 1;
     }
 }
 
@@ -277,18 +248,14 @@ fn girth(bvh: &Bvh) -> u64 {
     sum.checked_div(nodes).unwrap_or(0)
 }
 
-/// The box of a slot without a leaf.
-const ABSENT: crate::Aabb<Real, DIM> = crate::Aabb::new([Real::NAN; DIM], [Real::NAN; DIM]);
-
 #[cfg(test)]
 mod tests {
-    use super::{Boxes, DIM, Real, Tree};
-    use crate::Aabb;
+    use super::{Aabb, Boxes, DIM, Real, Tree};
 
     const COUNT: usize = 1000;
 
     /// Unit boxes in cells that are two wide, each in the cell of this number, shifted along the first axis.
-    fn boxes(cell: impl Fn(usize) -> usize, shift: Real) -> Vec<Aabb<Real, DIM>> {
+    fn boxes(cell: impl Fn(usize) -> usize, shift: Real) -> Vec<Aabb> {
         let columns = (COUNT as f64).powf(1.0 / DIM as f64).ceil() as usize;
         let slots = 0..COUNT;
         let boxes = slots.map(|slot| {
