@@ -24,7 +24,7 @@ use crate::pair_tracker::{FilterKey, PairTracker};
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::volume::Volume;
 use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
-pub(crate) use changes::Changes;
+pub(crate) use changes::{Changes, Order};
 use handing_over::Awaited;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
@@ -349,14 +349,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let Self {
             generations, stats, ..
         } = self;
-        let [deleted, added] = changes.drain();
         stats.updates = stats.updates.wrapping_add(1);
         stats.listed = listed;
         stats.moved = moved;
-        stats.deleted = deleted.len();
-        stats.added = added.len();
-        events.extend(deleted.map(|pair| event(false, handles(generations, pair))));
-        events.extend(added.map(|pair| event(true, handles(generations, pair))));
+        [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
+            events.push(event(is_added, handles(generations, pair)));
+        });
         self.tracker.stopwatch.lap(lap, |times| &mut times.events);
         self.stats.times = self.tracker.stopwatch.times;
     }

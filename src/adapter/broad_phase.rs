@@ -71,7 +71,7 @@ impl UnisizeBroadPhase {
         Self {
             table: ProxyTable::new(&Self::resolved(settings)),
             settings,
-            changes: Changes::default(),
+            changes: Changes::new(version::ORDER),
             query_tree: QueryTree::default(),
             near: Vec::new(),
         }

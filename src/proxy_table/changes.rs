@@ -1,21 +1,43 @@
 //! The changes of an update, in the one order in which they are reported.
 //!
-//! Rapier's narrow phase keeps pairs in the order in which they were added, and goes through them in that order in each step. By
-//! slots, it meets colliders and bodies in the order in which they lie in memory. Steps are faster so, with as many instructions and
-//! simulated cache misses as in the order of finding; presumably because the processor fetches ahead what lies in order. So pairs end
-//! first, then others begin, both by the smaller slot and then by the larger one. A pair changes at most once in an update, so this
-//! leaves nothing open: the same changes are reported in the same order, in whatever order they were found.
+//! Rapier's narrow phase keeps pairs in the order in which they were added, and narrow phase and solver go through them in that order
+//! in each step. By slots, they meet colliders and bodies in the order in which they lie in memory. Steps are faster so, with as many
+//! instructions and simulated cache misses as in the order of finding; presumably because the processor fetches ahead what lies in
+//! order. So pairs end first, then others begin, both by the smaller slot and then by the larger one. A pair changes at most once in
+//! an update, so this leaves nothing open: the same changes are reported in the same order, in whatever order they were found.
+//!
+//! A solver that takes one contact after the other waits wherever a contact shares a body with the one before it, as neighbours by
+//! slots do. For such a solver, what begins is dealt out in two hands: every other pair, and then the rest.
 
 use crate::pair_tracker::PairChange;
+
+/// In what order an update's pairs begin.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// By the smaller slot and then the larger one.
+    #[default]
+    BySlots,
+    /// Of those by slots the first, the third, the fifth, and so on, and then the second, the fourth, and so on.
+    Dealt,
+}
 
 /// The changes of an update; keeps its memory between updates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Changes {
+    order: Order,
     deleted: Vec<u64>,
     added: Vec<u64>,
 }
 
 impl Changes {
+    /// No changes yet.
+    pub(crate) fn new(order: Order) -> Self {
+        Self {
+            order,
+            ..Self::default()
+        }
+    }
+
     /// Notes a change.
     #[inline]
     pub(super) fn note(&mut self, change: PairChange) {
@@ -25,15 +47,30 @@ impl Changes {
         }
     }
 
-    /// Hands over all changes in order: the pairs that have ended, and those that have begun.
+    /// Forgets all changes, after it has given each of them away in order: whether the pair begins, and its slots. Returns how many
+    /// pairs have ended, and how many have begun.
     ///
     /// Computes in **O(n log n)** time, and in **O(n)** if they are noted in order.
-    pub(super) fn drain(&mut self) -> [impl ExactSizeIterator<Item = [u32; 2]> + '_; 2] {
-        [&mut self.deleted, &mut self.added].map(|pairs| {
-            // As numbers: pairs would be compared slot by slot.
-            pairs.sort_unstable();
-            pairs.drain(..).map(unpack)
-        })
+    pub(super) fn drain(&mut self, mut each: impl FnMut(bool, [u32; 2])) -> [usize; 2] {
+        // As numbers: pairs would be compared slot by slot.
+        self.deleted.sort_unstable();
+        self.added.sort_unstable();
+        for &pair in &self.deleted {
+            each(false, unpack(pair));
+        }
+        let hands = match self.order {
+            Order::BySlots => 1,
+            Order::Dealt => 2,
+        };
+        for hand in 0..hands {
+            for &pair in self.added.iter().skip(hand).step_by(hands) {
+                each(true, unpack(pair));
+            }
+        }
+        let counts = [self.deleted.len(), self.added.len()];
+        self.deleted.clear();
+        self.added.clear();
+        counts
     }
 }
 
@@ -50,20 +87,40 @@ fn unpack(pair: u64) -> [u32; 2] {
 mod tests {
     use super::*;
 
-    #[test]
-    fn pairs_end_before_others_begin_each_by_slots() {
-        const MAX: u32 = u32::MAX;
-        let mut changes = Changes::default();
-        for _ in 0..2 {
+    const MAX: u32 = u32::MAX;
+
+    /// Pairs that end and begin, given away in this order, and again.
+    fn drained(order: Order) -> [Vec<[u32; 2]>; 2] {
+        let mut changes = Changes::new(order);
+        let [first, second] = [(); 2].map(|()| {
             for pair in [[7, 9], [0, MAX], [2, 3], [7, 8], [0, 1]] {
                 changes.note(PairChange::Added(pair));
             }
             for pair in [[MAX - 1, MAX], [5, 7], [5, 6]] {
                 changes.note(PairChange::Deleted(pair));
             }
-            let [deleted, added] = changes.drain().map(Vec::from_iter);
-            assert_eq!(deleted, [[5, 6], [5, 7], [MAX - 1, MAX]]);
-            assert_eq!(added, [[0, 1], [0, MAX], [2, 3], [7, 8], [7, 9]]);
-        }
+            let mut events = Vec::new();
+            let counts = changes.drain(|is_added, pair| events.push((is_added, pair)));
+            assert_eq!(counts, [3, 5]);
+            let added = events.split_off(3);
+            assert!(events.iter().all(|event| !event.0) && added.iter().all(|event| event.0));
+            [events, added].map(|events| events.into_iter().map(|event| event.1).collect())
+        });
+        assert_eq!(first, second);
+        first
+    }
+
+    #[test]
+    fn pairs_end_before_others_begin_each_by_slots() {
+        let [deleted, added] = drained(Order::BySlots);
+        assert_eq!(deleted, [[5, 6], [5, 7], [MAX - 1, MAX]]);
+        assert_eq!(added, [[0, 1], [0, MAX], [2, 3], [7, 8], [7, 9]]);
+    }
+
+    #[test]
+    fn every_other_pair_that_begins_is_dealt_first() {
+        let [deleted, added] = drained(Order::Dealt);
+        assert_eq!(deleted, [[5, 6], [5, 7], [MAX - 1, MAX]]);
+        assert_eq!(added, [[0, 1], [2, 3], [7, 9], [0, MAX], [7, 8]]);
     }
 }

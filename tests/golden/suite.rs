@@ -60,7 +60,7 @@ struct Way {
     is_shuffled: bool,
 }
 
-/// Whether pairs end before others begin, each by the smaller index and then the larger one.
+/// Whether pairs end before others begin, each by the smaller index and then the larger one, those that begin dealt out in two hands.
 fn are_in_order(events: &[PairEvent]) -> bool {
     let key = |event: &PairEvent| {
         let pair = event.pair();
@@ -69,7 +69,14 @@ fn are_in_order(events: &[PairEvent]) -> bool {
         assert!(first < second);
         (event.is_add(), first, second)
     };
-    events.is_sorted_by(|a, b| key(a) < key(b))
+    let keys: Vec<_> = events.iter().map(key).collect();
+    let mut sorted = keys.clone();
+    sorted.sort_unstable();
+    let is_each_once = sorted.is_sorted_by(|a, b| a < b);
+    let added = sorted.split_off(sorted.partition_point(|key| !key.0));
+    let hands = [0, 1].map(|hand| added.iter().skip(hand).step_by(2));
+    sorted.extend(hands.into_iter().flatten());
+    is_each_once && keys == sorted
 }
 
 fn write(hash: &mut Hash, events: &[PairEvent]) {

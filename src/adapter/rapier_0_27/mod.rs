@@ -11,6 +11,7 @@ use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::PairFilter;
+use crate::proxy_table::Order;
 
 mod unusual_box;
 
@@ -29,6 +30,9 @@ pub(super) const REINSERTS: bool = false;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
+
+/// Its solver takes one contact after the other, unless it is built with SIMD.
+pub(super) const ORDER: Order = Order::Dealt;
 
 /// Groups meet if both are in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {

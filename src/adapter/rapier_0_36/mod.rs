@@ -12,6 +12,7 @@ use super::rapier::geometry::{
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
+use crate::proxy_table::Order;
 use crate::{Aabb, PairFilter};
 
 #[cfg(test)]
@@ -26,6 +27,9 @@ pub(super) const REINSERTS: bool = true;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
+
+/// Its solver takes contacts in groups in which no two share a body.
+pub(super) const ORDER: Order = Order::BySlots;
 
 /// Whether groups meet others of this kind if either is in the filter of the other, and not only if both are.
 #[inline(always)]

@@ -17,6 +17,9 @@ pub(super) type Point = super::rapier::math::Point<Real>;
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
 
+/// In how many hands pairs that begin are dealt out.
+pub(super) const HANDS: usize = 2;
+
 pub(super) fn vector(triple: Triple) -> Vector<Real> {
     Vector::from_fn(|i, _| Real::from(triple[i]))
 }
