@@ -69,13 +69,16 @@ pub(crate) enum VolumeKind {
     Cuboid,
     /// Everything behind a plane, whose unit normal is the first half axis.
     HalfSpace,
+    /// Of one of very many parts of a body. As [`Self::Box`]; and it stays that until the collider is read again, so that a box is
+    /// handed over without a look at the collider.
+    Part,
 }
 
 impl VolumeKind {
     /// How many half axes it has.
     pub(crate) fn axes<const D: usize>(self) -> usize {
         match self {
-            Self::Box | Self::Ball => 0,
+            Self::Box | Self::Ball | Self::Part => 0,
             Self::Capsule | Self::HalfSpace => 1,
             Self::Cuboid => D,
         }
@@ -163,6 +166,12 @@ impl<R: Real, const D: usize> Volume<R, D> {
         half_axes: [[R::ZERO; D]; D],
     };
 
+    /// A part's volume, which meets all.
+    pub(crate) const PART: Self = Self {
+        kind: VolumeKind::Part,
+        ..Self::BOX
+    };
+
     #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
         let mut volume = Self::of_parts(kind, Ball { center, radius }, half_axes);
@@ -227,7 +236,7 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[inline(always)]
     pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
         let ball = match self.kind {
-            VolumeKind::Box | VolumeKind::HalfSpace => self.ball,
+            VolumeKind::Box | VolumeKind::Part | VolumeKind::HalfSpace => self.ball,
             VolumeKind::Ball => self.ball.in_box(aabb),
             VolumeKind::Capsule | VolumeKind::Cuboid if self.fills(aabb) => self.ball,
             VolumeKind::Capsule | VolumeKind::Cuboid => Ball {
@@ -299,7 +308,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
     #[inline(always)]
     pub(crate) fn meets(self, other: Self, slack: R) -> bool {
-        use VolumeKind::{Ball, Box, Capsule, HalfSpace};
+        use VolumeKind::{Ball, Box, Capsule, HalfSpace, Part};
         let [a, b] = [self.ball, other.ball];
         let pair = Pair {
             between: sub(b.center, a.center),
@@ -307,7 +316,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
             volumes: [self, other],
         };
         match (self.kind, other.kind) {
-            (Box, _) | (_, Box) | (HalfSpace, HalfSpace) => true,
+            (Box | Part, _) | (_, Box | Part) | (HalfSpace, HalfSpace) => true,
             (Ball, Ball) => a.meets(b, slack),
             (HalfSpace, _) => !pair.is_in_front(self.half_axes[0], pair.between, other),
             (_, HalfSpace) => !pair.is_in_front(other.half_axes[0], sub(a.center, b.center), self),

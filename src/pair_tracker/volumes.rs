@@ -80,15 +80,18 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// The volume of a slot if it is a ball.
-    pub(crate) fn ball(&self, slot: u32) -> Option<Volume<R, D>> {
+    /// The volume of a slot in this box, if no more than the box is needed to tell.
+    pub(crate) fn by_box(&self, slot: u32, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
         let index = slot as usize;
-        let is_ball = self.kinds.get(index) == Some(&VolumeKind::Ball);
-        is_ball.then(|| Volume {
-            kind: VolumeKind::Ball,
-            ball: self.balls[index],
-            ..Volume::BOX
-        })
+        match self.kinds.get(index)? {
+            VolumeKind::Part => Some(Volume::PART),
+            VolumeKind::Ball => Some(Volume {
+                kind: VolumeKind::Ball,
+                ball: self.balls[index].in_box(aabb),
+                ..Volume::BOX
+            }),
+            _ => None,
+        }
     }
 
     /// The volume of a slot, for which there must be room.
@@ -261,7 +264,7 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
     #[inline(always)]
     pub(crate) fn set(&mut self, i: usize, volume: &Volume<R, D>, is_renewed: bool) -> bool {
         debug_assert_eq!(volume.kind, self.kinds[i]);
-        if volume.kind == VolumeKind::Box && !is_renewed {
+        if matches!(volume.kind, VolumeKind::Box | VolumeKind::Part) && !is_renewed {
             return false;
         }
         let former = volume_of(self.kinds, self.balls, self.half_axes, i);

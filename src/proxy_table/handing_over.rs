@@ -36,7 +36,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
     /// their filter keys. **O(1)** each.
     ///
-    /// `volume` is asked for the volumes of all but balls, if volumes are in use. A ball is where its box is.
+    /// `volume` is asked for volumes, if they are in use, but not of balls, which are where their boxes are, and of parts.
     pub(crate) fn hand_over<H: Handle>(
         &mut self,
         boxes: impl IntoIterator<Item = (H, Aabb<R, D>)>,
@@ -50,12 +50,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.gathered.listed += 1;
             if let Some(slot) = self.slot_of(handle) {
                 let key = self.tracker.key(slot);
-                let ball = self.tracker.volumes().ball(slot);
-                let are_used = self.tracker.volumes().are_used();
+                let volumes = self.tracker.volumes();
+                let (are_used, by_box) = (volumes.are_used(), volumes.by_box(slot, &aabb));
                 self.admit(handle, margin, |memo| {
-                    let volume = match ball {
+                    let volume = match by_box {
                         _ if !are_used => Volume::BOX,
-                        Some(ball) => ball.in_box(&aabb),
+                        Some(volume) => volume,
                         None => volume(handle, memo, &aabb),
                     };
                     Some(Reading { aabb, key, volume })
@@ -106,6 +106,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 let index = slot as usize;
                 match mover.volumes().kind(index) {
                     VolumeKind::Ball => mover.stir_ball(slot, &aabb, is_renewed),
+                    VolumeKind::Part => {}
                     kind => {
                         let volume = volume(handle, &mut memos[index], &aabb);
                         if volume.kind != kind {

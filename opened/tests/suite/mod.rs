@@ -12,6 +12,7 @@ mod joints;
 mod misuse;
 mod piles;
 mod queries;
+mod recycling;
 mod removals;
 mod snapshot;
 mod soft_bodies;

@@ -54,10 +54,10 @@ impl Model {
         match self.known.get_mut(&id.slot) {
             Some(known) if known.0 == id.generation => {
                 let side = self.sides[&id.slot];
-                // A ball needs nothing but its box.
+                // A ball needs nothing but its box, and a part not even that.
                 let former = self.volumes[&id.slot].0;
                 let volume = match former.kind {
-                    VolumeKind::Ball => former.in_box(&aabb),
+                    VolumeKind::Ball | VolumeKind::Part => former.in_box(&aabb),
                     _ => colliders.volume_in(id, &aabb),
                 };
                 return self.read(id, Some((aabb, side, volume)));
@@ -82,7 +82,7 @@ impl Model {
         let read = |id| {
             let collider = colliders.get(id).filter(|collider| collider.is_enabled);
             collider.map(|collider| {
-                let volume = colliders.volume_in(id, &collider.aabb);
+                let volume = colliders.volume_read(id, &collider.aabb);
                 (collider.aabb, collider.side, volume)
             })
         };
