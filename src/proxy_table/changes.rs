@@ -18,6 +18,7 @@ pub(crate) enum Order {
     #[default]
     BySlots,
     /// Of those by slots the first, the third, the fifth, and so on, and then the second, the fourth, and so on.
+    #[allow(dead_code, reason = "only Rapier 0.27 wants it")]
     Dealt,
 }
 
