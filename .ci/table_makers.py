@@ -78,6 +78,23 @@ def broad_phase(sources):
     return of_scenes(sources, head, columns, None)
 
 
+def beyond_free(sources):
+    """Whole steps beside what a broad phase that takes no time would give, and the pairs that decide it."""
+    figure = lambda dim, name, what: sources.scene("0-36", ["--rays 0"], dim, name, what)
+    head = ["scene"]
+    for dim in ("2D", "3D"):
+        head += [f"whole step, {dim}", "free", "pairs without contact", "unisize"]
+    whats = ("default without contact", "ours without contact")
+    rows = []
+    for name, label in scenes_of(sources, "0-36").items():
+        rows.append([label])
+        for dim in (2, 3):
+            step, free = figure(dim, name, "step"), figure(dim, name, "limit")
+            shown = f"**{step:.2f}**" if step > free else f"{step:.2f}"
+            rows[-1] += [shown, f"{free:.2f}", *(f"{figure(dim, name, what):,}" for what in whats)]
+    return table(head, rows)
+
+
 FILTERED = [
     ("tile-map", "map of 30,000 fixed blocks, 500 balls", "bodies"),
     ("ships", "three rigid ships of 1,728 cubes", "bodies"),
@@ -342,6 +359,7 @@ TABLES = {
     "whole-steps-0-27": whole_steps("0-27"),
     "both-parallel": both_parallel,
     "broad-phase": broad_phase,
+    "beyond-free": beyond_free,
     "filter": filter_,
     "filter-levels": filter_levels,
     "aims-0-36": aims_036,

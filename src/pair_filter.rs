@@ -55,9 +55,12 @@ pub enum PairFilter {
     /// | meshes, polylines, height fields, voxels, custom shapes | none: their pairs are those of [`Groups`](Self::Groups) |
     ///
     /// Colliders with physics hooks have none either, so hooks are called for the same pairs, and so have those whose box is
-    /// larger than the shape: with soft CCD, or soft. Where boxes are handed over one by one, only balls have volumes.
+    /// larger than the shape: with soft CCD, or soft; and those of a body that had more than 32 colliders when they were read, most of
+    /// which lie within it. Where boxes are handed over one by one, only balls have volumes.
     ///
-    /// Contacts and intersections are the same. Rapier also wakes what it holds pairs with, whether they touch or not: the opened copy
+    /// Contacts and intersections are the same. Rapier 0.36 looks at a pair again only when the two have moved by some hundredths of a
+    /// length unit, counted from when the pair began: of two that are still apart, a contact may be foreseen some steps earlier or later.
+    /// Rapier also wakes what it holds pairs with, whether they touch or not: the opened copy
     /// of Rapier 0.36 does so with what is left out here. In Rapier 0.27, and in 0.36 without the copy, changing or removing a
     /// collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
     Shapes,

@@ -109,3 +109,26 @@ fn a_map_has_no_pairs() {
     assert_eq!([stats.pairs, stats.candidates], [0, 0]);
     assert_eq!(stats.proxies, 410);
 }
+
+/// Of a body that has more than 32 colliders, most lie within it, so they keep their boxes.
+#[test]
+fn parts_of_large_bodies_keep_their_boxes() {
+    for (parts, is_held) in [(32, false), (33, true)] {
+        let mut twins = Twins::weightless();
+        let (body, first) = twins.insert(dynamic(0.0, 0.0), ColliderBuilder::ball(0.5));
+        for i in 1..parts {
+            let place = at(-1.5 * i as Real, 0.0);
+            twins.insert_part(body, ColliderBuilder::ball(0.5).translation(place));
+        }
+        // In the corner of the box around the first ball, and away from it.
+        let (_, other) = twins.insert(dynamic(0.8, 0.8), ColliderBuilder::ball(0.5));
+        for _ in 0..3 {
+            twins.step();
+            let mut pairs = unisize(&twins.ours).pairs();
+            let is_found = pairs.any(|pair| [pair.collider1, pair.collider2] == [first, other]);
+            assert_eq!(is_found, is_held, "{parts} parts");
+            // It is handed over.
+            twins.change_body(body, |body| body.set_linvel(at(0.0, 0.001), true));
+        }
+    }
+}
