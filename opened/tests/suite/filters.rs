@@ -124,8 +124,9 @@ fn parts_of_large_bodies_keep_their_boxes() {
         let (_, other) = twins.insert(dynamic(0.8, 0.8), ColliderBuilder::ball(0.5));
         for _ in 0..3 {
             twins.step();
-            let mut pairs = unisize(&twins.ours).pairs();
-            let is_found = pairs.any(|pair| [pair.collider1, pair.collider2] == [first, other]);
+            let is_found = unisize(&twins.ours)
+                .pairs()
+                .any(|pair| [pair.collider1, pair.collider2] == [first, other]);
             assert_eq!(is_found, is_held, "{parts} parts");
             // It is handed over.
             twins.change_body(body, |body| body.set_linvel(at(0.0, 0.001), true));
