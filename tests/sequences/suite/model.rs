@@ -157,7 +157,12 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    let volume = Volume::of(collider, params.prediction_distance(), &aabb);
+                    // Of very many colliders of a body each keeps its box.
+                    let are_many = body.is_some_and(|body| body.colliders().len() > 32);
+                    let volume = match are_many {
+                        true => Volume::meeting_all(),
+                        false => Volume::of(collider, params.prediction_distance(), &aabb),
+                    };
                     self.renew(handle, aabb, margin, key, volume);
                 }
                 _ => self.forget(handle),
