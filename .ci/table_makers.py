@@ -116,7 +116,7 @@ def filter_(sources):
 
 
 def filter_levels(sources):
-    levels = ("off", "bodies", "groups")
+    levels = ("off", "bodies", "groups", "shapes")
     head = ["scene", *(f"`{level.title()}` {dim}D" for dim in (2, 3) for level in levels)]
     row = lambda name, what: [ratio(filtered(sources, level, dim, name, what)) for dim in (2, 3) for level in levels]
     rows = [[label, *row(name, "step")] for name, label, _ in FILTERED]

@@ -131,13 +131,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(longest[2], "| all | 100 | 60 |" + " **8 / 7** | 3 / 9 |" * 4)
 
     def test_filters_are_told_apart(self):
-        runs = {("off", 2): "1.5", ("bodies", 2): "3.5", ("groups", 2): "4.5", ("off", 3): "1.1", ("bodies", 3): "3.1", ("groups", 3): "4.1"}
+        runs = {("off", 2): "1.5", ("bodies", 2): "3.5", ("groups", 2): "4.5", ("shapes", 2): "4.6",
+                ("off", 3): "1.1", ("bodies", 3): "3.1", ("groups", 3): "4.1", ("shapes", 3): "4.2"}
         self.store("compare-filter", "".join(COMPARED.format(level=level, dim=dim, whole=whole) for (level, dim), whole in runs.items()))
         lines = make("filter", self.sources).split("\n")
         self.assertEqual(lines[2], "| map of 30,000 fixed blocks, 500 balls; `PairFilter::Bodies` | 1.50 | **3.50** | 1.10 | **3.10** |")
         self.assertEqual(lines[4], "| 3,000 ghosts; `PairFilter::Groups` | 1.50 | **4.50** | 1.10 | **4.10** |")
         lines = make("filter-levels", self.sources).split("\n")
-        self.assertEqual(lines[-1], "| longest update of the map |" + " **2.00** |" * 6)
+        self.assertEqual(lines[-1], "| longest update of the map |" + " **2.00** |" * 8)
 
     def test_a_page_may_be_older_than_scenes_and_columns(self):
         self.store("compare-0-36", "".join(BOTH_LAYOUTS.format(rays=rays, dim=dim) for rays in (0, 1, 16) for dim in (2, 3)))

@@ -10,13 +10,17 @@ use super::world::{BroadPhaseOfEngine, Driven, World};
 use crate::updates::peer::Entry;
 use crate::updates::{BVH_036, OURS_HANDED_OVER};
 use std::time::Duration;
+use unisize::{PairFilter, Settings};
 
 pub(crate) const OURS: Entry<DIM> = Entry {
     name: OURS_HANDED_OVER,
     ours: OURS_HANDED_OVER,
     create: |start| {
         Box::new(Driven::new(
-            Handed::over_to(UnisizeBroadPhase::new()),
+            Handed::over_to(UnisizeBroadPhase::with_settings(
+                // The level that leaves out what the default does, so that both hold the same pairs.
+                Settings::default().with_filter(PairFilter::Groups),
+            )),
             start,
         ))
     },
