@@ -28,6 +28,7 @@ use std::fmt::Debug;
 use crate::bit_set::BitSet;
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
+use crate::tuning::update::MOST_NOTES_A_SLOT;
 use crate::volume::Volume;
 use crate::{Aabb, Kernel, Real, Stats, Work};
 use candidates::Candidates;
@@ -232,6 +233,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.touched.extend_from_slice(moved);
         for &slot in escaped {
             self.escaped.insert(slot);
+        }
+    }
+
+    /// Forgets what was noted more than once since the last [`finish`](Self::finish), if it takes much memory. **O(1)** a note.
+    pub(crate) fn forget_repeats(&mut self) {
+        let most = MOST_NOTES_A_SLOT * self.boxes.len();
+        for noted in [&mut self.touched, &mut self.stirred] {
+            if noted.len() > most {
+                noted.sort_unstable();
+                noted.dedup();
+            }
         }
     }
 

@@ -97,7 +97,7 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     has_warned: bool,
     gathered: Gathered,
     /// In the order in which their boxes were handed over.
-    awaited: Vec<Awaited<R, D>>,
+    awaited: Awaited<R, D>,
     reader: Reader,
 }
 
@@ -136,7 +136,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             stats: Stats::default(),
             has_warned: false,
             gathered: Gathered::default(),
-            awaited: Vec::new(),
+            awaited: Awaited::new(),
             reader: Reader::default(),
         }
     }
@@ -385,11 +385,11 @@ impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
         assert!(unknown.iter().all(Option::is_none));
         let known = self.generations.iter().flatten().count();
         assert_eq!(self.stats.proxies + self.stats.refused, known);
-        let awaited: Vec<_> = self.awaited.iter().map(|awaited| awaited.slot).collect();
         let mut proxies = 0;
         for (slot, _) in self.tracker.proxies() {
             let is_known = self.generations[slot as usize].is_some();
-            assert!(is_known || awaited.contains(&slot));
+            let is_awaited = || self.awaited.keys().any(|&(awaited, _)| awaited == slot);
+            assert!(is_known || is_awaited());
             proxies += usize::from(is_known);
         }
         assert_eq!(self.stats.proxies, proxies);

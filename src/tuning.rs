@@ -120,6 +120,10 @@ pub(crate) mod update {
     /// the boxes of a new world in any order, and asks before its first update, does not find them all.
     pub(crate) const ROOM_AHEAD: usize = 1 << 16;
 
+    /// Boxes may be handed over any number of times between two updates. From this many notes a slot on, repeated ones are forgotten.
+    /// Above: they take more memory. Below: they are sorted more often.
+    pub(crate) const MOST_NOTES_A_SLOT: usize = 4;
+
     /// Items that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
     pub(crate) const ITEMS_A_TASK: usize = 1 << 12;
 

@@ -6,7 +6,7 @@
 //! A box for an unknown collider has to wait: whether there is such a collider, and whom it may meet, is only known when the
 //! next update reads it. Until then its slot has that box, so that queries find it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
@@ -15,7 +15,11 @@ use crate::tuning::update::ROOM_AHEAD;
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Real};
 
-/// A collider that the next update has to look at, if it exists.
+/// What the next update has to look at, if it exists, by slot and generation: with boxes if some were handed over; otherwise it has to be
+/// read.
+pub(super) type Awaited<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedOver<R, D>>>;
+
+/// What boxes were handed over for a collider that is not known.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -25,11 +29,23 @@ use crate::{Aabb, Real};
         deserialize = "R: Real + serde::Deserialize<'de>"
     ))
 )]
-pub(super) struct Awaited<R, const D: usize> {
-    pub(super) slot: u32,
-    generation: u32,
-    /// The box that was handed over; if `None`, it is read.
-    aabb: Option<Aabb<R, D>>,
+pub(super) struct HandedOver<R, const D: usize> {
+    /// The first one, renewed as that of a known collider would have been by the others.
+    held: Aabb<R, D>,
+    last: Aabb<R, D>,
+}
+
+impl<R: Real, const D: usize> HandedOver<R, D> {
+    /// After one more box.
+    fn followed_by(former: Option<Self>, aabb: Aabb<R, D>, margin: R) -> Self {
+        let held = former.map_or(Aabb::ABSENT, |former| former.held);
+        let held = match Verdict::of(&held, &aabb, margin) {
+            Verdict::Keep => held,
+            Verdict::Renew(renewed) => renewed,
+            Verdict::Recheck => aabb,
+        };
+        Self { held, last: aabb }
+    }
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
@@ -45,6 +61,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     ) {
         self.begin(margin);
         let lap = self.tracker.stopwatch.start();
+        self.tracker.forget_repeats();
         let mut boxes = boxes.into_iter();
         while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
             self.gathered.listed += 1;
@@ -61,7 +78,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                     Some(Reading { aabb, key, volume })
                 });
             } else {
-                self.await_collider(handle, aabb);
+                self.await_collider(handle, aabb, margin);
             }
         }
         self.tracker.stopwatch.lap(lap, |times| &mut times.read);
@@ -125,7 +142,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// Keeps a box until the next update can look for its collider.
     #[cold]
-    fn await_collider(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
+    fn await_collider(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
         // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
@@ -133,11 +150,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.make_room(index + 1);
             if let Some(known) = self.generations[index] {
                 // Probably its removal has not been reported yet.
-                self.awaited.push(Awaited {
-                    slot,
-                    generation: known,
-                    aabb: None,
-                });
+                self.awaited.insert((slot, known), None);
             }
             let is_known = self.generations[index].is_some();
             if aabb.is_valid() {
@@ -150,11 +163,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 self.tracker.refuse(slot);
             }
         }
-        self.awaited.push(Awaited {
-            slot,
-            generation,
-            aabb: Some(aabb),
-        });
+        let awaited = self.awaited.entry((slot, generation)).or_default();
+        *awaited = Some(HandedOver::followed_by(*awaited, aabb, margin));
     }
 
     /// Looks at the awaited colliders, except those that have been removed in the meantime.
@@ -170,12 +180,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             .map(|handle| handle.into_raw_parts())
             .collect();
         let are_used = self.tracker.volumes().are_used();
-        for awaited in std::mem::take(&mut self.awaited) {
-            let Awaited {
-                slot,
-                generation,
-                aabb,
-            } = awaited;
+        for ((slot, generation), boxes) in std::mem::take(&mut self.awaited) {
             if self.generations.get(slot as usize) == Some(&None) {
                 // The box was only there for queries.
                 self.tracker.refuse(slot);
@@ -186,10 +191,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let handle = S::Handle::from_raw_parts(slot, generation);
             self.admit(handle, margin, |memo| {
                 let read = Reading::of(source, handle, memo, are_used)?;
-                Some(match aabb {
-                    Some(aabb) => Reading {
-                        aabb,
-                        volume: read.volume.in_box(&aabb),
+                Some(match boxes {
+                    Some(HandedOver { held, last }) => Reading {
+                        aabb: held,
+                        volume: read.volume.in_box(&last),
                         ..read
                     },
                     None => read,

@@ -4,7 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Awaited, Gathered, ProxyTable};
+use super::handing_over::HandedOver;
+use super::{Gathered, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::slot_set::SlotSet;
 use crate::{PhaseTimes, Real, Settings, Stats};
@@ -22,7 +23,8 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     generations: Vec<Option<u32>>,
     /// What was handed over since the last update.
     gathered: Gathered,
-    awaited: Vec<Awaited<R, D>>,
+    /// Slot, generation and boxes of each.
+    awaited: Vec<(u32, u32, Option<HandedOver<R, D>>)>,
     tracker: TrackerSnapshot<R, D, K>,
 }
 
@@ -37,7 +39,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             has_warned: self.has_warned,
             generations: self.generations[..self.known_slots].to_vec(),
             gathered: self.gathered,
-            awaited: self.awaited.clone(),
+            awaited: self
+                .awaited
+                .iter()
+                .map(|(&(slot, generation), &boxes)| (slot, generation, boxes))
+                .collect(),
             tracker: self.tracker.snapshot(),
         }
     }
@@ -74,9 +80,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
         let mut is_awaited = SlotSet::default();
         is_awaited.make_room(generations.len());
-        for awaited in &awaited {
-            if (awaited.slot as usize) < generations.len() {
-                is_awaited.insert(awaited.slot);
+        for &(slot, ..) in &awaited {
+            if (slot as usize) < generations.len() {
+                is_awaited.insert(slot);
             }
         }
         let mut proxies = 0;
@@ -105,7 +111,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         table.generations = generations;
         table.known_slots = known_slots;
         table.gathered = gathered;
-        table.awaited = awaited;
+        table.awaited = awaited
+            .into_iter()
+            .map(|(slot, generation, boxes)| ((slot, generation), boxes))
+            .collect();
         Ok(table)
     }
 }

@@ -4,7 +4,7 @@ mod model;
 mod world;
 
 use super::{BoxSource, Changes, FilterKey, Handle};
-use crate::tuning::update::{READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
+use crate::tuning::update::{MOST_NOTES_A_SLOT, READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Kernel, PairFilter};
 use world::World;
@@ -240,6 +240,34 @@ fn moved_colliders_are_counted_once() {
         [stats.updates as usize, stats.listed, stats.moved],
         [2, 1, 0]
     );
+}
+
+#[test]
+fn boxes_handed_over_again_and_again_take_no_more_memory() {
+    const COLLIDERS: u32 = 6;
+    let mut world = World::new(PairFilter::Shapes, COLLIDERS, 8);
+    for _ in 0..COLLIDERS {
+        let aabb = world.random_box();
+        world.colliders.slots.push(Collider {
+            generation: 0,
+            aabb,
+            side: Side::default(),
+            exists: true,
+            is_enabled: true,
+        });
+    }
+    let all: Vec<_> = (0..COLLIDERS)
+        .map(|slot| world.colliders.id(slot))
+        .collect();
+    // The others are not known.
+    world.update(&all[..COLLIDERS as usize / 2], &[]);
+    for _ in 0..2_000 {
+        let boxes: Vec<_> = all.iter().map(|&id| (id, world.random_box())).collect();
+        world.hand_over(&boxes);
+        let noted = world.table.touched().len() + world.table.awaited.len();
+        assert!(noted <= (MOST_NOTES_A_SLOT + 2) * all.len());
+    }
+    world.update(&[], &[]);
 }
 
 #[test]

@@ -18,8 +18,8 @@ pub(super) struct Model {
     pub(super) known: BTreeMap<u32, (u32, Option<Aabb<f32, 2>>)>,
     pub(super) sides: BTreeMap<u32, Side>,
     pub(super) held: BTreeSet<[u32; 2]>,
-    /// What the next update has to look for, with the boxes that were handed over.
-    awaited: Vec<(Id, Option<Aabb<f32, 2>>)>,
+    /// What the next update has to look for: with the box that the boxes handed over make, and the last of these.
+    awaited: BTreeMap<Id, Option<[Aabb<f32, 2>; 2]>>,
     pub(super) moved: usize,
 }
 
@@ -32,7 +32,7 @@ impl Model {
             known: BTreeMap::new(),
             sides: BTreeMap::new(),
             held: BTreeSet::new(),
-            awaited: Vec::new(),
+            awaited: BTreeMap::new(),
             moved: 0,
         }
     }
@@ -68,14 +68,22 @@ impl Model {
                     generation: *generation,
                     ..id
                 };
-                self.awaited.push((outdated, None));
+                self.awaited.insert(outdated, None);
                 if aabb.is_valid() {
                     *held = Some(aabb);
                 }
             }
             None => {}
         }
-        self.awaited.push((id, Some(aabb)));
+        let awaited = self.awaited.entry(id).or_default();
+        let held = match awaited.map(|[held, _]| held) {
+            Some(held) if held.is_valid() && aabb.is_valid() => match held.contains(&aabb) {
+                true => held,
+                false => aabb.loosened(MARGIN),
+            },
+            _ => aabb,
+        };
+        *awaited = Some([held, aabb]);
     }
 
     pub(super) fn update(&mut self, modified: &[Id], removed: &[Id], colliders: &Colliders) {
@@ -87,10 +95,10 @@ impl Model {
             })
         };
         removed.iter().for_each(|&id| self.remove(id));
-        for (id, aabb) in std::mem::take(&mut self.awaited) {
+        for (id, boxes) in std::mem::take(&mut self.awaited) {
             if !removed.contains(&id) {
-                let found = read(id).map(|(found, side, volume)| match aabb {
-                    Some(aabb) => (aabb, side, volume.in_box(&aabb)),
+                let found = read(id).map(|(found, side, volume)| match boxes {
+                    Some([held, last]) => (held, side, volume.in_box(&last)),
                     None => (found, side, volume),
                 });
                 self.read(id, found);

@@ -22,8 +22,9 @@ pub(super) struct Model {
     volume_margin: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
-    /// Colliders that the next update has to look for, with the boxes that were handed over.
-    awaited: Vec<(ColliderHandle, Option<Aabb>)>,
+    /// Colliders that the next update has to look for, by index and generation, with the box that the boxes handed over make, and the
+    /// last of these.
+    awaited: BTreeMap<(u32, u32), Option<[Aabb; 2]>>,
 }
 
 #[derive(Clone)]
@@ -62,7 +63,7 @@ impl Model {
             held: BTreeSet::new(),
             volume_margin: 0.0,
             is_begun: false,
-            awaited: Vec::new(),
+            awaited: BTreeMap::new(),
         }
     }
 
@@ -87,8 +88,7 @@ impl Model {
                 };
                 return self.renew(handle, aabb, margin, known.key, volume);
             }
-            let outdated = ColliderHandle::from_raw_parts(index, known.generation);
-            self.awaited.push((outdated, None));
+            self.awaited.insert((index, known.generation), None);
             if is_sound(&aabb) {
                 let proxy = Proxy {
                     aabb: Some(aabb),
@@ -97,7 +97,12 @@ impl Model {
                 self.proxies.insert(index, proxy);
             }
         }
-        self.awaited.push((handle, Some(aabb)));
+        let awaited = self.awaited.entry((index, generation)).or_default();
+        let held = match awaited.map(|[held, _]| held) {
+            Some(held) if is_sound(&held) && is_sound(&aabb) => renewed(&held, &aabb, margin),
+            _ => aabb,
+        };
+        *awaited = Some([held, aabb]);
     }
 
     pub(super) fn held(&self) -> &BTreeSet<Pair> {
@@ -143,13 +148,17 @@ impl Model {
             self.forget(handle);
         }
         let awaited = std::mem::take(&mut self.awaited).into_iter();
+        let awaited = awaited.map(|((index, generation), boxes)| {
+            (ColliderHandle::from_raw_parts(index, generation), boxes)
+        });
         let awaited = awaited.filter(|(handle, _)| !removed.contains(handle));
         let modified = modified.iter().map(|&handle| (handle, None));
         for (handle, handed_over) in awaited.chain(modified) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
-                    let aabb = handed_over.unwrap_or_else(|| collider.compute_collision_aabb(skin));
+                    let read = || [collider.compute_collision_aabb(skin); 2];
+                    let [aabb, last] = handed_over.unwrap_or_else(read);
                     let body = collider.parent().and_then(|body| bodies.get(body));
                     let key = Key {
                         body: collider.parent(),
@@ -161,7 +170,7 @@ impl Model {
                     let are_many = body.is_some_and(|body| body.colliders().len() > 32);
                     let volume = match are_many {
                         true => Volume::meeting_all(),
-                        false => Volume::of(collider, params.prediction_distance(), &aabb),
+                        false => Volume::of(collider, params.prediction_distance(), &last),
                     };
                     self.renew(handle, aabb, margin, key, volume);
                 }
@@ -254,8 +263,7 @@ impl Model {
             _ if !is_sound(&aabb) => None,
             None => Some(aabb),
             Some(_) if is_another_leaf => Some(aabb),
-            Some(last) if contains(&last, &aabb) => Some(last),
-            Some(_) => Some(aabb.loosened(margin)),
+            Some(last) => Some(renewed(&last, &aabb, margin)),
         };
         // What stays in its box, and near to where its volume is, keeps its volume.
         let is_of_its_kind = |known: &&Proxy| known.volume.kind == volume.kind;
@@ -307,6 +315,14 @@ impl Model {
 
 fn is_sound(aabb: &Aabb) -> bool {
     (0..DIM).all(|k| aabb.mins[k] <= aabb.maxs[k])
+}
+
+/// The box that is held after a collider that had one has this box.
+fn renewed(held: &Aabb, aabb: &Aabb, margin: Real) -> Aabb {
+    match contains(held, aabb) {
+        true => *held,
+        false => aabb.loosened(margin),
+    }
 }
 
 fn contains(outer: &Aabb, inner: &Aabb) -> bool {

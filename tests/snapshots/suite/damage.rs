@@ -324,7 +324,7 @@ fn layers_must_fit() {
 fn another_format_is_named() {
     let other = complaint(|value| value["format"] = json!(1));
     assert!(
-        other.contains("format 1") && other.contains("reads format 6"),
+        other.contains("format 1") && other.contains("reads format 7"),
         "{other}"
     );
     // Before anything is read that the other version may have otherwise.
