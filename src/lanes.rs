@@ -11,6 +11,14 @@ use wide::{CmpLe, f32x4, f64x2};
 /// How many numbers are compared at once.
 pub(crate) const LANES: usize = 8;
 
+/// Whether the processor compares more than one number at once. If not, eight in turns take longer than one at a time, which stops at
+/// the first that is out of reach.
+pub(crate) const ARE_VECTORS: bool = cfg!(any(
+    target_feature = "sse2",
+    target_feature = "neon",
+    target_feature = "simd128"
+));
+
 /// Eight numbers of one scalar type, or the result of comparing them.
 pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     /// Eight numbers.

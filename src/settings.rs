@@ -50,7 +50,7 @@ pub struct Settings<R> {
     /// search is for all pairs. It decides the speed, never the answer. Default: `true`.
     pub layers: bool,
     /// Whether each update takes the time of its phases, for [`Stats::times`](crate::Stats::times). Default: `false`, so
-    /// that no update reads the clock.
+    /// that no update reads the clock. On `wasm32-unknown-unknown`, which has none, times are zero.
     pub timed: bool,
 }
 

@@ -1,10 +1,11 @@
-//! The sweep: eight sorted entries at a time against those that follow; and a window for one box that is looked up.
+//! The sweep: sorted entries against those that follow, eight at a time; and a window for one box that is looked up. Processors without
+//! vectors take one entry after the other, and find the same pairs in the same order.
 
 use std::ops::Range;
 
 use super::owner::Owner;
 use super::tubes::Tubes;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{ARE_VECTORS, LANES, Lanes};
 use crate::pair_finder::ordered;
 use crate::{Aabb, Real};
 
@@ -152,9 +153,24 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which
     /// another tube reports.
     ///
-    /// Eight entries at a time are compared with those that follow them: all eight with the next, then all with the next but
-    /// one, until none of the eight reaches that far along the first axis.
+    /// In the order of the entries, and of those that follow each of them.
     pub(super) fn sweep(self, tube: Range<usize>, emitter: &mut Emitter) {
+        match ARE_VECTORS {
+            true => self.sweep_by_eights(tube, emitter),
+            false => self.sweep_singly(tube, emitter),
+        }
+    }
+
+    /// Compares each entry with those that follow it.
+    fn sweep_singly(self, tube: Range<usize>, emitter: &mut Emitter) {
+        for i in tube {
+            self.window_singly::<false>(i + 1, &self.entry(i), self.owners[i], emitter);
+        }
+    }
+
+    /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the next but one, until
+    /// none of the eight reaches that far along the first axis.
+    fn sweep_by_eights(self, tube: Range<usize>, emitter: &mut Emitter) {
         let mut first = tube.start;
         while first < tube.end {
             let eight = Eight {
@@ -219,13 +235,18 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             emitter.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
             if alive >> lane & 1 == 1 {
                 let i = first + lane;
-                let aabb = Aabb {
-                    mins: core::array::from_fn(|k| self.mins[k][i]),
-                    maxs: core::array::from_fn(|k| self.maxs[k][i]),
-                };
                 let start = i + 1 + BLOCKS * LANES;
-                self.window::<false>(start, &aabb, self.owners[i], emitter);
+                self.window::<false>(start, &self.entry(i), self.owners[i], emitter);
             }
+        }
+    }
+
+    /// The box of an entry.
+    #[inline(always)]
+    fn entry(self, i: usize) -> Aabb<R, D> {
+        Aabb {
+            mins: self.mins.map(|column| column[i]),
+            maxs: self.maxs.map(|column| column[i]),
         }
     }
 
@@ -233,6 +254,48 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// beyond it.
     #[inline(always)]
     pub(super) fn window<const BOTH_SIDES: bool>(
+        self,
+        start: usize,
+        aabb: &Aabb<R, D>,
+        owner: Owner,
+        emitter: &mut Emitter,
+    ) {
+        match ARE_VECTORS {
+            true => self.window_by_eights::<BOTH_SIDES>(start, aabb, owner, emitter),
+            false => self.window_singly::<BOTH_SIDES>(start, aabb, owner, emitter),
+        }
+    }
+
+    /// The same, one entry after the other.
+    #[inline(always)]
+    fn window_singly<const BOTH_SIDES: bool>(
+        self,
+        start: usize,
+        aabb: &Aabb<R, D>,
+        owner: Owner,
+        emitter: &mut Emitter,
+    ) {
+        let Aabb { mins, maxs } = aabb;
+        for j in start..self.owners.len() {
+            // At the sentinel as well.
+            let is_reached = self.mins[0][j] <= maxs[0];
+            if !is_reached {
+                return;
+            }
+            let mut overlaps = !BOTH_SIDES || self.maxs[0][j] >= mins[0];
+            for k in 1..D {
+                overlaps &= (self.mins[k][j] <= maxs[k]) & (self.maxs[k][j] >= mins[k]);
+            }
+            if emitter.len == BUFFER {
+                emitter.flush();
+            }
+            emitter.append(owner, self.owners[j], overlaps);
+        }
+    }
+
+    /// The same, eight entries at a time.
+    #[inline(always)]
+    fn window_by_eights<const BOTH_SIDES: bool>(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
@@ -313,7 +376,54 @@ fn transposed(mut rows: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tubes::Entry;
     use super::*;
+
+    #[test]
+    fn entries_are_swept_alike_by_eights_and_singly() {
+        let mut state = 1_u64;
+        let mut random = |below: u64| {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 33) % below
+        };
+        for round in 0..300 {
+            // From few candidates a box to more than are collected at once.
+            let (count, width) = (1 + random(200), 1 + random(1 << (round % 8)));
+            let mut entry = |i: u64| {
+                let mins = [random(100), random(3), random(3)].map(|x| x as f32);
+                let extents = [random(width), random(2), random(2)].map(|x| x as f32);
+                let maxs = core::array::from_fn(|k| mins[k] + extents[k]);
+                Entry {
+                    aabb: Aabb::new(mins, maxs),
+                    owner: Owner::ghost(i as u32, random(4) as u32),
+                }
+            };
+            let entries: Vec<_> = (0..count).map(&mut entry).collect();
+            let mut tubes = Tubes::<f32, 3>::default();
+            let tube = tubes.push([0; 2], &entries, false);
+            let columns = tubes.columns();
+            let swept = |sweep: &dyn Fn(&mut Emitter)| {
+                let mut pairs = Vec::new();
+                let mut emitter = Emitter::new(&mut pairs);
+                sweep(&mut emitter);
+                emitter.finish();
+                pairs
+            };
+            let by_eights = swept(&|emitter| columns.sweep_by_eights(tube.clone(), emitter));
+            let singly = swept(&|emitter| columns.sweep_singly(tube.clone(), emitter));
+            assert_eq!(by_eights, singly);
+            let Entry { aabb, owner } = entry(count);
+            let [by_eights, singly] = [true, false].map(|is_by_eights| {
+                swept(&|emitter| match is_by_eights {
+                    true => columns.window_by_eights::<true>(tube.start, &aabb, owner, emitter),
+                    false => columns.window_singly::<true>(tube.start, &aabb, owner, emitter),
+                })
+            });
+            assert_eq!(by_eights, singly);
+        }
+    }
 
     #[test]
     fn bits_go_where_they_belong() {
