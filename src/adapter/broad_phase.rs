@@ -77,6 +77,30 @@ impl UnisizeBroadPhase {
         }
     }
 
+    /// Has the next step list all colliders, as if they had just been inserted. **O(colliders)**.
+    ///
+    /// A broad phase hears only of what changes, so one that takes another's place in a running world knows nothing of what rests there, and
+    /// bodies fall through their floors. Whenever a broad phase is exchanged, to change its settings, after an old save was loaded, or for
+    /// another kind of broad phase, exchange the narrow phase as well, whose pairs nobody would end, and call this:
+    ///
+    /// ```text
+    /// broad_phase = UnisizeBroadPhase::with_settings(settings);
+    /// narrow_phase = NarrowPhase::new();
+    /// UnisizeBroadPhase::list_all(&mut colliders);
+    /// ```
+    ///
+    /// It serves Rapier's own broad phase too. Contacts are found anew: their warm-start impulses are lost, and what touches is reported as a
+    /// beginning collision once more.
+    pub fn list_all(colliders: &mut ColliderSet) {
+        let handles: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
+        for handle in handles {
+            if let Some(collider) = colliders.get_mut(handle) {
+                // Rapier's own broad phase looks at what has been moved.
+                collider.set_position(*collider.position());
+            }
+        }
+    }
+
     /// The settings it was made with.
     pub fn settings(&self) -> &Settings {
         &self.settings

@@ -6,6 +6,7 @@ use super::{PairFilter, Settings, UnisizeBroadPhase, floors, hinge, soft_body, s
 mod bullets;
 mod changes;
 mod characters;
+mod exchange;
 mod filters;
 mod hostile;
 mod joints;

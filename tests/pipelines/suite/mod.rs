@@ -12,6 +12,7 @@ mod characters;
 mod choices;
 mod collisions;
 mod debug_render;
+mod exchange;
 mod filter_levels;
 mod filters;
 mod floors;
