@@ -11,7 +11,8 @@ use std::process::Command;
 use anyhow::{Context, Result, bail, ensure};
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
 
-use crate::patch::{Manifest, normal};
+use crate::note;
+use crate::patch::{Manifest, normal, plain};
 use crate::seam::{PACKAGES, VERSION};
 
 /// A project that uses Rapier.
@@ -25,17 +26,10 @@ pub(crate) struct Project {
 impl Project {
     /// Asks Cargo about the project of a manifest whose copies are, or are to be, in `out`.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
-        // Cargo is run in another folder.
-        let manifest_path = &normal(manifest_path);
+        let manifest_path = &found_anywhere(manifest_path)?;
         let root = workspace_manifest(manifest_path)?;
         let manifest = Manifest::read(&root)?;
-        let mut entries = manifest.entries();
-        entries.retain(|entry| {
-            entry
-                .folder
-                .as_deref()
-                .is_some_and(|folder| normal(folder) == out.join(entry.package))
-        });
+        let entries = manifest.entries(out);
 
         let asking = Asking {
             root: &root,
@@ -43,8 +37,7 @@ impl Project {
         };
         let mut sources = asking.fetched(entries.iter().map(|entry| entry.package))?;
         let options = entries.iter().flat_map(|entry| {
-            let path =
-                toml_edit::Value::from(sources[entry.package].to_string_lossy().into_owned());
+            let path = toml_edit::Value::from(plain(&sources[entry.package].to_string_lossy()));
             let key = format!("patch.crates-io.{}", entry.key);
             let package = format!("{key}.package=\"{}\"", entry.package);
             [
@@ -65,19 +58,24 @@ impl Project {
             else {
                 continue;
             };
-            if package.version.to_string() != VERSION {
-                other_versions.push(package);
-            } else if is_published(package) {
-                sources.insert(name, folder(package));
-            } else if folder(package) == out.join(name) {
+            let folder = folder(package);
+            if is_published(package) {
+                if package.version.to_string() == VERSION {
+                    sources.insert(name, folder);
+                } else {
+                    other_versions.push(package);
+                }
+            } else if folder == out.join(name) || note::is_copy(&folder, name) {
                 // Patched somewhere else than in the manifest.
                 copies.push(name);
-            } else {
+            } else if sources.get(name) != Some(&folder) {
                 ensure!(
-                    sources.get(name) == Some(&folder(package)),
-                    "{name} is {}, not the one of crates.io: only that can be opened",
+                    !is_close(package)?,
+                    "{name} {} is {}, not the one of crates.io: only that can be opened",
+                    package.version,
                     package.id
                 );
+                other_versions.push(package);
             }
         }
         sources.extend(asking.fetched(copies.into_iter())?);
@@ -86,14 +84,17 @@ impl Project {
     }
 }
 
+/// Whether it is a release of the version that is opened, or of a patch to it.
+fn is_close(package: &Package) -> Result<bool> {
+    let opened: cargo_metadata::semver::Version = VERSION.parse()?;
+    Ok((package.version.major, package.version.minor) == (opened.major, opened.minor))
+}
+
 /// Another patch release is a mistake; other versions may be there besides, if there is one to open.
 fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<()> {
-    let opened: cargo_metadata::semver::Version = VERSION.parse()?;
-    let close = |package: &&&Package| {
-        (package.version.major, package.version.minor) == (opened.major, opened.minor)
-    };
-    if let Some(package) = packages.iter().find(close) {
-        bail!(
+    for package in packages {
+        ensure!(
+            !is_close(package)?,
             "the project uses {name} {}; only {VERSION} can be opened: `cargo update --package {name}@{} --precise {VERSION}`",
             package.version,
             package.version,
@@ -116,6 +117,15 @@ fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<(
         );
     }
     Ok(())
+}
+
+/// The path of a manifest from any folder, for Cargo is run in another one. It must have its name, so a link of that name is kept.
+fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
+    let path = std::path::absolute(manifest_path)?;
+    Ok(match path.parent() {
+        Some(folder) if path.ends_with("Cargo.toml") => normal(folder).join("Cargo.toml"),
+        _ => normal(&path),
+    })
 }
 
 /// The manifest of the workspace, which Cargo finds without a look at dependencies.
