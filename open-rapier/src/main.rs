@@ -3,6 +3,7 @@
 
 mod edit;
 mod line_ends;
+mod members;
 mod note;
 mod opened_copy;
 mod options;

@@ -51,6 +51,16 @@ impl Manifest {
         })
     }
 
+    /// A list of `[workspace]`: `members` and the like.
+    pub(crate) fn workspace(&self, list: &str) -> Vec<&str> {
+        let workspace = self.document.get("workspace");
+        let list = workspace.and_then(|workspace| workspace.get(list)?.as_array());
+        list.into_iter()
+            .flatten()
+            .filter_map(Value::as_str)
+            .collect()
+    }
+
     /// The entries that lead to copies of this tool's, wherever they are.
     pub(crate) fn entries(&self, out: &Path) -> Vec<Entry> {
         let entry = |(key, item): (&str, &Item)| {
@@ -121,7 +131,11 @@ impl Manifest {
         Ok(())
     }
 
-    fn folder(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(crate) fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new(""))
     }
 
@@ -167,7 +181,7 @@ impl Manifest {
     }
 
     /// A path as the manifest has it.
-    fn relative(&self, path: &Path) -> String {
+    pub(crate) fn relative(&self, path: &Path) -> String {
         let relative = pathdiff::diff_paths(path, normal(self.folder()));
         let path = relative.as_deref().unwrap_or(path).to_string_lossy();
         plain(&path).replace(std::path::MAIN_SEPARATOR, "/")

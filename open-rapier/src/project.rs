@@ -11,9 +11,9 @@ use std::process::Command;
 use anyhow::{Context, Result, bail, ensure};
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
 
-use crate::note;
 use crate::patch::{Manifest, normal, plain};
 use crate::seam::{PACKAGES, VERSION};
+use crate::{members, note};
 
 /// A project that uses Rapier.
 pub(crate) struct Project {
@@ -29,6 +29,9 @@ impl Project {
         let manifest_path = &found_anywhere(manifest_path)?;
         let root = workspace_manifest(manifest_path)?;
         let manifest = Manifest::read(&root)?;
+        // A copy that is a member already keeps Cargo from answering.
+        let made = |package: &&str| note::is_ours(&out.join(package));
+        members::ensure_none(&manifest, PACKAGES.into_iter().filter(made), out)?;
         let entries = manifest.entries(out);
 
         let asking = Asking {
@@ -67,6 +70,11 @@ impl Project {
                 }
             } else if folder == out.join(name) || note::is_copy(&folder, name) {
                 // Patched somewhere else than in the manifest.
+                ensure!(
+                    !metadata.workspace_members.contains(&package.id),
+                    "{} is a member of the workspace, because a package depends on it by its path: have it depend on {name} {VERSION}, or add the folder to `exclude`; nothing was written",
+                    folder.display()
+                );
                 copies.push(name);
             } else if sources.get(name) != Some(&folder) {
                 ensure!(
@@ -80,6 +88,7 @@ impl Project {
         }
         sources.extend(asking.fetched(copies.into_iter())?);
         refuse_other_versions(&other_versions, sources.is_empty())?;
+        members::ensure_none(&manifest, sources.keys().copied(), out)?;
         Ok(Self { manifest, sources })
     }
 }
