@@ -62,13 +62,10 @@ impl Project {
                 continue;
             };
             let folder = folder(package);
-            if is_published(package) {
-                if package.version.to_string() == VERSION {
-                    sources.insert(name, folder);
-                } else {
-                    other_versions.push(package);
-                }
-            } else if folder == out.join(name) || note::is_copy(&folder, name) {
+            let right = package.version.to_string() == VERSION;
+            if right && is_published(package) {
+                sources.insert(name, folder);
+            } else if right && (folder == out.join(name) || note::is_copy(&folder, name)) {
                 // Patched somewhere else than in the manifest.
                 ensure!(
                     !metadata.workspace_members.contains(&package.id),
@@ -76,14 +73,15 @@ impl Project {
                     folder.display()
                 );
                 copies.push(name);
-            } else if sources.get(name) != Some(&folder) {
+            } else if is_published(package) || !is_close(package)? {
+                other_versions.push(package);
+            } else {
                 ensure!(
-                    !is_close(package)?,
+                    sources.get(name) == Some(&folder),
                     "{name} {} is {}, not the one of crates.io: only that can be opened",
                     package.version,
                     package.id
                 );
-                other_versions.push(package);
             }
         }
         sources.extend(asking.fetched(copies.into_iter())?);
