@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
+use cargo_metadata::semver::Version;
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
+use toml_edit::{DocumentMut, Item};
 
 use crate::patch::{Manifest, normal, plain};
 use crate::seam::{PACKAGES, VERSION};
@@ -73,7 +75,7 @@ impl Project {
                     folder.display()
                 );
                 copies.push(name);
-            } else if is_published(package) || !is_close(package)? {
+            } else if is_published(package) || !is_close(&package.version) {
                 other_versions.push(package);
             } else {
                 ensure!(
@@ -86,22 +88,23 @@ impl Project {
         }
         sources.extend(asking.fetched(copies.into_iter())?);
         refuse_other_versions(&other_versions, sources.is_empty())?;
+        asking.refuse_unused_forks(&sources)?;
         members::ensure_none(&manifest, sources.keys().copied(), out)?;
         Ok(Self { manifest, sources })
     }
 }
 
-/// Whether it is a release of the version that is opened, or of a patch to it.
-fn is_close(package: &Package) -> Result<bool> {
-    let opened: cargo_metadata::semver::Version = VERSION.parse()?;
-    Ok((package.version.major, package.version.minor) == (opened.major, opened.minor))
+/// Whether it is the version that is opened, but for the last number.
+fn is_close(version: &Version) -> bool {
+    let opened = Version::parse(VERSION);
+    opened.is_ok_and(|opened| (opened.major, opened.minor) == (version.major, version.minor))
 }
 
 /// Another patch release is a mistake; other versions may be there besides, if there is one to open.
 fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<()> {
     for package in packages {
         ensure!(
-            !is_close(package)?,
+            !is_close(&package.version),
             "the project uses {name} {}; only {VERSION} can be opened: `cargo update --package {name}@{} --precise {VERSION}`",
             package.version,
             package.version,
@@ -218,6 +221,25 @@ impl Asking<'_> {
             sources.insert(name, folder(package));
         }
         Ok(sources)
+    }
+
+    /// A fork that the lock file keeps from being used would take the place of a copy with the next update.
+    fn refuse_unused_forks(&self, sources: &BTreeMap<&'static str, PathBuf>) -> Result<()> {
+        let lock = fs::read_to_string(self.folder().join("Cargo.lock")).unwrap_or_default();
+        let lock: DocumentMut = lock.parse().context("Cargo.lock")?;
+        let unused = lock.get("patch").and_then(|patch| patch.get("unused"));
+        let unused = unused.and_then(Item::as_array_of_tables);
+        for fork in unused.into_iter().flatten() {
+            let text = |key| fork.get(key).and_then(Item::as_str).unwrap_or_default();
+            let (name, version) = (text("name"), text("version"));
+            ensure!(
+                !sources.contains_key(name)
+                    || version == VERSION
+                    || !Version::parse(version).is_ok_and(|version| is_close(&version)),
+                "{name} is patched by a {version} that is not the one of crates.io: only that can be opened"
+            );
+        }
+        Ok(())
     }
 
     fn folder(&self) -> &Path {

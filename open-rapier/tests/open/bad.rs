@@ -116,13 +116,19 @@ fn a_fork() {
 fn a_fork_of_another_patch_release() {
     let fixture = Fixture::new(BOTH);
     let manifest = fixture.read("project/Cargo.toml");
-    let manifest = manifest.replace("\"=0.36.1\"", "\"0.36\"");
     fixture.fork("0.36.4");
-    fixture.write(
-        "project/Cargo.toml",
-        &format!("{manifest}\n[patch.crates-io]\nrapier3d.path = \"../fork\"\n"),
-    );
-    refused(&fixture).bad(&["rapier3d 0.36.4", "fork", "only that can be opened"]);
+    let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
+    // Cargo takes it at once, or not until an update.
+    for (version, words) in [
+        ("0.36", ["rapier3d 0.36.4", "fork"]),
+        ("=0.36.1", ["rapier3d is patched", "0.36.4"]),
+    ] {
+        let manifest = manifest.replace("=0.36.1", version);
+        fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+        let outcome = refused(&fixture);
+        assert!(outcome.stderr.contains("only that can be opened"));
+        outcome.bad(&words);
+    }
 }
 
 /// A workspace without a package of its own, and its one member.
