@@ -2,6 +2,8 @@
 //! the project take them.
 
 mod edit;
+mod line_ends;
+mod members;
 mod note;
 mod opened_copy;
 mod options;
@@ -74,7 +76,9 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
         }
     }
     let lines = project.manifest.lines(&packages, out);
-    let added = write && project.manifest.add(&packages, out)?;
+    let mut elsewhere = project.manifest.entries(out);
+    elsewhere.retain(|entry| packages.contains(&entry.package) && !entry.leads_to(out));
+    let changed = write && project.manifest.set(&packages, out)?;
 
     placing::place(&outdated, out)?;
     for package in packages {
@@ -83,11 +87,23 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
             out.join(package).display()
         );
     }
-    if added {
+    if changed {
         project.manifest.write()?;
         eprintln!("the manifest takes it from there");
     } else if !write {
         print!("{lines}");
+    }
+    for entry in elsewhere {
+        let old = entry.folder.unwrap_or_default();
+        if write {
+            eprintln!("{} is left as it is, and not used any more", old.display());
+        } else {
+            eprintln!(
+                "the manifest takes {} from {}: put the line in the place of that one",
+                entry.package,
+                old.display()
+            );
+        }
     }
     Ok(())
 }

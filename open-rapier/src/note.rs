@@ -17,6 +17,12 @@ pub(crate) fn is_ours(folder: &Path) -> bool {
     fs::read_to_string(folder.join(FILE)).is_ok_and(|text| text.starts_with(HEADING))
 }
 
+/// Whether it is one of this package, of the version that is opened now.
+pub(crate) fn is_copy(folder: &Path, package: &str) -> bool {
+    let this = format!("\nThis is {package} {VERSION}, ");
+    is_ours(folder) && fs::read_to_string(folder.join(FILE)).is_ok_and(|text| text.contains(&this))
+}
+
 /// The line at the head of a changed file.
 pub(crate) fn notice(file: &str) -> String {
     let comment = if file.ends_with(".toml") { "#" } else { "//" };

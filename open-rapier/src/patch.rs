@@ -7,10 +7,13 @@ use anyhow::{Context, Result, bail};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::seam::PACKAGES;
+use crate::{line_ends, note};
 
 /// The manifest of a workspace.
 pub(crate) struct Manifest {
     path: PathBuf,
+    /// As it is to be written: the document knows nothing of line ends.
+    text: String,
     document: DocumentMut,
 }
 
@@ -22,88 +25,117 @@ pub(crate) struct Entry {
     pub(crate) folder: Option<PathBuf>,
 }
 
+impl Entry {
+    /// Whether it leads to where a copy is to be, or to one that was made elsewhere.
+    fn is_ours(&self, out: &Path) -> bool {
+        let is_copy = |folder: &PathBuf| note::is_copy(folder, self.package);
+        self.leads_to(out) || self.folder.as_ref().is_some_and(is_copy)
+    }
+
+    pub(crate) fn leads_to(&self, out: &Path) -> bool {
+        self.folder.as_deref() == Some(&out.join(self.package))
+    }
+}
+
 impl Manifest {
     pub(crate) fn read(path: &Path) -> Result<Self> {
         let text =
             fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-        let document = text
+        let document = line_ends::without_mark(&text)
             .parse()
             .with_context(|| format!("{}", path.display()))?;
         Ok(Self {
             path: path.to_owned(),
+            text,
             document,
         })
     }
 
-    /// The entries for Rapier.
-    pub(crate) fn entries(&self) -> Vec<Entry> {
-        let patch = self
-            .document
-            .get("patch")
-            .and_then(|patch| patch.get("crates-io"));
-        let Some(patch) = patch.and_then(Item::as_table_like) else {
-            return vec![];
-        };
+    /// A list of `[workspace]`: `members` and the like.
+    pub(crate) fn workspace(&self, list: &str) -> Vec<&str> {
+        let workspace = self.document.get("workspace");
+        let list = workspace.and_then(|workspace| workspace.get(list)?.as_array());
+        list.into_iter()
+            .flatten()
+            .filter_map(Value::as_str)
+            .collect()
+    }
+
+    /// The entries that lead to copies of this tool's, wherever they are.
+    pub(crate) fn entries(&self, out: &Path) -> Vec<Entry> {
         let entry = |(key, item): (&str, &Item)| {
             let name = item.get("package").and_then(Item::as_str).unwrap_or(key);
             let folder = item.get("path").and_then(Item::as_str);
             Some(Entry {
                 key: key.to_owned(),
                 package: PACKAGES.into_iter().find(|package| *package == name)?,
-                folder: folder.map(|folder| self.folder().join(folder)),
+                folder: folder.map(|folder| normal(&self.folder().join(folder))),
             })
         };
-        patch.iter().filter_map(entry).collect()
+        let entries = self.patch().into_iter().flat_map(TableLike::iter);
+        let entries = entries.filter_map(entry);
+        entries.filter(|entry| entry.is_ours(out)).collect()
     }
 
     /// The lines that are needed for copies in `out`.
     pub(crate) fn lines(&self, packages: &[&str], out: &Path) -> String {
-        let line = |package: &&str| format!("{package} = {}\n", self.entry(package, out));
+        let line = |package: &&str| {
+            let key = self.key(package, out);
+            let entry = self.entry(&key, package, out);
+            format!("{key} = {entry}\n")
+        };
         format!(
             "[patch.crates-io]\n{}",
             packages.iter().map(line).collect::<String>()
         )
     }
 
-    /// Adds the entries that are missing, and tells whether there were any.
-    pub(crate) fn add(&mut self, packages: &[&str], out: &Path) -> Result<bool> {
-        let mut missing = vec![];
+    /// Adds the entries that are missing, has the others lead to `out`, and tells whether there were any of either.
+    pub(crate) fn set(&mut self, packages: &[&str], out: &Path) -> Result<bool> {
+        let mut changed = false;
         for package in packages {
-            let mut entries = self
-                .entries()
-                .into_iter()
-                .filter(|entry| entry.package == *package);
-            match entries.next().map(|entry| entry.folder) {
-                None => missing.push((*package, self.entry(package, out))),
-                Some(Some(folder)) if normal(&folder) == out.join(package) => {}
-                Some(_) => bail!(
-                    "{}: {package} is patched already, and not by {}",
-                    self.path.display(),
-                    out.join(package).display()
-                ),
+            let right = |entry: &Entry| entry.package == *package && entry.leads_to(out);
+            if self.entries(out).iter().any(right) {
+                continue;
             }
+            let key = self.key(package, out);
+            let entry = self.entry(&key, package, out);
+            let path = self.relative(&out.join(package));
+            let Some(patch) = self.table() else {
+                bail!("{}: `patch.crates-io` is not a table", self.path.display());
+            };
+            let item = patch.get_mut(&key).and_then(|item| item.get_mut("path"));
+            if let Some(old) = item.and_then(Item::as_value_mut) {
+                let decor = old.decor().clone();
+                *old = path.into();
+                *old.decor_mut() = decor;
+            } else {
+                patch.insert(&key, Item::Value(entry));
+            }
+            self.text = line_ends::keep(&self.text, &self.document.to_string());
+            changed = true;
         }
-        let Some(patch) = self.table() else {
-            bail!("{}: `patch.crates-io` is not a table", self.path.display());
-        };
-        for (package, entry) in &missing {
-            patch.insert(package, Item::Value(entry.clone()));
-        }
-        Ok(!missing.is_empty())
+        Ok(changed)
     }
 
-    /// Writes the manifest: a new file in its place, so that it is never half of one.
+    /// Writes the manifest: a new file in its place, so that it is never half of one. If it is a link, it stays one.
     pub(crate) fn write(&self) -> Result<()> {
         let cannot = || format!("cannot write {}", self.path.display());
-        let file = tempfile::NamedTempFile::new_in(self.folder()).with_context(cannot)?;
-        fs::write(&file, self.document.to_string()).with_context(cannot)?;
-        let permissions = fs::metadata(&self.path).with_context(cannot)?.permissions();
+        let path = normal(&self.path);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let file = tempfile::NamedTempFile::new_in(folder).with_context(cannot)?;
+        fs::write(&file, &self.text).with_context(cannot)?;
+        let permissions = fs::metadata(&path).with_context(cannot)?.permissions();
         fs::set_permissions(&file, permissions).with_context(cannot)?;
-        file.persist(&self.path).with_context(cannot)?;
+        file.persist(&path).with_context(cannot)?;
         Ok(())
     }
 
-    fn folder(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(crate) fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new(""))
     }
 
@@ -118,15 +150,52 @@ impl Manifest {
             .as_table_like_mut()
     }
 
-    fn entry(&self, package: &str, out: &Path) -> Value {
-        let folder = out.join(package);
-        let path = pathdiff::diff_paths(&folder, normal(self.folder())).unwrap_or(folder);
-        let path = path
-            .to_string_lossy()
-            .replace(std::path::MAIN_SEPARATOR, "/");
+    /// `[patch.crates-io]`, if it is there.
+    fn patch(&self) -> Option<&dyn TableLike> {
+        self.document
+            .get("patch")?
+            .get("crates-io")?
+            .as_table_like()
+    }
+
+    /// The key for a package: that of its entry, or one that is free. Another version's patch has taken the package's name.
+    fn key(&self, package: &str, out: &Path) -> String {
+        let mut entries = self.entries(out).into_iter();
+        if let Some(entry) = entries.find(|entry| entry.package == package) {
+            return entry.key;
+        }
+        let mut key = package.to_owned();
+        while self.patch().is_some_and(|patch| patch.contains_key(&key)) {
+            key.push_str("-036");
+        }
+        key
+    }
+
+    fn entry(&self, key: &str, package: &str, out: &Path) -> Value {
         let mut table = InlineTable::new();
-        table.insert("path", path.into());
+        if key != package {
+            table.insert("package", package.into());
+        }
+        table.insert("path", self.relative(&out.join(package)).into());
         Value::InlineTable(table)
+    }
+
+    /// A path as the manifest has it.
+    pub(crate) fn relative(&self, path: &Path) -> String {
+        let relative = pathdiff::diff_paths(path, normal(self.folder()));
+        let path = relative.as_deref().unwrap_or(path).to_string_lossy();
+        plain(&path).replace(std::path::MAIN_SEPARATOR, "/")
+    }
+}
+
+/// A path without the prefix that `canonicalize` sets before it on Windows: that allows no slashes.
+pub(crate) fn plain(path: &str) -> String {
+    match path.strip_prefix(r"\\?\") {
+        Some(path) => match path.strip_prefix(r"UNC\") {
+            Some(share) => format!(r"\\{share}"),
+            None => path.to_owned(),
+        },
+        None => path.to_owned(),
     }
 }
 
@@ -144,5 +213,22 @@ pub(crate) fn normal(path: &Path) -> PathBuf {
             parent
         }
         _ => absolute,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plain;
+
+    #[test]
+    fn paths_without_a_verbatim_prefix() {
+        for (path, expected) in [
+            (r"\\?\D:\copies\rapier3d", r"D:\copies\rapier3d"),
+            (r"\\?\UNC\server\share\copies", r"\\server\share\copies"),
+            (r"\\server\share", r"\\server\share"),
+            ("../copies/rapier3d", "../copies/rapier3d"),
+        ] {
+            assert_eq!(plain(path), expected);
+        }
     }
 }

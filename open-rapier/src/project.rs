@@ -9,10 +9,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
+use cargo_metadata::semver::Version;
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
+use toml_edit::{DocumentMut, Item};
 
-use crate::patch::{Manifest, normal};
+use crate::patch::{Manifest, normal, plain};
 use crate::seam::{PACKAGES, VERSION};
+use crate::{members, note};
 
 /// A project that uses Rapier.
 pub(crate) struct Project {
@@ -25,17 +28,13 @@ pub(crate) struct Project {
 impl Project {
     /// Asks Cargo about the project of a manifest whose copies are, or are to be, in `out`.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
-        // Cargo is run in another folder.
-        let manifest_path = &normal(manifest_path);
+        let manifest_path = &found_anywhere(manifest_path)?;
         let root = workspace_manifest(manifest_path)?;
         let manifest = Manifest::read(&root)?;
-        let mut entries = manifest.entries();
-        entries.retain(|entry| {
-            entry
-                .folder
-                .as_deref()
-                .is_some_and(|folder| normal(folder) == out.join(entry.package))
-        });
+        // A copy that is a member already keeps Cargo from answering.
+        let made = |package: &&str| note::is_ours(&out.join(package));
+        members::ensure_none(&manifest, PACKAGES.into_iter().filter(made), out)?;
+        let entries = manifest.entries(out);
 
         let asking = Asking {
             root: &root,
@@ -43,8 +42,7 @@ impl Project {
         };
         let mut sources = asking.fetched(entries.iter().map(|entry| entry.package))?;
         let options = entries.iter().flat_map(|entry| {
-            let path =
-                toml_edit::Value::from(sources[entry.package].to_string_lossy().into_owned());
+            let path = toml_edit::Value::from(plain(&sources[entry.package].to_string_lossy()));
             let key = format!("patch.crates-io.{}", entry.key);
             let package = format!("{key}.package=\"{}\"", entry.package);
             [
@@ -65,35 +63,48 @@ impl Project {
             else {
                 continue;
             };
-            if package.version.to_string() != VERSION {
-                other_versions.push(package);
-            } else if is_published(package) {
-                sources.insert(name, folder(package));
-            } else if folder(package) == out.join(name) {
+            let folder = folder(package);
+            let right = package.version.to_string() == VERSION;
+            if right && is_published(package) {
+                sources.insert(name, folder);
+            } else if right && (folder == out.join(name) || note::is_copy(&folder, name)) {
                 // Patched somewhere else than in the manifest.
+                ensure!(
+                    !metadata.workspace_members.contains(&package.id),
+                    "{} is a member of the workspace, because a package depends on it by its path: have it depend on {name} {VERSION}, or add the folder to `exclude`; nothing was written",
+                    folder.display()
+                );
                 copies.push(name);
+            } else if is_published(package) || !is_close(&package.version) {
+                other_versions.push(package);
             } else {
                 ensure!(
-                    sources.get(name) == Some(&folder(package)),
-                    "{name} is {}, not the one of crates.io: only that can be opened",
+                    sources.get(name) == Some(&folder),
+                    "{name} {} is {}, not the one of crates.io: only that can be opened",
+                    package.version,
                     package.id
                 );
             }
         }
         sources.extend(asking.fetched(copies.into_iter())?);
         refuse_other_versions(&other_versions, sources.is_empty())?;
+        asking.refuse_unused_forks(&sources)?;
+        members::ensure_none(&manifest, sources.keys().copied(), out)?;
         Ok(Self { manifest, sources })
     }
 }
 
+/// Whether it is the version that is opened, but for the last number.
+fn is_close(version: &Version) -> bool {
+    let opened = Version::parse(VERSION);
+    opened.is_ok_and(|opened| (opened.major, opened.minor) == (version.major, version.minor))
+}
+
 /// Another patch release is a mistake; other versions may be there besides, if there is one to open.
 fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<()> {
-    let opened: cargo_metadata::semver::Version = VERSION.parse()?;
-    let close = |package: &&&Package| {
-        (package.version.major, package.version.minor) == (opened.major, opened.minor)
-    };
-    if let Some(package) = packages.iter().find(close) {
-        bail!(
+    for package in packages {
+        ensure!(
+            !is_close(&package.version),
             "the project uses {name} {}; only {VERSION} can be opened: `cargo update --package {name}@{} --precise {VERSION}`",
             package.version,
             package.version,
@@ -116,6 +127,15 @@ fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<(
         );
     }
     Ok(())
+}
+
+/// The path of a manifest from any folder, for Cargo is run in another one. It must have its name, so a link of that name is kept.
+fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
+    let path = std::path::absolute(manifest_path)?;
+    Ok(match path.parent() {
+        Some(folder) if path.ends_with("Cargo.toml") => normal(folder).join("Cargo.toml"),
+        _ => normal(&path),
+    })
 }
 
 /// The manifest of the workspace, which Cargo finds without a look at dependencies.
@@ -201,6 +221,25 @@ impl Asking<'_> {
             sources.insert(name, folder(package));
         }
         Ok(sources)
+    }
+
+    /// A fork that the lock file keeps from being used would take the place of a copy with the next update.
+    fn refuse_unused_forks(&self, sources: &BTreeMap<&'static str, PathBuf>) -> Result<()> {
+        let lock = fs::read_to_string(self.folder().join("Cargo.lock")).unwrap_or_default();
+        let lock: DocumentMut = lock.parse().context("Cargo.lock")?;
+        let unused = lock.get("patch").and_then(|patch| patch.get("unused"));
+        let unused = unused.and_then(Item::as_array_of_tables);
+        for fork in unused.into_iter().flatten() {
+            let text = |key| fork.get(key).and_then(Item::as_str).unwrap_or_default();
+            let (name, version) = (text("name"), text("version"));
+            ensure!(
+                !sources.contains_key(name)
+                    || version == VERSION
+                    || !Version::parse(version).is_ok_and(|version| is_close(&version)),
+                "{name} is patched by a {version} that is not the one of crates.io: only that can be opened"
+            );
+        }
+        Ok(())
     }
 
     fn folder(&self) -> &Path {

@@ -99,11 +99,7 @@ fn a_fork() {
     // One that the project uses, and one that it does not.
     for (uses, refuses) in [("rapier3d", true), ("rapier3d-f64", false)] {
         let fixture = Fixture::new(&[("rapier2d", "0.36.1"), (uses, "0.36.1")]);
-        fixture.write(
-            "fork/Cargo.toml",
-            "[package]\nname = \"rapier3d\"\nversion = \"0.36.1\"\nedition = \"2024\"\n",
-        );
-        fixture.write("fork/src/lib.rs", "");
+        fixture.fork("0.36.1");
         let manifest = fixture.read("project/Cargo.toml");
         let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
         fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
@@ -117,17 +113,98 @@ fn a_fork() {
 }
 
 #[test]
-fn a_patch_in_the_way() {
+fn a_fork_of_another_patch_release() {
+    let fixture = Fixture::new(BOTH);
+    let manifest = fixture.read("project/Cargo.toml");
+    fixture.fork("0.36.4");
+    let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
+    // Cargo takes it at once, or not until an update.
+    for (version, words) in [
+        ("0.36", ["rapier3d 0.36.4", "fork"]),
+        ("=0.36.1", ["rapier3d is patched", "0.36.4"]),
+    ] {
+        let manifest = manifest.replace("=0.36.1", version);
+        fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+        let outcome = refused(&fixture);
+        assert!(outcome.stderr.contains("only that can be opened"));
+        outcome.bad(&words);
+    }
+}
+
+/// A workspace without a package of its own, and its one member.
+fn workspace(lines: &str) -> Fixture {
+    let fixture = Fixture::new(BOTH);
+    let member = fixture.read("project/Cargo.toml");
+    fixture.write("project/crates/game/Cargo.toml", &member);
+    fixture.write("project/crates/game/src/lib.rs", "");
+    fixture.write(
+        "project/Cargo.toml",
+        &format!("[workspace]\nresolver = \"3\"\n{lines}\n"),
+    );
+    fixture
+}
+
+#[test]
+fn copies_that_would_be_members() {
+    let all = "members = [\"crates/*\"]";
+    let hint = "\"crates/opened\" to `exclude`";
+    for (lines, out, words) in [
+        (all, "crates/opened", ["\"crates/*\" of `members`", hint]),
+        (all, "crates", ["\"crates/*\"", "\"crates/rapier2d\" to"]),
+        (
+            "members = [\"./[a-z]*/game/../../crates/*/\"]",
+            "crates/opened",
+            ["\"./[a-z]*/game/../../crates/*/\"", hint],
+        ),
+        (
+            "members = [\"crates/*\"]\nexclude = [\"crates/open\"]",
+            "crates/opened/here",
+            ["\"crates/*\"", hint],
+        ),
+        (
+            "members = [\"crates/game\"]\ndefault-members = [\"crates/*\"]\nexclude = [\"crates\"]",
+            "crates/opened",
+            ["\"crates/*\" of `default-members`", "another --out;"],
+        ),
+    ] {
+        let fixture = workspace(lines);
+        let manifest = fixture.read("project/Cargo.toml");
+        for options in [&["--out", out, "--write"][..], &["--out", out]] {
+            fixture.run_in("project", options).bad(&words);
+        }
+        assert!(!fixture.path("project/crates/opened").exists());
+        assert!(!fixture.path("project/crates/rapier2d").exists());
+        assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    }
+}
+
+#[test]
+fn copies_that_are_members() {
+    let excluded = "members = [\"crates/*\"]\nexclude = [\"crates/opened\"]";
+    let fixture = workspace(excluded);
+    let options = ["--out", "crates/opened", "--write"];
+    for _ in 0..2 {
+        fixture.run_in("project", &options).good();
+        assert!(
+            fixture
+                .folder_of("rapier3d")
+                .ends_with("crates/opened/rapier3d")
+        );
+    }
+    // By a list, without which nothing was made; and as the dependency of a member.
+    let manifest = fixture.read("project/Cargo.toml");
+    let lists = manifest.replace(excluded, "members = [\"crates/game\", \"crates/opened/*\"]");
+    fixture.write("project/Cargo.toml", &lists);
+    let words = ["\"crates/opened/*\" of `members`", "rapier2d"];
+    fixture.run_in("project", &options).bad(&words);
+    assert_eq!(fixture.read("project/Cargo.toml"), lists);
+
     let fixture = Fixture::new(BOTH);
     fixture.run(&[]).good();
     let manifest = fixture.read("project/Cargo.toml");
-    fixture.write(
-        "project/Cargo.toml",
-        &format!("{manifest}\n[patch.crates-io]\nrapier3d.path = \"copies/rapier3d\"\n"),
-    );
-    let options = ["--out", "elsewhere", "--write"];
-    fixture
-        .run_in("project", &options)
-        .bad(&["copies/rapier3d", "only that can be opened"]);
-    assert!(!fixture.path("project/elsewhere").exists());
+    let manifest = manifest.replace("3d = \"=0.36.1\"", "3d.path = \"copies/rapier3d\"");
+    fixture.write("project/Cargo.toml", &manifest);
+    fixture.run(&["--check"]).good();
+    fixture.write("project/Cargo.toml", &format!("{manifest}\n[workspace]\n"));
+    refused(&fixture).bad(&["copies/rapier3d is a member of the workspace", "`exclude`"]);
 }

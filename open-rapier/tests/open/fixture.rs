@@ -97,6 +97,13 @@ impl Fixture {
         }
     }
 
+    /// Somebody else's rapier3d, beside the project.
+    pub(crate) fn fork(&self, version: &str) {
+        let package = format!("name = \"rapier3d\"\nversion = \"{version}\"\nedition = \"2024\"\n");
+        self.write("fork/Cargo.toml", &format!("[package]\n{package}"));
+        self.write("fork/src/lib.rs", "");
+    }
+
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.site.path().join(name)
     }
@@ -128,18 +135,22 @@ impl Fixture {
 
     /// The folder from which Cargo takes a package of the project.
     pub(crate) fn folder_of(&self, package: &str) -> PathBuf {
+        self.folders_of(package).remove(0)
+    }
+
+    /// The folders of all its versions.
+    pub(crate) fn folders_of(&self, package: &str) -> Vec<PathBuf> {
         let mut command = cargo_metadata::MetadataCommand::new();
         let metadata = command
             .current_dir(self.path("project"))
             .env("CARGO_NET_OFFLINE", "true")
             .exec()
             .unwrap();
-        let found = metadata
-            .packages
-            .iter()
-            .find(|found| found.name.as_str() == package)
-            .unwrap();
-        found.manifest_path.parent().unwrap().into()
+        let found = metadata.packages.iter();
+        let found = found.filter(|found| found.name.as_str() == package);
+        found
+            .map(|found| found.manifest_path.parent().unwrap().into())
+            .collect()
     }
 
     /// All files of a folder, if it exists, and when they were written.

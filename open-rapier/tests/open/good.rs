@@ -179,3 +179,166 @@ fn patches_the_root_of_a_workspace() {
         )
         .good();
 }
+
+#[test]
+fn keeps_line_ends_and_a_byte_order_mark() {
+    let fixture = Fixture::new(BOTH);
+    let unix = fixture.read("project/Cargo.toml");
+    let windows = unix.replace('\n', "\r\n");
+    for (manifest, end) in [
+        (format!("\u{feff}{unix}"), "\n"),
+        (windows.clone(), "\r\n"),
+        (format!("\u{feff}{windows}"), "\r\n"),
+        (windows.trim_end().to_owned(), "\r\n"),
+        (unix.replacen('\n', "\r\n", 2), "\n"),
+    ] {
+        fixture.write("project/Cargo.toml", &manifest);
+        fixture.run(&["--write"]).good();
+        let written = fixture.read("project/Cargo.toml");
+        let added = written.strip_prefix(manifest.trim_end());
+        assert_eq!(
+            added.unwrap_or(&written),
+            format!("\n\n{LINES}").replace('\n', end)
+        );
+        assert!(
+            fixture
+                .folder_of("rapier3d")
+                .ends_with("project/copies/rapier3d")
+        );
+    }
+
+    // In the midst of a patch; and two entries that are not neighbours, when they are moved.
+    let entries = |out| {
+        let rest = "other = { path = \"../other\" }\n\r\n[lib]\r\n# An end.\n";
+        format!(
+            "{windows}\r\n[patch.crates-io]\r\nrapier2d = {{ path = \"{out}/rapier2d\" }} # flat\r\n# solid:\nrapier3d.path='{out}/rapier3d'\n{rest}"
+        )
+    };
+    fixture.write(
+        "other/Cargo.toml",
+        "[package]\nname = \"other\"\nedition = \"2024\"\n",
+    );
+    fixture.write("other/src/lib.rs", "");
+    fixture.write("project/Cargo.toml", &entries("copies"));
+    let options = ["--out", "copy", "--write"];
+    fixture.run_in("project", &options).good();
+    assert_eq!(
+        fixture.read("project/Cargo.toml"),
+        entries("copy").replace("'copy/rapier3d'", "\"copy/rapier3d\"")
+    );
+}
+
+#[test]
+fn goes_beside_a_fork_of_another_version() {
+    let fixture = Fixture::new(&[("rapier3d", "0.36.1")]);
+    fixture.fork("0.27.3");
+    let old = "old = { package = \"rapier3d\", version = \"0.27\" }\n";
+    let patch = "\n[patch.crates-io]\nrapier3d = { path = \"../fork\" }\n";
+    let manifest = fixture.read("project/Cargo.toml") + old + patch;
+    fixture.write("project/Cargo.toml", &manifest);
+    let line = "rapier3d-036 = { package = \"rapier3d\", path = \"copies/rapier3d\" }\n";
+    let lines = format!("[patch.crates-io]\n{line}");
+    assert_eq!(fixture.run(&[]).good(), lines);
+    fixture.run(&["--write"]).good();
+    assert_eq!(
+        fixture.read("project/Cargo.toml"),
+        format!("{manifest}{line}")
+    );
+    let folders = fixture.folders_of("rapier3d");
+    assert!(folders.iter().any(|folder| folder.ends_with("fork")));
+    assert!(
+        folders
+            .iter()
+            .any(|folder| folder.ends_with("copies/rapier3d"))
+    );
+
+    // It is known again, and moved by the same key.
+    let state = fixture.state("project");
+    fixture.run(&["--write"]).good();
+    fixture.run(&["--check"]).good();
+    assert_eq!(fixture.run(&[]).good(), lines);
+    assert!(fixture.state("project") == state);
+    let options = ["--out", "elsewhere", "--write"];
+    fixture.run_in("project", &options).good();
+    assert_eq!(
+        fixture.read("project/Cargo.toml"),
+        format!("{manifest}{}", line.replace("copies", "elsewhere"))
+    );
+
+    // That key may be taken too.
+    let taken = manifest.replace(patch, &format!("{patch}rapier3d-036 = \"1\"\n"));
+    fixture.write(
+        "project/Cargo.toml",
+        &taken.replace("\"1\"", "{ package = \"other\", path = \"../other\" }"),
+    );
+    fixture.write(
+        "other/Cargo.toml",
+        "[package]\nname = \"other\"\nedition = \"2024\"\n",
+    );
+    fixture.write("other/src/lib.rs", "");
+    let lines = fixture.run(&[]).good();
+    assert!(lines.contains("\nrapier3d-036-036 = { package = \"rapier3d\""));
+}
+
+#[test]
+fn moves_to_another_folder() {
+    let fixture = Fixture::new(BOTH);
+    fixture.run(&["--write"]).good();
+    let manifest = fixture.read("project/Cargo.toml");
+    let copies = fixture.state("project/copies");
+
+    let printed = fixture.run_in("project", &["--out", "elsewhere"]);
+    assert!(printed.stderr.contains("the manifest takes rapier3d from"));
+    assert_eq!(printed.good(), LINES.replace("copies", "elsewhere"));
+    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+
+    let written = fixture.run_in("project", &["--out", "elsewhere", "--write"]);
+    assert!(written.stderr.contains("copies/rapier3d is left as it is"));
+    written.good();
+    assert_eq!(
+        fixture.read("project/Cargo.toml"),
+        manifest.replace("copies", "elsewhere")
+    );
+    assert!(
+        fixture
+            .folder_of("rapier3d")
+            .ends_with("project/elsewhere/rapier3d")
+    );
+    assert!(fixture.state("project/copies") == copies);
+    fixture
+        .run_in("project", &["--out", "elsewhere", "--check"])
+        .good();
+    // From the sources as published, so that nothing is opened twice.
+    for package in ["rapier2d", "rapier3d"] {
+        let file = format!("{package}/src/pipeline/query_pipeline.rs");
+        assert_eq!(
+            fixture.read(&format!("project/copies/{file}")),
+            fixture.read(&format!("project/elsewhere/{file}"))
+        );
+    }
+    // And back.
+    fixture.run(&["--write"]).good();
+    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+}
+
+#[cfg(unix)]
+#[test]
+fn writes_what_a_linked_manifest_leads_to() {
+    let fixture = Fixture::new(BOTH);
+    let manifest = fixture.read("project/Cargo.toml");
+    fs::create_dir(fixture.path("project/manifests")).unwrap();
+    let (link, target) = ("project/Cargo.toml", "project/manifests/game.toml");
+    fs::rename(fixture.path(link), fixture.path(target)).unwrap();
+    std::os::unix::fs::symlink("manifests/game.toml", fixture.path(link)).unwrap();
+    for _ in 0..2 {
+        fixture.run(&["--write"]).good();
+        assert!(fixture.path(link).is_symlink());
+        assert_eq!(fixture.read(target), format!("{manifest}\n{LINES}"));
+        assert!(
+            fixture
+                .folder_of("rapier3d")
+                .ends_with("project/copies/rapier3d")
+        );
+    }
+    fixture.run(&["--check"]).good();
+}
