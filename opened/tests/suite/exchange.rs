@@ -1,7 +1,7 @@
 //! A broad phase that takes the place of another in a running world.
 
 use super::rapier::prelude::*;
-use super::twins::{at, cube, cuboid, dynamic};
+use super::twins::{cube, cuboid, dynamic};
 use super::{PairFilter, Settings, UnisizeBroadPhase};
 
 /// How many cubes rest on a floor, one on top of the other.
