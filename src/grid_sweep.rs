@@ -245,14 +245,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         true
     }
 
-    /// The members of the last run, each once, under the boxes that they had then.
-    #[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
-    pub(crate) fn members(&self) -> impl Iterator<Item = (u32, Aabb<R, D>)> + '_ {
-        let classes = self.classes[..self.class_count].iter();
-        let slabs = classes.flat_map(Class::slabs);
-        slabs.flat_map(|slab| slab.tubes.homes())
-    }
-
     /// The number of size classes in the last run.
     #[cfg(feature = "_adapter")]
     pub(crate) fn class_count(&self) -> usize {

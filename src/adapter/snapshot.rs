@@ -1,7 +1,7 @@
 //! The broad phase as it is written and read by serde, in the middle of a simulation.
 //!
-//! What is written decides all events to come, and how much work it is to find them. Scratch memory, outlines of shapes and the tree for
-//! queries are not written: they are made anew when they are needed.
+//! What is written decides all events to come. What only decides how much work it is to find them is made anew, as are outlines of shapes
+//! and the tree for queries.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};

@@ -169,18 +169,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     pub(super) fn free_scratch(&mut self) {
         self.order = Order::default();
     }
-
-    /// The boxes in their own tubes, with their indices.
-    #[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
-    pub(super) fn homes(&self) -> impl Iterator<Item = (u32, Aabb<R, D>)> + '_ {
-        let entries = self.tubes.iter().flat_map(|tube| tube.start..tube.end);
-        let entries = entries.map(|entry| entry as usize);
-        entries.filter(|&i| self.owners[i].is_at_home()).map(|i| {
-            let mins = core::array::from_fn(|k| self.mins[k][i]);
-            let maxs = core::array::from_fn(|k| self.maxs[k][i]);
-            (self.owners[i].index(), Aabb::new(mins, maxs))
-        })
-    }
 }
 
 /// The four items from `start` on.

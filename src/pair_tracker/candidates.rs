@@ -8,8 +8,6 @@ mod array;
 mod lists;
 mod proxies;
 mod retired;
-#[cfg(feature = "serde-serialize")]
-mod snapshot;
 mod state;
 
 use super::policy::{self, Extent};
@@ -21,8 +19,6 @@ use array::CandidateArray;
 use lists::CandidateLists;
 pub(super) use lists::ListState;
 pub(super) use proxies::Proxies;
-#[cfg(feature = "serde-serialize")]
-pub(super) use snapshot::CandidatesSnapshot;
 
 /// The candidates, and the lists through them.
 #[derive(Clone, Debug, Default)]
@@ -60,6 +56,21 @@ impl Candidates {
     #[cfg(feature = "serde-serialize")]
     pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.array.near().map(|(_, pair)| pair)
+    }
+
+    /// The candidates that were `found` for boxes that are as large as their fat boxes, of which those in `near` are not held.
+    ///
+    /// # Errors
+    /// If a pair in `near` was not found.
+    #[cfg(feature = "serde-serialize")]
+    pub(super) fn restored(
+        found: Vec<[u32; 2]>,
+        near: Vec<[u32; 2]>,
+    ) -> Result<Self, &'static str> {
+        Ok(Self {
+            array: CandidateArray::overlapping(found, near)?,
+            ..Self::default()
+        })
     }
 
     pub(super) fn held_count(&self) -> usize {

@@ -17,10 +17,6 @@ use crate::tuning::prices::{COMPARED, SEARCHED};
 
 /// Chooses the horizon. Adapts itself at full runs only, because that is when all fat boxes are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 pub(crate) struct Foresight {
     /// The moves of the present horizon: 0, or a power of 2.
     moves: u16,
@@ -38,10 +34,6 @@ pub(crate) struct Foresight {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 enum Phase {
     /// The user has fixed it.
     Fixed,
@@ -55,10 +47,6 @@ enum Phase {
 
 /// The work of some updates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 pub(super) struct Spent {
     pub(super) updates: u64,
     /// Boxes that were renewed.
@@ -220,33 +208,6 @@ impl Foresight {
         // It may have been a moment, so it is tried again, and more rarely if it was not.
         self.failures = self.failures.saturating_add(2);
         self.rest = self.next_rest();
-    }
-
-    /// Whether two come from the same settings: both adapt themselves, or both are fixed at the same number of moves.
-    #[cfg(feature = "serde-serialize")]
-    pub(super) fn suits(self, other: Self) -> bool {
-        match (self.is_fixed(), other.is_fixed()) {
-            (true, true) => self.moves == other.moves,
-            (is_fixed, is_other_fixed) => is_fixed == is_other_fixed,
-        }
-    }
-
-    /// Whether a foresight can get into this state.
-    #[cfg(feature = "serde-serialize")]
-    pub(super) fn can_occur(&self) -> bool {
-        let is_rung = |moves: u16| moves <= LONGEST && (moves == 0 || moves.is_power_of_two());
-        let can_settled_occur = match self.phase {
-            Phase::Tried { settled } => is_rung(settled),
-            _ => true,
-        };
-        if self.is_fixed() {
-            return self.moves <= LONGEST;
-        }
-        // False for NaN as well.
-        is_rung(self.moves)
-            && can_settled_occur
-            && self.settled_price >= 0.0
-            && self.rest <= MOST_REST
     }
 }
 

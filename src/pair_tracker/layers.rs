@@ -10,15 +10,10 @@
 //! never more than about twice what it would be if the best moment were known beforehand. Kernels that cannot look
 //! boxes up have no layers.
 
-#[cfg(feature = "serde-serialize")]
-mod snapshot;
-
 use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
 use crate::{Aabb, BruteForce, GridSweep, InvalidBox, Kernel, PairFinder, RankSweep, Real, Work};
-#[cfg(feature = "serde-serialize")]
-pub(super) use snapshot::LayersSnapshot;
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]

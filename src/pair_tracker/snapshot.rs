@@ -1,21 +1,19 @@
 //! A tracker as it is written and read by serde.
 //!
-//! The changes to come depend on boxes and filter keys alone, and so does their order in events; but the work that they take
-//! depends on more: on fat boxes, on the candidates, on when there were full runs. All of that is written, so that a tracker that
-//! was read goes on as the one that was written does. Between two updates boxes may have been handed over, so what has been touched since the
-//! last update is written too. What follows from this is not written but made anew: which candidates are held,
-//! lists, sorted layers. What is read is checked, so a tracker that was read is always consistent.
+//! The changes to come, and their order in events, depend on boxes, filter keys and volumes, and on which pairs whose boxes overlap are
+//! held. Only that is written. Fat boxes, candidates, layers and the foresight decide how much work it is to find the changes; a tracker
+//! that was read makes them anew. Between two updates boxes may have been handed over, so what has been touched since the last update is
+//! written too. What is read is checked, so a tracker that was read is always consistent.
 
 use serde::{Deserialize, Serialize};
 
-use super::candidates::{Candidates, CandidatesSnapshot};
-use super::layers::LayersSnapshot;
+use super::candidates::Candidates;
 use super::volumes::VolumesSnapshot;
-use super::{FilterKey, Foresight, PairTracker, Spent, overlapping};
+use super::{FilterKey, PairTracker, overlapping};
 use crate::slot_set::SlotSet;
 use crate::{Aabb, Kernel, Real};
 
-/// What decides the changes to come, and the work that they take.
+/// What decides the changes to come.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, K: Serialize",
@@ -31,16 +29,12 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     volumes: VolumesSnapshot<R>,
     /// The slots whose volumes have changed since the last `finish`.
     stirred: Vec<u32>,
-    /// Those of `touched` that have left their fat box, have none yet, or are gone.
-    escaped: Vec<u32>,
-    foresight: Foresight,
-    spent: Spent,
+    /// The pairs whose boxes overlap and that are not held, by their volumes alone.
+    near: Vec<[u32; 2]>,
     full_runs: u64,
-    candidates: CandidatesSnapshot,
-    layers: LayersSnapshot<R, D>,
 }
 
-/// A box, its fat box and its filter key.
+/// A box and its filter key.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, K: Serialize",
@@ -48,7 +42,6 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
 ))]
 struct Proxy<R, const D: usize, K> {
     aabb: Aabb<R, D>,
-    fat: Aabb<R, D>,
     key: K,
 }
 
@@ -56,10 +49,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
         debug_assert!(self.former_keys.is_empty(), "an update has begun");
-        let proxies = self.previous.iter().zip(&self.fat_boxes).zip(&self.keys);
-        let proxy = |((&aabb, &fat), &key): ((&Aabb<R, D>, _), _)| {
-            aabb.is_valid().then_some(Proxy { aabb, fat, key })
-        };
+        let proxies = self.previous.iter().zip(&self.keys);
+        let proxy =
+            |(&aabb, &key): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, key });
+        let mut near: Vec<_> = self.candidates.near().collect();
+        near.sort_unstable();
         let other_keys = (0..).zip(self.previous.iter().zip(&self.keys));
         let other_keys = other_keys
             .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
@@ -74,12 +68,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             touched: touched.collect(),
             volumes: self.volumes.snapshot(),
             stirred: self.stirred.clone(),
-            escaped: self.escaped.slots().to_vec(),
-            foresight: self.foresight,
-            spent: self.spent,
+            near,
             full_runs: self.full_runs,
-            candidates: self.candidates.snapshot(),
-            layers: self.layers.snapshot(self.boxes.len()),
         }
     }
 
@@ -97,32 +87,23 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             touched,
             volumes,
             stirred,
-            escaped,
-            foresight,
-            spent,
+            near,
             full_runs,
-            candidates,
-            layers,
         } = snapshot;
         if u32::try_from(proxies.len()).is_err() {
             return Err("snapshot: there are more slots than 32-bit indices");
         }
         for proxy in proxies {
-            let [aabb, fat] = match &proxy {
-                None => [Aabb::ABSENT; 2],
-                Some(Proxy { aabb, .. }) if !aabb.is_valid() => {
-                    return Err("snapshot: a box is not valid");
-                }
-                Some(Proxy { aabb, fat, .. }) if !fat.contains(aabb) => {
-                    return Err("snapshot: a box is not in its fat box");
-                }
-                Some(Proxy { aabb, fat, .. }) => [*aabb, *fat],
-            };
-            self.previous.push(aabb);
-            self.fat_boxes.push(fat);
+            let aabb = proxy.as_ref().map(|proxy| proxy.aabb);
+            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
+                return Err("snapshot: a box is not valid");
+            }
+            self.previous.push(aabb.unwrap_or(Aabb::ABSENT));
             self.keys
                 .push(proxy.map_or(K::default(), |proxy| proxy.key));
         }
+        // Each fat box is its box, so what moves is searched for at once.
+        self.fat_boxes.clone_from(&self.previous);
         for (slot, key) in other_keys {
             match (
                 self.keys.get_mut(slot as usize),
@@ -136,21 +117,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 }
             }
         }
-        if !foresight.suits(self.foresight) {
-            return Err("snapshot: the foresight does not match the settings");
-        }
-        if !foresight.can_occur() {
-            return Err("snapshot: the foresight is not a state that can occur");
-        }
-        self.foresight = foresight;
-        self.spent = spent;
         self.full_runs = full_runs;
         self.are_filtered = self.keys.iter().any(|&key| key != K::default());
         let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
         self.volumes.restore(volumes, self.previous.len())?;
-        self.candidates = Candidates::restored(candidates, &self.previous, found)?;
-        self.layers.restore(layers, &self.fat_boxes)?;
-        self.restore_touched(touched, &escaped)?;
+        self.candidates = Candidates::restored(found, near)?;
+        self.restore_touched(touched)?;
         self.restore_stirred(stirred)
     }
 
@@ -180,33 +152,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     fn restore_touched(
         &mut self,
         touched: Vec<(u32, Option<Aabb<R, D>>)>,
-        escaped: &[u32],
     ) -> Result<(), &'static str> {
         self.boxes.clone_from(&self.previous);
         self.escaped.make_room(self.boxes.len());
-        let mut is_touched = SlotSet::default();
-        is_touched.make_room(self.boxes.len());
-        for &(slot, aabb) in &touched {
+        for (slot, aabb) in touched {
             let held = self.boxes.get_mut(slot as usize);
             *held.ok_or("snapshot: a touched slot is out of range")? = aabb.unwrap_or(Aabb::ABSENT);
             if aabb.is_some_and(|aabb| !aabb.is_valid()) {
                 return Err("snapshot: a box that was handed over is not valid");
             }
-            is_touched.insert(slot);
             self.touched.push(slot);
         }
-        for &slot in escaped {
-            if !is_touched.contains(slot) || self.escaped.contains(slot) {
-                return Err("snapshot: an escaped slot was not touched, or escapes twice");
-            }
-            self.escaped.insert(slot);
-        }
-        let is_noticed = |&slot: &u32| {
+        for &slot in &self.touched {
             let [aabb, fat] = [&self.boxes, &self.fat_boxes].map(|boxes| &boxes[slot as usize]);
-            fat.contains(aabb) || self.escaped.contains(slot)
-        };
-        if !self.touched.iter().all(is_noticed) {
-            return Err("snapshot: a box has left its fat box and is not among the escaped");
+            if !fat.contains(aabb) {
+                self.escaped.insert(slot);
+            }
         }
         Ok(())
     }

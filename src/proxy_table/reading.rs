@@ -4,8 +4,7 @@
 //! order of their indices the processor can foresee the next ones, which halves the time of reading them in scenes
 //! too large for the caches. Very many are read in parts, runs of slots, each by one thread.
 //!
-//! The order affects only speed, not even the order of events, and never depends on the number of threads: what is not a
-//! simple move, say a new collider, is deferred, and all results are put together in the order of a single thread.
+//! The order affects only speed, not the order of events. What is not a simple move, say a new collider, is dealt with afterwards.
 
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
@@ -25,7 +24,7 @@ pub(super) struct Reader {
     findings: Vec<Findings>,
 }
 
-/// The results of reading a part, in the order of reading.
+/// The results of reading a part.
 #[derive(Clone, Debug, Default)]
 struct Findings {
     /// Slots whose box was renewed.
@@ -34,17 +33,8 @@ struct Findings {
     escaped: Vec<u32>,
     /// Slots that have another volume, and possibly the same box.
     stirred: Vec<u32>,
-    deferred: Vec<Deferred>,
-}
-
-/// A collider that needs more than a move.
-#[derive(Clone, Copy, Debug)]
-struct Deferred {
-    slot: u32,
-    generation: u32,
-    /// How many had moved and escaped before its turn.
-    moved: usize,
-    escaped: usize,
+    /// Slot and generation of colliders that need more than a move.
+    deferred: Vec<(u32, u32)>,
 }
 
 /// A run of slots, and what is kept for them.
@@ -67,15 +57,6 @@ impl Findings {
         self.stirred.clear();
         self.deferred.clear();
     }
-
-    fn defer(&mut self, slot: usize, generation: u32) {
-        self.deferred.push(Deferred {
-            slot: slot as u32,
-            generation,
-            moved: self.moved.len(),
-            escaped: self.escaped.len(),
-        });
-    }
 }
 
 impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
@@ -97,7 +78,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
                 if self.has_volumes && verdict != Verdict::Recheck {
                     let volume = source.volume(handle, memo, &aabb);
                     if volume.kind != self.volumes.kind(i) {
-                        return self.findings.defer(slot, generation);
+                        return self.findings.deferred.push((slot as u32, generation));
                     }
                     let is_renewed = verdict != Verdict::Keep;
                     // What has another box is compared for that.
@@ -118,7 +99,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
                     self.findings.escaped.push(slot as u32);
                 }
             }
-            Verdict::Recheck => self.findings.defer(slot, generation),
+            Verdict::Recheck => self.findings.deferred.push((slot as u32, generation)),
         }
     }
 
@@ -134,7 +115,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
             if is_known(self.generations, slot, generation) {
                 self.read(slot as usize, generation, source, margin);
             } else {
-                self.findings.defer(slot as usize, generation);
+                self.findings.deferred.push((slot, generation));
             }
         }
     }
@@ -232,30 +213,25 @@ impl Reader {
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Takes in the results of a part, in the order of reading.
+    /// Takes in the results of a part.
     fn take_in<S: BoxSource<R, D, Memo = M, Key = K>>(
         &mut self,
         findings: &Findings,
         source: &S,
         margin: R,
     ) {
-        let (mut moved, mut escaped) = (0, 0);
-        for deferred in &findings.deferred {
-            self.note(
-                &findings.moved[moved..deferred.moved],
-                &findings.escaped[escaped..deferred.escaped],
-            );
-            (moved, escaped) = (deferred.moved, deferred.escaped);
-            let handle = S::Handle::from_raw_parts(deferred.slot, deferred.generation);
+        let Findings {
+            moved,
+            escaped,
+            stirred,
+            deferred,
+        } = findings;
+        self.gathered.moved += moved.len();
+        self.tracker.note(moved, escaped, stirred);
+        for &(slot, generation) in deferred {
+            let handle = S::Handle::from_raw_parts(slot, generation);
             self.admit_read(handle, source, margin);
         }
-        self.tracker.note(&[], &[], &findings.stirred);
-        self.note(&findings.moved[moved..], &findings.escaped[escaped..]);
-    }
-
-    fn note(&mut self, moved: &[u32], escaped: &[u32]) {
-        self.gathered.moved += moved.len();
-        self.tracker.note(moved, escaped, &[]);
     }
 
     /// Brings one collider up to date by what its source says.

@@ -32,9 +32,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// A table between two updates.
     pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
         TableSnapshot {
+            // Of the last update; what is held is counted again.
             stats: Stats {
                 times: PhaseTimes::default(),
-                ..self.stats()
+                ..self.stats
             },
             has_warned: self.has_warned,
             generations: self.generations[..self.known_slots].to_vec(),
@@ -105,7 +106,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             refused: generations.iter().flatten().count() - proxies,
             ..stats
         };
-        table.tracker.work = stats.work;
         table.has_warned = has_warned;
         table.memos.resize(generations.len(), M::default());
         table.generations = generations;

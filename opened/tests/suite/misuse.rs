@@ -56,7 +56,7 @@ fn a_snapshot_of_it_goes_on_as_it_was() {
         let mut restored: PhysicsWorld = postcard::from_bytes(&rest).unwrap();
         let ours: UnisizeBroadPhase = postcard::from_bytes(&ours).unwrap();
         ours.validate();
-        assert_eq!(ours.stats(), unisize(&saved).stats());
+        assert_eq!(told(&ours), told(unisize(&saved)));
         restored.broad_phase = DefaultBroadPhase::custom(ours);
         let mut expected = saved.broad_phase.clone();
         std::mem::swap(&mut expected, &mut saved.broad_phase);
@@ -64,7 +64,7 @@ fn a_snapshot_of_it_goes_on_as_it_was() {
             saved.step();
             restored.step();
             assert_eq!(heights(&saved), heights(&restored));
-            assert_eq!(unisize(&saved).stats(), unisize(&restored).stats());
+            assert_eq!(told(unisize(&saved)), told(unisize(&restored)));
         }
     }
 }
@@ -172,4 +172,12 @@ fn another_one_in_the_midst_of_a_simulation() {
         }
     });
     twins.steps(120);
+}
+
+/// What a broad phase tells of its last update and holds; not what it does by the way, which a restored one does in another way.
+fn told(broad_phase: &UnisizeBroadPhase) -> ([usize; 3], [usize; 4], u64) {
+    let stats = broad_phase.stats();
+    let held = [stats.proxies, stats.refused, stats.pairs];
+    let done = [stats.listed, stats.moved, stats.added, stats.deleted];
+    (held, done, stats.updates)
 }

@@ -30,36 +30,31 @@ pub(super) struct CandidateArray {
 }
 
 impl CandidateArray {
-    /// The candidates in these rows, of which those in `near` overlap and are not held.
+    /// These candidates, whose boxes all overlap, and of which those in `near` are not held.
     ///
     /// # Errors
-    /// If a row in `near` does not overlap.
+    /// If a pair in `near` is not among them, or is there twice.
     #[cfg(feature = "serde-serialize")]
-    pub(super) fn new<R: Real, const D: usize>(
-        rows: impl Iterator<Item = Option<[u32; 2]>>,
-        boxes: &[Aabb<R, D>],
-        near: &[usize],
+    pub(super) fn overlapping(
+        mut pairs: Vec<[u32; 2]>,
+        near: Vec<[u32; 2]>,
     ) -> Result<Self, &'static str> {
-        let rows = rows.map(|row| row.unwrap_or([TOMBSTONE; 2]));
-        let mut array = Self {
-            pairs: rows.collect(),
-            ..Self::default()
-        };
-        let state = |&pair: &[u32; 2]| match pair[0] != TOMBSTONE && overlap(boxes, pair) {
-            true => PairState::Held,
-            false => PairState::Apart,
-        };
-        array.states = array.pairs.iter().map(state).collect();
-        for &row in near {
-            match array.states.get_mut(row) {
+        pairs.sort_unstable();
+        let mut states = vec![PairState::Held; pairs.len()];
+        for pair in &near {
+            let row = pairs.binary_search(pair).ok();
+            match row.map(|row| &mut states[row]) {
                 Some(state) if state.is_held() => *state = PairState::Near,
                 _ => return Err("snapshot: a pair is near although its boxes do not overlap"),
             }
         }
-        array.held_count = array.held().count();
-        array.overlapping_count = array.held_count + near.len();
-        array.tombstones = array.rows() - array.iter().count();
-        Ok(array)
+        Ok(Self {
+            held_count: pairs.len() - near.len(),
+            overlapping_count: pairs.len(),
+            pairs,
+            states,
+            ..Self::default()
+        })
     }
 
     /// The pair in a row, if it is not gone.

@@ -1,18 +1,12 @@
 //! Lists through the array of candidates: for each slot, the rows in which it occurs.
 
 use super::array::CandidateArray;
-#[cfg(feature = "serde-serialize")]
-use crate::tuning::update::LISTS_COST;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
 
 /// Whether there are lists of the candidates of each slot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
 pub(in crate::pair_tracker) struct ListState {
     pub(in crate::pair_tracker) are_made: bool,
     /// How often they would have been useful while there were none.
@@ -22,12 +16,6 @@ pub(in crate::pair_tracker) struct ListState {
 impl ListState {
     /// The most rows that 32-bit links can tell apart.
     pub(in crate::pair_tracker) const MOST_ROWS: usize = 1 << 30;
-
-    /// Whether there can be such a state, with this many rows.
-    #[cfg(feature = "serde-serialize")]
-    pub(in crate::pair_tracker) fn can_occur(self, rows: usize) -> bool {
-        self.missed <= LISTS_COST && (!self.are_made || rows <= Self::MOST_ROWS)
-    }
 }
 
 /// For each slot a list of its rows.
@@ -64,15 +52,6 @@ impl CandidateLists {
         self.next.clear();
         self.state.are_made = true;
         self.extend(array, 0, slots);
-    }
-
-    /// Makes the lists if there were any, and goes on counting how often they are missed.
-    #[cfg(feature = "serde-serialize")]
-    pub(super) fn restore(&mut self, state: ListState, array: &CandidateArray, slots: usize) {
-        if state.are_made {
-            self.make(array, slots);
-        }
-        self.state = state;
     }
 
     /// Takes in the rows from `first` on, if there are lists.

@@ -266,32 +266,3 @@ fn work_is_added_up_and_never_overflows() {
     sum.add(most);
     assert_eq!(sum, most);
 }
-
-#[cfg(feature = "serde-serialize")]
-#[test]
-fn only_what_can_be_is_accepted() {
-    assert!(settled(0).can_occur() && settled(LONGEST).can_occur());
-    assert!(Foresight::new(Some(5)).can_occur() && !settled(5).can_occur());
-    assert!(!settled(2 * LONGEST).can_occur());
-    let tried = |settled_moves| Foresight {
-        phase: Phase::Tried {
-            settled: settled_moves,
-        },
-        ..settled(8)
-    };
-    assert!(tried(4).can_occur() && !tried(5).can_occur() && !tried(128).can_occur());
-    let priced = |settled_price| Foresight {
-        settled_price,
-        ..settled(8)
-    };
-    assert!(priced(1.0).can_occur());
-    assert!(!priced(f64::NAN).can_occur() && !priced(-1.0).can_occur());
-    let resting = |rest| Foresight { rest, ..settled(8) };
-    assert!(resting(MOST_REST).can_occur() && !resting(MOST_REST + 1).can_occur());
-    assert!(Foresight::new(Some(LONGEST)).can_occur());
-    let fixed = Foresight {
-        moves: LONGEST + 1,
-        ..Foresight::new(Some(5))
-    };
-    assert!(!fixed.can_occur());
-}

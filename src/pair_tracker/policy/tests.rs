@@ -162,17 +162,6 @@ fn look_ups_may_cost_as_much_as_the_mean() {
     assert!(is_full_run(known(equal - 1)));
 }
 
-#[cfg(feature = "serde-serialize")]
-#[test]
-fn lists_can_only_be_within_their_limits() {
-    let can_occur = |are_made, missed, rows| ListState { are_made, missed }.can_occur(rows);
-    let most = ListState::MOST_ROWS;
-    assert!(can_occur(false, LISTS_COST, 0) && !can_occur(false, LISTS_COST + 1, 0));
-    assert!(can_occur(true, 0, most) && !can_occur(true, 0, most + 1));
-    assert!(can_occur(true, LISTS_COST, 0) && !can_occur(true, LISTS_COST + 1, 0));
-    assert!(can_occur(false, 0, most + 1));
-}
-
 #[test]
 fn the_longer_a_full_run_has_paid_the_fewer_end_it() {
     let known = |updates, recent, escaped: u64| Known {

@@ -175,7 +175,7 @@ fn the_same_pairs_after_it_was_written_and_read() {
         let bytes = postcard::to_stdvec(ours).unwrap();
         let stats = ours.stats();
         *ours = postcard::from_bytes(&bytes).unwrap();
-        assert_eq!(ours.stats(), stats);
+        assert_eq!(told(&ours.stats()), told(&stats));
         ours.validate();
     });
 }
@@ -192,10 +192,9 @@ fn a_pair_that_may_not_meet_is_no_candidate() {
     broad_phase.update(&params, &colliders, &bodies, &handles, &[], &mut Vec::new());
     assert_eq!(broad_phase.stats().candidates, 0);
     let mut damaged = serde_json::to_value(&broad_phase).unwrap();
-    let candidates = &mut damaged["table"]["tracker"]["candidates"]["pairs"];
-    *candidates = serde_json::json!([[0, 1]]);
+    damaged["table"]["tracker"]["near"] = serde_json::json!([[0, 1]]);
     let error = serde_json::from_value::<UnisizeBroadPhase>(damaged).unwrap_err();
-    assert!(error.to_string().contains("candidates"), "{error}");
+    assert!(error.to_string().contains("near"), "{error}");
 }
 
 #[test]
@@ -286,7 +285,7 @@ fn boxes_handed_over_are_part_of_a_snapshot() {
     let (colliders, ours) = with_boxes_handed_over();
     let bytes = postcard::to_stdvec(&ours).unwrap();
     let restored: UnisizeBroadPhase = postcard::from_bytes(&bytes).unwrap();
-    assert_eq!(restored.stats(), ours.stats());
+    assert_eq!(told(&restored.stats()), told(&ours.stats()));
     for mut broad_phase in [ours.clone(), ours, restored] {
         broad_phase.validate();
         assert_eq!(broad_phase.stats().pairs, 1);
@@ -314,7 +313,7 @@ fn boxes_handed_over_in_a_snapshot_must_make_sense() {
         outcome.expect_err("it is accepted").to_string()
     };
     type Change = fn(&mut Value);
-    let damages: [(&str, Change); 9] = [
+    let damages: [(&str, Change); 6] = [
         ("for no update", |table| {
             table["gathered"]["is_begun"] = json!(false)
         }),
@@ -329,15 +328,6 @@ fn boxes_handed_over_in_a_snapshot_must_make_sense() {
             let aabb = &mut table["tracker"]["touched"][0][1];
             aabb["mins"][0] = json!(99.0);
         }),
-        ("not touched", |table| {
-            table["tracker"]["escaped"] = json!([0, 1, 2])
-        }),
-        ("escapes twice", |table| {
-            table["tracker"]["escaped"] = json!([1, 2, 1])
-        }),
-        ("not among the escaped", |table| {
-            table["tracker"]["escaped"] = json!([2])
-        }),
         ("filter key", |table| {
             let key = table["tracker"]["proxies"][0]["key"].clone();
             table["tracker"]["other_keys"] = json!([[0, key]]);
@@ -347,4 +337,31 @@ fn boxes_handed_over_in_a_snapshot_must_make_sense() {
         let said = complaint(&change);
         assert!(said.contains(part), "{said}");
     }
+}
+
+#[cfg(feature = "serde-serialize")]
+/// What a broad phase tells of its last update and holds; not what it does by the way, which a restored one does in another way.
+fn told(stats: &unisize::Stats) -> [u64; 8] {
+    let unisize::Stats {
+        proxies,
+        refused,
+        pairs,
+        listed,
+        moved,
+        added,
+        deleted,
+        updates,
+        ..
+    } = *stats;
+    [
+        proxies,
+        refused,
+        pairs,
+        listed,
+        moved,
+        added,
+        deleted,
+        updates as usize,
+    ]
+    .map(|n| n as u64)
 }

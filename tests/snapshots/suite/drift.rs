@@ -2,13 +2,20 @@
 
 use super::crowd::Crowd;
 use super::rapier::math::{DIM, Real};
-use super::{Kernel, Settings, UnisizeBroadPhase};
+use super::{Kernel, Settings, UnisizeBroadPhase, told};
 
 /// One collider in this many moves, for twenty updates each: all of them, hardly any, and what lies between.
 const STRIDES: [usize; 12] = [1, 200, 1, 2, 3, 250, 20, 100, 5, 30, 1, 300];
 
 /// The number of updates between two round trips. It divides neither twenty nor the interval between two full runs.
 const APART: usize = 7;
+
+/// What is written, except how often there was a search for all pairs.
+fn decisive(broad_phase: &UnisizeBroadPhase) -> serde_json::Value {
+    let mut value = serde_json::to_value(broad_phase).expect("it can be written");
+    value["table"]["tracker"]["full_runs"] = serde_json::Value::Null;
+    value
+}
 
 fn drift(kernel: Kernel, count: usize, speed: Real) {
     let settings = Settings::default().with_kernel(kernel);
@@ -21,13 +28,13 @@ fn drift(kernel: Kernel, count: usize, speed: Real) {
         if update % APART == 1 {
             let bytes = postcard::to_stdvec(&ours).expect("it can be written");
             // The twin has been restored before, more often each time.
-            assert!(postcard::to_stdvec(&twin).expect("so can it") == bytes);
+            assert!(decisive(&twin) == decisive(&ours));
             twin = postcard::from_bytes(&bytes).expect("it can be read");
             twin.validate();
         }
         let expected = crowd.update(&mut ours);
         assert!(crowd.update(&mut twin) == expected, "update {update}");
-        assert_eq!(ours.stats(), twin.stats());
+        assert_eq!(told(&ours.stats()), told(&twin.stats()));
         pairs += ours.stats().pairs;
         above_base = above_base.max(ours.stats().above_base);
         crowd.advance(STRIDES[update / 20]);
@@ -59,7 +66,7 @@ fn one_that_was_refused_from_the_start_is_kept() {
         crowd.advance(1);
         let expected = crowd.update(&mut ours);
         assert_eq!(crowd.update(&mut twin), expected);
-        assert_eq!(ours.stats(), twin.stats());
+        assert_eq!(told(&ours.stats()), told(&twin.stats()));
     }
     assert_eq!(ours.stats().refused, 0);
 }
