@@ -59,7 +59,6 @@ pub(super) struct Spent {
 
 impl Spent {
     pub(super) fn add(&mut self, other: Self) {
-        // What was read from a snapshot may be any numbers.
         self.updates = self.updates.saturating_add(other.updates);
         self.moved = self.moved.saturating_add(other.moved);
         self.searching = self.searching.saturating_add(other.searching);

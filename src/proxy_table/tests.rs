@@ -55,6 +55,19 @@ struct Collider {
     is_enabled: bool,
 }
 
+impl Collider {
+    /// One that has just been made.
+    fn at(aabb: Aabb<f32, 2>) -> Self {
+        Self {
+            generation: 0,
+            aabb,
+            side: Side::default(),
+            exists: true,
+            is_enabled: true,
+        }
+    }
+}
+
 impl Colliders {
     fn get(&self, id: Id) -> Option<&Collider> {
         let collider = self.slots.get(id.slot as usize)?;
@@ -148,13 +161,7 @@ fn check_with(filter: PairFilter, slots: u32, updates: usize, seed: u64) {
     let mut world = World::new(filter, slots, seed);
     for _ in 0..slots {
         let aabb = world.random_box();
-        world.colliders.slots.push(Collider {
-            generation: 0,
-            aabb,
-            side: Side::default(),
-            exists: true,
-            is_enabled: true,
-        });
+        world.colliders.slots.push(Collider::at(aabb));
     }
     let all: Vec<_> = (0..slots).map(|slot| world.colliders.id(slot)).collect();
     // No collider is known yet.
@@ -218,13 +225,7 @@ fn colliders_read_in_parts_agree_with_the_model() {
 fn moved_colliders_are_counted_once() {
     let mut world = World::new(PairFilter::Groups, 4, 6);
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);
-    let collider = Collider {
-        generation: 0,
-        aabb,
-        side: Side::default(),
-        exists: true,
-        is_enabled: true,
-    };
+    let collider = Collider::at(aabb);
     world.colliders.slots.push(collider);
     let id = world.colliders.id(0);
     world.hand_over(&[(id, aabb)]);
@@ -248,13 +249,7 @@ fn boxes_handed_over_again_and_again_take_no_more_memory() {
     let mut world = World::new(PairFilter::Shapes, COLLIDERS, 8);
     for _ in 0..COLLIDERS {
         let aabb = world.random_box();
-        world.colliders.slots.push(Collider {
-            generation: 0,
-            aabb,
-            side: Side::default(),
-            exists: true,
-            is_enabled: true,
-        });
+        world.colliders.slots.push(Collider::at(aabb));
     }
     let all: Vec<_> = (0..COLLIDERS)
         .map(|slot| world.colliders.id(slot))
@@ -304,13 +299,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
         assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
     }
     // The reach follows colliders that exist, and stays when they are gone.
-    let collider = Collider {
-        generation: 0,
-        aabb,
-        side: Side::default(),
-        exists: true,
-        is_enabled: true,
-    };
+    let collider = Collider::at(aabb);
     world.colliders.slots.resize(
         2 * ROOM_AHEAD,
         Collider {

@@ -7,6 +7,12 @@
 
 use super::*;
 
+#[cfg(feature = "serde-serialize")]
+#[path = "../../told/mod.rs"]
+mod told;
+#[cfg(feature = "serde-serialize")]
+use told::told;
+
 struct Driven {
     bodies: RigidBodySet,
     colliders: ColliderSet,
@@ -337,31 +343,4 @@ fn boxes_handed_over_in_a_snapshot_must_make_sense() {
         let said = complaint(&change);
         assert!(said.contains(part), "{said}");
     }
-}
-
-#[cfg(feature = "serde-serialize")]
-/// What a broad phase tells of its last update and holds; not what it does by the way, which a restored one does in another way.
-fn told(stats: &unisize::Stats) -> [u64; 8] {
-    let unisize::Stats {
-        proxies,
-        refused,
-        pairs,
-        listed,
-        moved,
-        added,
-        deleted,
-        updates,
-        ..
-    } = *stats;
-    [
-        proxies,
-        refused,
-        pairs,
-        listed,
-        moved,
-        added,
-        deleted,
-        updates as usize,
-    ]
-    .map(|n| n as u64)
 }

@@ -11,28 +11,6 @@ mod simulations;
 #[path = "../../crowd/mod.rs"]
 mod crowd;
 
-/// What a broad phase tells of its last update and holds; not what it does by the way, which a restored one does in another way.
-fn told(stats: &Stats) -> [u64; 8] {
-    let Stats {
-        proxies,
-        refused,
-        pairs,
-        listed,
-        moved,
-        added,
-        deleted,
-        updates,
-        ..
-    } = *stats;
-    [
-        proxies,
-        refused,
-        pairs,
-        listed,
-        moved,
-        added,
-        deleted,
-        updates as usize,
-    ]
-    .map(|n| n as u64)
-}
+#[path = "../../told/mod.rs"]
+mod told;
+use told::told;
