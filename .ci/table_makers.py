@@ -341,15 +341,15 @@ def prices(sources):
     for row in sources.rows_with("prices", "unit"):
         if row["unit"] in UNITS:
             fitted = [significant(float(row[f"ns in {dim}D"])) for dim in (2, 3)]
-            rows.append([UNITS[row["unit"]], *fitted, f"{taken[row['unit']]:g}"])
+            rows.append([UNITS[row["unit"]], *fitted, f"{taken[row['unit']]:g}" if row["unit"] in taken else "–"])
     return table(["unit", "2D", "3D", "taken"], rows)
 
 
 def foresight(sources):
     found = {}
-    for row in sources.rows_with("prices", "adapted over best"):
+    for row in sources.rows_with("prices", "over best"):
         fixed = [float(cell) for moves, cell in row.items() if moves.isdigit()]
-        found.setdefault(row["scene"], {})[row[""]] = [f"{float(row['adapted']):.2f}", f"{max(fixed):.2f}"]
+        found.setdefault(row["scene"], {})[row[""]] = [f"{float(row['by speed']):.2f}", f"{max(fixed):.2f}"]
     rows = [[scene, *cells["2D"], *cells["3D"]] for scene, cells in found.items()]
     return table(["scene", "2D", "best fixed", "3D", "best fixed"], rows)
 

@@ -1,4 +1,4 @@
-//! What the units of an update's work cost in whole worlds, and how each foresight fares in each scene.
+//! What the units of an update's work cost in whole worlds, and how the foresight that goes by speed fares beside fixed ones.
 //!
 //! ```text
 //! cargo bench --features rapier2d,rapier3d --bench prices [-- SCENE ...]
@@ -37,7 +37,7 @@ mod dim3 {
     pub(crate) use dimension::follow;
 }
 
-/// The foresights; `None` is the one that adapts.
+/// The foresights; `None` is the one that goes by speed.
 const FORESIGHTS: [Option<u16>; 7] = [None, Some(0), Some(2), Some(4), Some(8), Some(16), Some(32)];
 
 /// Two simulated seconds.
@@ -103,16 +103,16 @@ impl Row {
         let best = (1..FORESIGHTS.len())
             .map(|i| self.ratio(i))
             .fold(0.0, f64::max);
-        let adapted = &self.ours[0];
+        let by_speed = &self.ours[0];
         println!(
             "| {} | {}D | {} | {:.2} | {} of {} | {:.2} |",
             self.scene,
             self.dim,
             ratios.collect::<Vec<_>>().join(" | "),
             self.ratio(0) / best,
-            adapted.full_runs,
-            adapted.samples.len(),
-            adapted.worst.as_secs_f64() * 1e3,
+            by_speed.full_runs,
+            by_speed.samples.len(),
+            by_speed.worst.as_secs_f64() * 1e3,
         );
     }
 }
@@ -128,11 +128,11 @@ fn main() {
         named
     };
     let foresights = FORESIGHTS.map(|moves| match moves {
-        None => "adapted".to_owned(),
+        None => "by speed".to_owned(),
         Some(moves) => moves.to_string(),
     });
     let foresights = foresights.join(" | ");
-    println!("| scene | | {foresights} | adapted over best | full runs | longest, ms |");
+    println!("| scene | | {foresights} | over best | full runs | longest, ms |");
     println!("|---|---|{}", "---|".repeat(FORESIGHTS.len() + 3));
     let mut rows = Vec::new();
     for kind in scenes {

@@ -32,9 +32,10 @@ use crate::tuning::update::MOST_NOTES_A_SLOT;
 use crate::volume::Volume;
 use crate::{Aabb, Kernel, Real, Stats, Work};
 use candidates::Candidates;
-use foresight::{Foresight, Spent};
+use foresight::Foresight;
 use layers::{Layers, retain_from};
 use mover::Mover;
+use policy::Spent;
 #[cfg(test)]
 pub(crate) use volumes::VOLUME_MARGIN;
 pub(crate) use volumes::{Volumes, VolumesPart};
@@ -105,7 +106,7 @@ pub(crate) struct PairTracker<R, const D: usize, K> {
     foresight: Foresight,
     /// What the last update took.
     pub(crate) work: Work,
-    /// What all updates since the last full run have cost, that run included.
+    /// What searching has cost since the last full run, that run included.
     spent: Spent,
     full_runs: u64,
     candidates: Candidates,

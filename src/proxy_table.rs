@@ -11,6 +11,7 @@
 
 mod changes;
 mod handing_over;
+mod lists;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
@@ -26,6 +27,7 @@ use crate::volume::Volume;
 use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
 pub(crate) use changes::{Changes, Order};
 use handing_over::Awaited;
+pub(crate) use lists::Lists;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
@@ -215,21 +217,23 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
     /// renewed is loosened by `margin`.
-    pub(crate) fn update<S>(&mut self, [listed, removed]: [&[S::Handle]; 2], source: &S, margin: R)
+    pub(crate) fn update<S>(&mut self, lists: &Lists<'_, S::Handle>, source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin(margin);
-        self.gathered.listed += listed.len() + removed.len();
+        self.gathered.listed += lists.len();
         let lap = self.tracker.stopwatch.start();
         // Removals first: a listed collider may already have the slot of a removed one.
-        for &handle in removed {
+        for &handle in lists.removed {
             self.remove(handle);
         }
-        self.admit_awaited(removed, source, margin);
+        self.admit_awaited(lists.removed, source, margin);
         let mut reader = std::mem::take(&mut self.reader);
-        reader.read(self, listed, source, margin);
+        reader.read(self, lists.modified, source, margin);
         self.reader = reader;
+        self.reinsert(lists.reinserted, source);
+        self.read_keys(lists.unmoved, source);
         self.tracker.stopwatch.lap(lap, |times| &mut times.read);
     }
 
@@ -252,6 +256,39 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.generations.resize(slots, None);
             self.memos.resize(slots, M::default());
             self.tracker.make_room(slots);
+        }
+    }
+
+    /// Renews the boxes of known colliders without a margin.
+    fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            let slot = self.slot_of(handle);
+            let Some(slot) = slot.filter(|&slot| self.tracker.get(slot).is_some()) else {
+                continue;
+            };
+            let memo = &mut self.memos[slot as usize];
+            let read = source.read(handle, memo);
+            if let Some((aabb, _)) = read.filter(|(aabb, _)| *aabb != self.tracker.slot_box(slot)) {
+                self.tracker.place(slot, aabb);
+                self.gathered.moved += 1;
+            }
+        }
+    }
+
+    /// Brings the filter keys of known colliders up to date, and nothing else.
+    fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            if let Some(slot) = self.slot_of(handle) {
+                if let Some((_, key)) = source.read(handle, &mut self.memos[slot as usize]) {
+                    self.tracker.set_key(slot, key);
+                }
+            }
         }
     }
 

@@ -42,9 +42,8 @@ pub struct Settings<R> {
     /// and [`PairFilter::Shapes`] for 0.36.
     pub filter: Option<PairFilter>,
     /// How far ahead colliders are searched for, in multiples of their last move. It decides the speed, never the
-    /// answer. Default: `None`, as far as the pairs that it finds too early are worth it, which depends on how fast
-    /// things move, how densely they lie and how straight they go. 0 searches for nothing ahead of time, and more than
-    /// 64 count as 64. A number that is too large for the scene costs time and memory.
+    /// answer. Default: `None`, for as many moves as take colliders half their size ahead on average, and at most 32.
+    /// 0 searches for nothing ahead of time. A number that is too large for the scene costs time and memory.
     pub foresight: Option<u16>,
     /// Whether the few colliders that have moved otherwise than foreseen are looked up among the others. If not, every
     /// search is for all pairs. It decides the speed, never the answer. Default: `true`.

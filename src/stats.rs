@@ -24,7 +24,7 @@ pub struct Stats {
     pub pairs: usize,
     /// Pairs that are watched, because they are held or may soon be.
     pub candidates: usize,
-    /// How far ahead colliders are searched for, in multiples of their last move; 0 where looking ahead does not pay.
+    /// How far ahead colliders are searched for, in multiples of their last move; 0 where things are too fast.
     pub foresight: u32,
     /// Searches for all pairs so far; the other updates did without one.
     pub full_runs: u64,

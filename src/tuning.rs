@@ -180,11 +180,15 @@ pub(crate) mod update {
 /// How far ahead fat boxes are drawn. Shown by `cargo bench --features rapier2d,rapier3d --bench prices`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod foresight {
-    /// Moves, a power of 2. The longest foresight: sooner or later things turn.
-    pub(crate) const LONGEST: u16 = 64;
+    /// Box sizes: how far ahead fat boxes are drawn, at the mean speed. Above: more candidates where things are fast. Below: more
+    /// searches.
+    pub(crate) const AHEAD: f64 = 0.5;
 
-    /// Moves, a power of 2. The foresight while nothing has moved yet. Above: more candidates until the speed is known. Below:
-    /// what moves first soon leaves its fat box again.
+    /// Moves. The longest foresight. Above: where things are slow, more candidates than searches are saved. Below: more searches.
+    pub(crate) const LONGEST: u16 = 32;
+
+    /// Moves. The foresight while nothing has moved yet. Above: where what moves first is huge, thousands of candidates. Below: what moves
+    /// first soon leaves its fat box again.
     pub(crate) const FIRST: u16 = 8;
 
     /// A part of how far the fat box goes ahead: how far it goes to all sides. Above: more candidates. Below: crowds, whose
@@ -195,41 +199,23 @@ pub(crate) mod foresight {
     /// that turn leave their fat boxes.
     pub(crate) const WIDEST_SKIN: f64 = 0.25;
 
-    /// Box sizes a move, on average. Where things are faster, foresight begins with none: a fat box would be left at once.
-    pub(crate) const TOO_FAST: f64 = 0.5;
-
-    /// Pairs for each slot. The first guess takes scenes for at least this dense. Above: sparse scenes look less far ahead.
-    /// Below: a scene without pairs looks as far ahead as possible, however fast it is.
-    pub(crate) const LEAST_PAIRS: f64 = 0.1;
-
     /// Proxies that are looked at to learn how fast things move. Above: time. Below: a few outliers decide.
     pub(crate) const SPEED_SAMPLE: usize = 128;
 
-    /// Updates. What they cost is measured together, up to the next full run. Above: foresight follows a scene late. Below:
-    /// chance decides.
-    pub(crate) const TRIAL_UPDATES: u64 = 12;
-
-    /// A part of the price. A longer foresight is better if it costs less by this, and a shorter one unless it costs more by this.
-    /// Above: what is better is not taken. Below: chance decides.
-    pub(crate) const GAIN: f64 = 0.02;
-
-    /// Measurements between two trials, if those before have failed. Above: foresight follows a scene late. Below: trials of
-    /// what does not pay cost more than they find.
-    pub(crate) const MOST_REST: u32 = 32;
-
     /// What foresight is divided by when there are too many candidates. Above: foresight that would pay is lost. Below: several
     /// searches until there are few enough.
-    pub(crate) const SHORTENING: u16 = 4;
+    pub(crate) const CUT: u16 = 4;
+
+    /// Full runs until what was cut is doubled again. Above: foresight that would pay is lost. Below: too many candidates are found,
+    /// and thrown away, again and again.
+    pub(crate) const CUT_RUNS: u32 = 16;
 }
 
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
-/// caches: fitted by `cargo bench --features rapier2d,rapier3d --bench prices`. Only their ratios decide anything, and a factor
-/// of two in one of them costs a few per cent.
+/// caches. Chosen within what `cargo bench --features rapier2d,rapier3d --bench prices` fits to the times of updates, which differ
+/// from machine to machine by a factor of two. Only their ratios decide anything.
 #[cfg(feature = "_adapter")]
 pub(crate) mod prices {
-    /// Comparing the boxes of a candidate, in order. Above: foresight is too short. Below: it is too long.
-    pub(crate) const COMPARED: u64 = 35;
-
     /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
     /// lists are left unused where few move.
     pub(crate) const PICKED: u64 = 10;
@@ -242,11 +228,11 @@ pub(crate) mod prices {
     /// by one.
     pub(crate) const LOOKED_UP: u64 = 5500;
 
-    /// A box of a run: drawing, sorting and sweeping. Above: foresight is too long. Below: it is too short.
+    /// A box of a run: drawing, sorting and sweeping. Above: few full runs. Below: many.
     pub(crate) const SEARCHED: u64 = 450;
 
-    /// A candidate found: writing it down, and finding out whether it was held. Above: tens of thousands of boxes are looked up
-    /// one by one. Below: full runs where look-ups would do.
+    /// A candidate found: writing it down, finding out whether it was held, and comparing it for some updates to come. Above: tens of
+    /// thousands of boxes are looked up one by one. Below: full runs where look-ups would do.
     pub(crate) const FOUND: u64 = 350;
 }
 

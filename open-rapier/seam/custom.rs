@@ -4,7 +4,7 @@ use super::BroadPhaseBvh;
 use crate::alloc_prelude::*;
 use crate::dynamics::{IntegrationParameters, IslandManager, RigidBodySet};
 use crate::geometry::{
-    Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderSet,
+    Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderPair, ColliderSet, NarrowPhase,
 };
 use core::any::Any;
 use parry::partitioning::Bvh;
@@ -21,6 +21,17 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     );
+
+    /// Tells, just before an update, which of the modified colliders are `reinserted`: their groups, body, or its type or dominance have
+    /// changed, so they get new boxes, without a margin. And which were listed and are not among the modified colliders, `unmoved` ones: what
+    /// has changed about them does not count for a broad phase, so their boxes stay, whatever their contact skin is now.
+    fn note_changes(&mut self, _reinserted: &[ColliderHandle], _unmoved: &[ColliderHandle]) {}
+
+    /// Whether it has never been updated, and so knows no colliders. A pipeline then hands over the boxes of all that are there, and ends
+    /// the pairs of its narrow phase that the update does not report.
+    fn is_new(&self) -> bool {
+        false
+    }
 
     /// Sets the box of a collider, which counts as modified in the next update: the contract of [`BroadPhaseBvh::set_aabb`].
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb);
@@ -55,20 +66,23 @@ impl BroadPhaseBvh {
     /// A broad phase that leaves everything to `broad_phase`. The settings of Rapier's own have no effect on it.
     pub fn custom(broad_phase: impl CustomBroadPhase) -> Self {
         Self {
-            custom: Custom(Some(Box::new(broad_phase))),
+            custom: Custom {
+                broad_phase: Some(Box::new(broad_phase)),
+                ..Custom::default()
+            },
             ..Self::default()
         }
     }
 
     /// The custom broad phase, if there is one and it is a `T`.
     pub fn custom_ref<T: CustomBroadPhase>(&self) -> Option<&T> {
-        let custom: &dyn Any = self.custom.0.as_deref()?;
+        let custom: &dyn Any = self.custom.broad_phase.as_deref()?;
         custom.downcast_ref()
     }
 
     /// The custom broad phase, if there is one and it is a `T`.
     pub fn custom_mut<T: CustomBroadPhase>(&mut self) -> Option<&mut T> {
-        let custom: &mut dyn Any = self.custom.0.as_deref_mut()?;
+        let custom: &mut dyn Any = self.custom.broad_phase.as_deref_mut()?;
         custom.downcast_mut()
     }
 
@@ -79,11 +93,54 @@ impl BroadPhaseBvh {
         colliders: &ColliderSet,
         aabbs: &[(ColliderHandle, Aabb)],
     ) {
-        if let Some(custom) = &mut self.custom.0 {
+        if let Some(custom) = &mut self.custom.broad_phase {
             return custom.set_aabbs(params, colliders, aabbs);
         }
         for (handle, aabb) in aabbs {
             self.set_aabb(params, *handle, *aabb);
+        }
+    }
+
+    /// [`Self::update`] in a pipeline. A broad phase that is new in a running world, because it was exchanged or read from a save, learns of
+    /// the colliders that have not changed, and pairs that only the one before it has reported end.
+    pub(crate) fn update_in_pipeline(
+        &mut self,
+        narrow_phase: &NarrowPhase,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let is_new = match &self.custom.broad_phase {
+            Some(custom) => custom.is_new(),
+            None => self.frame_index == 0 && self.tree.is_empty(),
+        };
+        let is_listed = |handle: &&ColliderHandle| colliders.contains(**handle);
+        let is_exchanged =
+            is_new && modified_colliders.iter().filter(is_listed).count() < colliders.len();
+        if is_exchanged {
+            for (handle, collider) in colliders.iter() {
+                let is_unlisted = !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
+                if collider.is_enabled() && is_unlisted {
+                    let aabb = collider.compute_broad_phase_aabb(params, bodies);
+                    if aabb.mins.is_finite() && aabb.maxs.is_finite() {
+                        self.set_aabb(params, handle, aabb);
+                    }
+                }
+            }
+        }
+        self.update(
+            params,
+            colliders,
+            bodies,
+            modified_colliders,
+            removed_colliders,
+            events,
+        );
+        if is_exchanged {
+            end_unreported(narrow_phase, colliders, events);
         }
     }
 
@@ -94,7 +151,7 @@ impl BroadPhaseBvh {
         bodies: &mut RigidBodySet,
         colliders: &ColliderSet,
     ) {
-        let Some(custom) = &self.custom.0 else {
+        let Some(custom) = &self.custom.broad_phase else {
             return;
         };
         for &(listed, other, is_removed) in custom.unreported() {
@@ -115,7 +172,7 @@ impl BroadPhaseBvh {
 
     /// The tree for queries and CCD.
     pub(crate) fn bvh(&self) -> &Bvh {
-        match &self.custom.0 {
+        match &self.custom.broad_phase {
             Some(custom) => custom.bvh(),
             None => &self.tree,
         }
@@ -124,29 +181,87 @@ impl BroadPhaseBvh {
 
 /// The custom broad phase of a [`BroadPhaseBvh`], if it has one.
 #[derive(Default)]
-pub(super) struct Custom(pub(super) Option<Box<dyn CustomBroadPhase>>);
+pub(super) struct Custom {
+    pub(super) broad_phase: Option<Box<dyn CustomBroadPhase>>,
+    /// Scratch: the lists of an update; see [`CustomBroadPhase::note_changes`].
+    modified: Vec<ColliderHandle>,
+    reinserted: Vec<ColliderHandle>,
+    unmoved: Vec<ColliderHandle>,
+}
 
 impl Clone for Custom {
     fn clone(&self) -> Self {
-        Self(self.0.as_ref().map(|custom| custom.clone_box()))
+        let broad_phase = self.broad_phase.as_ref();
+        Self {
+            broad_phase: broad_phase.map(|custom| custom.clone_box()),
+            ..Self::default()
+        }
     }
 }
 
-#[cfg(feature = "serde-serialize")]
 impl Custom {
-    pub(super) fn none() -> Self {
-        Self(None)
+    /// Updates the custom broad phase, if there is one. Tells it what Rapier's own looks at.
+    pub(super) fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) -> bool {
+        let Some(custom) = &mut self.broad_phase else {
+            return false;
+        };
+        let lists = [&mut self.modified, &mut self.reinserted, &mut self.unmoved];
+        lists.into_iter().for_each(Vec::clear);
+        let reinserting = ColliderChanges::PARENT
+            | ColliderChanges::PARENT_EFFECTIVE_DOMINANCE
+            | ColliderChanges::GROUPS;
+        for &handle in modified {
+            let changes = colliders.get(handle).map(|collider| collider.changes);
+            let is_reinserted = changes.is_some_and(|changes| changes.intersects(reinserting));
+            if is_reinserted {
+                self.reinserted.push(handle);
+            }
+            match changes {
+                Some(changes) if !(is_reinserted || changes.needs_broad_phase_update()) => {
+                    self.unmoved.push(handle)
+                }
+                _ => self.modified.push(handle),
+            }
+        }
+        custom.note_changes(&self.reinserted, &self.unmoved);
+        custom.update(params, colliders, bodies, &self.modified, removed, events);
+        true
     }
+}
 
-    pub(super) fn is_none(&self) -> bool {
-        self.0.is_none()
-    }
-
-    /// A snapshot that leaves the custom broad phase out would be read as one without pairs.
-    pub(super) fn refuse<S: serde::Serializer>(&self, _: S) -> Result<S::Ok, S::Error> {
-        Err(serde::ser::Error::custom(
-            "a custom broad phase is not part of this snapshot: serialize it by itself (`custom_ref`), \
-             and put it back with `BroadPhaseBvh::custom`",
-        ))
+/// Ends the pairs of a narrow phase that are not among `events`.
+fn end_unreported(
+    narrow_phase: &NarrowPhase,
+    colliders: &ColliderSet,
+    events: &mut Vec<BroadPhasePairEvent>,
+) {
+    let key = |a: ColliderHandle, b: ColliderHandle| {
+        let mut key = [a.into_raw_parts(), b.into_raw_parts()];
+        key.sort_unstable();
+        key
+    };
+    let added = events.iter().filter_map(|event| match event {
+        BroadPhasePairEvent::AddPair(pair) => Some(key(pair.collider1, pair.collider2)),
+        BroadPhasePairEvent::DeletePair(_) => None,
+    });
+    let mut reported: Vec<_> = added.collect();
+    reported.sort_unstable();
+    let contacts = narrow_phase.contact_pairs();
+    let contacts = contacts.map(|pair| (pair.collider1, pair.collider2));
+    let intersections = narrow_phase.intersection_pairs();
+    let pairs = contacts.chain(intersections.map(|(a, b, _)| (a, b)));
+    for (a, b) in pairs {
+        let are_there = colliders.contains(a) && colliders.contains(b);
+        if are_there && reported.binary_search(&key(a, b)).is_err() {
+            events.push(BroadPhasePairEvent::DeletePair(ColliderPair::new(a, b)));
+        }
     }
 }

@@ -12,9 +12,14 @@ pub static BROAD_PHASE_FACTORY: std::sync::OnceLock<fn() -> Box<dyn CustomBroadP
 impl Default for Custom {
     fn default() -> Self {
         #[cfg(feature = "std")]
-        if let Some(make) = BROAD_PHASE_FACTORY.get() {
-            return Self(Some(make()));
+        let broad_phase = BROAD_PHASE_FACTORY.get().map(|make| make());
+        #[cfg(not(feature = "std"))]
+        let broad_phase = None;
+        Self {
+            broad_phase,
+            modified: Vec::new(),
+            reinserted: Vec::new(),
+            unmoved: Vec::new(),
         }
-        Self(None)
     }
 }

@@ -61,20 +61,12 @@ pub use self::custom::CustomBroadPhase;
     },
     Edit {
         file: "src/geometry/broad_phase_bvh/mod.rs",
-        purpose: "the field `custom`, without which snapshots stay what they were",
+        purpose: "the field `custom`, which is not written: what is read begins as a new broad phase of Rapier's own",
         find: "    deferred_optimize_pending: bool,\n",
         times: 1,
         change: Change::After(
             r#"    /// If set, everything is left to it.
-    #[cfg_attr(
-        feature = "serde-serialize",
-        serde(
-            skip_deserializing,
-            default = "Custom::none",
-            skip_serializing_if = "Custom::is_none",
-            serialize_with = "Custom::refuse"
-        )
-    )]
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
     custom: Custom,
 "#,
         ),
@@ -85,7 +77,7 @@ pub use self::custom::CustomBroadPhase;
         find: "        let change_detection_skin = self.change_detection_skin(params, &aabb);\n",
         times: 1,
         change: Change::Before(
-            "        if let Some(custom) = &mut self.custom.0 {
+            "        if let Some(custom) = &mut self.custom.broad_phase {
             return custom.set_aabb(params, handle, aabb);
         }
 ",
@@ -97,15 +89,9 @@ pub use self::custom::CustomBroadPhase;
         find: "        self.frame_index = self.frame_index.overflowing_add(1).0;\n",
         times: 1,
         change: Change::Before(
-            "        if let Some(custom) = &mut self.custom.0 {
-            return custom.update(
-                params,
-                colliders,
-                bodies,
-                modified_colliders,
-                removed_colliders,
-                events,
-            );
+            "        let (modified, removed) = (modified_colliders, removed_colliders);
+        if self.custom.update(params, colliders, bodies, modified, removed, events) {
+            return;
         }
 ",
         ),
@@ -147,6 +133,20 @@ pub use self::custom::CustomBroadPhase;
         find: "self.update_moved_collider_aabbs(&step_parameters, broad_phase)",
         times: 1,
         change: Change::Replace("self.update_moved_collider_aabbs(&step_parameters, colliders, broad_phase)"),
+    },
+    Edit {
+        file: "src/pipeline/physics_pipeline/solve.rs",
+        purpose: "a broad phase that is new in a running world learns of all colliders",
+        find: "        broad_phase.update(\n",
+        times: 1,
+        change: Change::Replace("        broad_phase.update_in_pipeline(\n            narrow_phase,\n"),
+    },
+    Edit {
+        file: "src/pipeline/collision_pipeline.rs",
+        purpose: "a broad phase that is new in a running world learns of all colliders",
+        find: "        broad_phase.update(\n",
+        times: 1,
+        change: Change::Replace("        broad_phase.update_in_pipeline(\n            narrow_phase,\n"),
     },
     Edit {
         file: "src/pipeline/physics_pipeline/solve.rs",
@@ -240,8 +240,8 @@ pub use self::broad_phase_bvh::BROAD_PHASE_FACTORY;",
     Edit {
         file: "src/geometry/broad_phase_bvh/custom.rs",
         purpose: "the default comes from the factory",
-        find: "#[derive(Default)]\n",
+        find: "#[derive(Default)]\npub(super) struct Custom",
         times: 1,
-        change: Change::Replace(""),
+        change: Change::Replace("pub(super) struct Custom"),
     },
 ];

@@ -11,7 +11,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::version;
-use crate::proxy_table::{Changes, ProxyTable};
+use crate::proxy_table::{Changes, Lists, ProxyTable};
 use crate::volume::Volume;
 use crate::{Kernel, PairFilter, Stats};
 
@@ -39,6 +39,17 @@ pub struct UnisizeBroadPhase {
     pub(super) query_tree: QueryTree,
     /// See [`Self::unreported_neighbors`].
     pub(super) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
+    /// What the next update is told of in particular.
+    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 tells")]
+    pub(crate) noted: Noted,
+}
+
+/// Colliders of which more is known than that they have changed; see [`Lists`].
+#[derive(Clone, Default)]
+#[allow(dead_code, reason = "only an opened copy of Rapier 0.36 tells")]
+pub(crate) struct Noted {
+    pub(crate) reinserted: Vec<ColliderHandle>,
+    pub(crate) unmoved: Vec<ColliderHandle>,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -74,6 +85,7 @@ impl UnisizeBroadPhase {
             changes: Changes::new(version::ORDER),
             query_tree: QueryTree::default(),
             near: Vec::new(),
+            noted: Noted::default(),
         }
     }
 
@@ -152,12 +164,15 @@ impl UnisizeBroadPhase {
 
     /// Notes the neighbors that [`Self::unreported_neighbors`] tells of, before an update with these lists.
     #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
-    pub(crate) fn note_neighbors(&mut self, lists: [&[ColliderHandle]; 2]) {
+    pub(crate) fn note_neighbors(&mut self, lists: &Lists<'_, ColliderHandle>) {
         self.near.clear();
         if self.filter() < PairFilter::Shapes {
             return;
         }
-        for (handles, is_removed) in lists.into_iter().zip([false, true]) {
+        let Lists {
+            modified, unmoved, ..
+        } = lists;
+        for (handles, is_removed) in [(modified, false), (unmoved, false), (&lists.removed, true)] {
             self.table.near(handles, |listed, other| {
                 self.near.push((listed, other, is_removed))
             });
@@ -195,16 +210,16 @@ impl UnisizeBroadPhase {
         }
     }
 
-    /// One update, with the modified and the removed colliders in this order.
+    /// One update.
     pub(crate) fn bring_up_to_date(
         &mut self,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
-        lists: [&[ColliderHandle]; 2],
+        lists: &Lists<'_, ColliderHandle>,
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        if lists.iter().all(|handles| handles.is_empty()) && !self.table.is_begun() {
+        if lists.are_empty() && !self.table.is_begun() {
             return;
         }
         let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());

@@ -7,7 +7,7 @@
 //! Things keep going where they went: the fat box is the box, drawn out in the direction of its last move as far as it
 //! will get in a number of further moves, and by a skin to all sides.
 
-use crate::tuning::foresight::{LONGEST, SKIN, SPEED_SAMPLE, WIDEST_SKIN};
+use crate::tuning::foresight::{SKIN, SPEED_SAMPLE, WIDEST_SKIN};
 use crate::{Aabb, Real};
 
 /// For how many moves ahead a proxy is searched for.
@@ -17,11 +17,8 @@ pub(super) struct Horizon {
 }
 
 impl Horizon {
-    /// This number of moves, or the most that there may be.
     pub(super) fn new(moves: u16) -> Self {
-        Self {
-            moves: moves.min(LONGEST),
-        }
+        Self { moves }
     }
 
     /// The fat box of a proxy that was at `before` and is at `now`. It contains `now`, for any numbers.
@@ -138,8 +135,11 @@ mod tests {
                 for &c in &numbers {
                     for &d in numbers.iter().chain(&[f32::NAN]) {
                         let now = Aabb::new([a, a], [b, b]);
-                        let fat = Horizon::new(8).fat_box(&now, &Aabb::new([c, d], [d, d]));
-                        assert!(fat.contains(&now) && fat.is_valid(), "{now:?} {c} {d}");
+                        for moves in [1, 8, u16::MAX] {
+                            let before = Aabb::new([c, d], [d, d]);
+                            let fat = Horizon::new(moves).fat_box(&now, &before);
+                            assert!(fat.contains(&now) && fat.is_valid(), "{now:?} {c} {d}");
+                        }
                         count += 1;
                     }
                 }

@@ -7,10 +7,10 @@
 mod tests;
 
 use super::candidates::ListState;
-use super::foresight::{Foresight, Motion, Spent};
+use super::foresight::Foresight;
 use super::layers::AboveBase;
 use crate::Work;
-use crate::tuning::prices::{COMPARED, FOUND, LOOKED_UP, PICKED, SEARCHED, WALKED};
+use crate::tuning::prices::{FOUND, LOOKED_UP, PICKED, SEARCHED, WALKED};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, FULL_RUN_SLACK, LISTS_COST, MOST_CANDIDATES};
 
 /// What decides the plan of an update.
@@ -25,8 +25,6 @@ pub(super) struct Known {
     /// Touched slots whose proxies have left their fat boxes, have none yet, or are gone.
     pub(super) escaped: usize,
     pub(super) candidates: usize,
-    /// Candidates whose boxes overlap.
-    pub(super) overlapping: usize,
     /// Rows of the candidates, tombstones included.
     pub(super) rows: usize,
     pub(super) lists: ListState,
@@ -36,7 +34,7 @@ pub(super) struct Known {
     pub(super) above_base: Option<AboveBase>,
     /// How far ahead the present fat boxes are drawn.
     pub(super) foresight: Foresight,
-    /// What all updates since the last full run have cost, that run included.
+    /// What searching has cost in all updates since the last full run, that run included.
     pub(super) spent: Spent,
 }
 
@@ -66,19 +64,12 @@ pub(super) enum Extent {
 
 impl Plan {
     /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full run.
-    pub(super) fn of<const D: usize>(
-        known: &Known,
-        mean_speed: impl FnOnce() -> Option<f64>,
-    ) -> Self {
+    pub(super) fn of(known: &Known, mean_speed: impl FnOnce() -> Option<f64>) -> Self {
         if known.touched + known.stirred == 0 {
             return Self::Nothing;
         }
         if known.is_full_run_due() {
-            let motion = || Motion {
-                speed: mean_speed(),
-                pairs: known.overlapping as f64 / known.slots as f64,
-            };
-            return Self::FullRun(known.foresight.adapted::<D>(known.spent, motion));
+            return Self::FullRun(known.foresight.renewed(mean_speed));
         }
         let extent = known.extent();
         match known.escaped {
@@ -127,29 +118,26 @@ impl Known {
     }
 }
 
-/// What an update has cost that has renewed this number of boxes.
-pub(super) fn price(work: &Work, moved: usize) -> Spent {
-    let priced = |units: &[(usize, u64)]| {
-        let all = units
-            .iter()
-            .map(|&(count, price)| price.saturating_mul(to_u64(count)));
-        all.fold(0, u64::saturating_add)
-    };
-    let searching = priced(&[
-        (work.looked_up, LOOKED_UP),
-        (work.searched, SEARCHED),
-        (work.found, FOUND),
-    ]);
-    let comparing = priced(&[
-        (work.compared, COMPARED),
-        (work.picked, PICKED),
-        (work.walked, WALKED),
-    ]);
-    Spent {
-        updates: 1,
-        moved: to_u64(moved),
-        searching,
-        all: searching.saturating_add(comparing),
+/// What searching has cost in some updates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Spent {
+    pub(super) updates: u64,
+    pub(super) searching: u64,
+}
+
+impl Spent {
+    /// Adds an update.
+    pub(super) fn add(&mut self, work: &Work) {
+        let priced = [
+            (work.looked_up, LOOKED_UP),
+            (work.searched, SEARCHED),
+            (work.found, FOUND),
+        ];
+        self.updates = self.updates.saturating_add(1);
+        for (count, price) in priced {
+            let cost = price.saturating_mul(to_u64(count));
+            self.searching = self.searching.saturating_add(cost);
+        }
     }
 }
 

@@ -18,10 +18,10 @@
 //! live on.
 
 use super::candidates::Proxies;
-use super::foresight::{Foresight, Spent};
+use super::foresight::Foresight;
 use super::horizon::mean_speed;
 use super::layers::retain_from;
-use super::policy::{self, Extent, Known, Plan, are_most_touched};
+use super::policy::{self, Extent, Known, Plan, Spent, are_most_touched};
 use super::{FilterKey, PairChange, PairTracker};
 use crate::stopwatch::Lap;
 use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK, THREADS_FROM};
@@ -45,7 +45,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
             self.mark_renewed();
         }
-        let plan = Plan::of::<D>(&self.known(), || {
+        let plan = Plan::of(&self.known(), || {
             mean_speed(&self.touched, &self.boxes, &self.previous)
         });
         let lap = match plan {
@@ -69,8 +69,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.run_in_full(foresight, lap, &mut report)
             }
         };
-        self.spent
-            .add(policy::price(&self.work, self.touched.len()));
+        self.spent.add(&self.work);
         self.settle();
         self.stopwatch.lap(lap, |times| &mut times.difference);
     }
@@ -97,7 +96,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             stirred: self.stirred.len(),
             escaped: self.escaped.len(),
             candidates: self.candidates.len(),
-            overlapping: self.candidates.overlapping_count(),
             rows: self.candidates.rows(),
             lists: self.candidates.lists(),
             are_layers_used: self.layers.are_used(),

@@ -3,7 +3,7 @@
 mod model;
 mod world;
 
-use super::{BoxSource, Changes, FilterKey, Handle};
+use super::{BoxSource, Changes, FilterKey, Handle, Lists};
 use crate::tuning::update::{MOST_NOTES_A_SLOT, READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Kernel, PairFilter};
@@ -288,7 +288,9 @@ fn boxes_for_unknown_colliders_make_room_once() {
             .table
             .hand_over(bogus(0), MARGIN, |_, _, _| Volume::BOX);
         assert_eq!(world.table.boxes().len(), ROOM_AHEAD);
-        world.table.update([&[], &[]], &world.colliders, MARGIN);
+        world
+            .table
+            .update(&Lists::new(&[], &[]), &world.colliders, MARGIN);
         world.table.finish(
             0.0,
             &mut Changes::default(),

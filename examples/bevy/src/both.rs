@@ -103,6 +103,10 @@ impl CustomBroadPhase for Both {
         );
     }
 
+    fn is_new(&self) -> bool {
+        self.unisize.is_new()
+    }
+
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
         self.default.set_aabb(params, handle, aabb);
         CustomBroadPhase::set_aabb(&mut self.unisize, params, handle, aabb);

@@ -61,6 +61,11 @@ impl<B: BroadPhase> BroadPhase for OnRapiersTree<B> {
         self.events.set_aabbs(params, colliders, boxes);
     }
 
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        self.tree.note_changes(reinserted, unmoved);
+        self.events.note_changes(reinserted, unmoved);
+    }
+
     fn bvh(&self) -> &Bvh {
         self.tree.bvh()
     }
@@ -95,6 +100,10 @@ impl<B: BroadPhase> BroadPhase for Clocked<B> {
         boxes: &[(ColliderHandle, Aabb)],
     ) {
         self.time(|inner| inner.set_aabbs(params, colliders, boxes));
+    }
+
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        self.inner.note_changes(reinserted, unmoved);
     }
 
     fn bvh(&self) -> &Bvh {

@@ -1,7 +1,9 @@
 //! A broad phase that takes the place of another in a running world.
 
+use super::rapier::parry;
 use super::rapier::prelude::*;
-use super::twins::{cube, cuboid, dynamic};
+use super::snapshot::{EventLog, Snapshot, contacts};
+use super::twins::{cube, cuboid, dynamic, unisize};
 use super::{PairFilter, Settings, UnisizeBroadPhase};
 
 /// How many cubes rest on a floor, one on top of the other.
@@ -27,57 +29,153 @@ fn run(world: &mut PhysicsWorld) {
     }
 }
 
-fn exchanges() -> [[DefaultBroadPhase; 2]; 3] {
-    let default = DefaultBroadPhase::new;
-    let ours = || DefaultBroadPhase::custom(UnisizeBroadPhase::new());
+fn ours() -> DefaultBroadPhase {
+    DefaultBroadPhase::custom(UnisizeBroadPhase::new())
+}
+
+/// Ours with other settings.
+fn other() -> DefaultBroadPhase {
     let settings = Settings::default()
         .with_filter(PairFilter::Groups)
         .with_margin(0.05);
-    let other = DefaultBroadPhase::custom(UnisizeBroadPhase::with_settings(settings));
-    [[default(), ours()], [ours(), default()], [ours(), other]]
+    DefaultBroadPhase::custom(UnisizeBroadPhase::with_settings(settings))
 }
 
-/// Whether a column stands after its broad phase and its narrow phase were exchanged.
-fn stands([before, after]: [DefaultBroadPhase; 2], are_listed: bool) -> bool {
-    let (mut world, cubes) = column(before);
+/// Panics unless a column that was `changed` goes on resting, with the contacts that it had, and stands when it is woken.
+fn stands(broad_phase: DefaultBroadPhase, change: impl FnOnce(PhysicsWorld) -> PhysicsWorld) {
+    let (world, cubes) = column(broad_phase);
     let heights = |world: &PhysicsWorld| {
         let height = |&cube: &RigidBodyHandle| world.bodies[cube].translation().y;
         cubes.iter().map(height).collect::<Vec<_>>()
     };
-    let rest = heights(&world);
-    assert!(cubes.iter().all(|&cube| world.bodies[cube].is_sleeping()));
-    world.broad_phase = after;
-    world.narrow_phase = NarrowPhase::new();
-    if are_listed {
-        UnisizeBroadPhase::list_all(&mut world.colliders);
-    }
-    // What sleeps is not listed later, either.
-    world.step();
+    let sleep = |world: &PhysicsWorld| cubes.iter().all(|&cube| world.bodies[cube].is_sleeping());
+    let (rest, touching) = (heights(&world), contacts(&world));
+    assert!(sleep(&world));
+    assert_eq!(touching.len(), CUBES);
+    let mut world = change(world);
+    let log = EventLog::default();
+    world.step_with_events(&(), &log);
+    let seen = Snapshot::of(&world, log);
+    assert_eq!((seen.contacts, seen.events.len()), (touching.clone(), 0));
+    assert!(sleep(&world));
     for &cube in &cubes {
         world.bodies[cube].wake_up(true);
     }
     run(&mut world);
-    let contacts = world.narrow_phase.contact_pairs();
-    let contacts = contacts
-        .filter(|pair| pair.has_any_active_contact())
-        .count();
+    assert_eq!(contacts(&world), touching);
     let mut heights = heights(&world).into_iter().zip(rest);
-    let stands = heights.all(|(now, then)| (now - then).abs() < 0.01);
-    assert_eq!(stands, contacts == CUBES);
-    stands
+    assert!(heights.all(|(now, then)| (now - then).abs() < 0.01));
 }
 
 #[test]
 fn what_rests_goes_on_resting_on_another_broad_phase() {
-    for exchange in exchanges() {
-        assert!(stands(exchange, true));
+    let default = DefaultBroadPhase::new;
+    for [before, after] in [[default(), ours()], [ours(), default()], [ours(), other()]] {
+        stands(before, |mut world| {
+            world.broad_phase = after;
+            world
+        });
     }
 }
 
-/// Otherwise there would be nothing to list.
+/// As it is done where the pipelines do not help.
 #[test]
-fn what_is_not_listed_falls() {
-    for exchange in exchanges() {
-        assert!(!stands(exchange, false));
+fn a_new_narrow_phase_and_a_list_of_all_do_as_well() {
+    let (mut world, cubes) = column(DefaultBroadPhase::new());
+    world.broad_phase = ours();
+    world.narrow_phase = NarrowPhase::new();
+    UnisizeBroadPhase::list_all(&mut world.colliders);
+    run(&mut world);
+    assert_eq!(contacts(&world).len(), CUBES);
+    assert!(
+        cubes
+            .iter()
+            .all(|&cube| world.bodies[cube].translation().y > 0.9)
+    );
+}
+
+/// A world that was written and read, in a format that tells fields by name, and in one that does not.
+fn saved(world: &PhysicsWorld) -> [PhysicsWorld; 2] {
+    let json = serde_json::to_string(world).unwrap();
+    let bytes = postcard::to_stdvec(world).unwrap();
+    [
+        serde_json::from_str(&json).unwrap(),
+        postcard::from_bytes(&bytes).unwrap(),
+    ]
+}
+
+/// On unisize or not, and off it or not: what is read has Rapier's own broad phase until it gets another.
+#[test]
+fn a_saved_world_goes_on() {
+    for format in 0..2 {
+        let read = |world: PhysicsWorld| saved(&world).into_iter().nth(format).unwrap();
+        for make in [DefaultBroadPhase::new, ours] {
+            stands(make(), read);
+            stands(make(), |world| PhysicsWorld {
+                broad_phase: ours(),
+                ..read(world)
+            });
+        }
+        stands(other(), |world| PhysicsWorld {
+            broad_phase: ours(),
+            ..read(world)
+        });
     }
+}
+
+/// In the midst of motion, and as often as somebody likes.
+#[test]
+fn a_world_is_saved_again_and_again() {
+    let mut world = PhysicsWorld {
+        broad_phase: ours(),
+        ..PhysicsWorld::default()
+    };
+    world.insert(RigidBodyBuilder::fixed(), cuboid([10.0, 0.5, 10.0]));
+    for i in 0..20 {
+        let ball = ColliderBuilder::ball(0.3);
+        world.insert(dynamic(0.1 * (i % 3) as Real, 1.0 + 0.7 * i as Real), ball);
+    }
+    for round in 0..30 {
+        for _ in 0..7 {
+            world.step();
+            let near = nearest(&world);
+            // A quarter of a ball: what falls fast sinks in that far without being saved, too.
+            assert!(near > -0.15, "two overlap by {near} in round {round}");
+        }
+        let [read, _] = saved(&world);
+        assert!(read.broad_phase.custom_ref::<UnisizeBroadPhase>().is_none());
+        world = read;
+        if round % 3 > 0 {
+            world.broad_phase = ours();
+        }
+    }
+    assert!(contacts(&world).len() > 10);
+}
+
+/// The least distance of two colliders.
+fn nearest(world: &PhysicsWorld) -> Real {
+    let all: Vec<_> = world
+        .colliders
+        .iter()
+        .map(|(_, collider)| collider)
+        .collect();
+    let distance = |a: &Collider, b: &Collider| {
+        let contact = parry::query::contact(a.position(), a.shape(), b.position(), b.shape(), 0.0);
+        contact.unwrap().map_or(0.0, |contact| contact.dist)
+    };
+    let pairs = (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let distances = pairs.map(|(i, j)| distance(all[i], all[j]));
+    distances.fold(0.0, Real::min)
+}
+
+/// A broad phase that has been updated is not new: nothing is listed for it, and its pairs stay.
+#[test]
+fn a_broad_phase_that_knows_the_world_is_left_alone() {
+    let (mut world, _) = column(ours());
+    let known = world.broad_phase.clone();
+    let before = unisize(&world).stats();
+    world.broad_phase = known;
+    world.step();
+    let after = unisize(&world).stats();
+    assert_eq!((before.pairs, before.updates), (after.pairs, after.updates));
 }

@@ -11,7 +11,7 @@ use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::PairFilter;
-use crate::proxy_table::Order;
+use crate::proxy_table::{Lists, Order};
 
 mod unusual_box;
 
@@ -77,7 +77,7 @@ impl BroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
-        self.bring_up_to_date(params, colliders, bodies, lists, events);
+        let lists = Lists::new(modified_colliders, removed_colliders);
+        self.bring_up_to_date(params, colliders, bodies, &lists, events);
     }
 }

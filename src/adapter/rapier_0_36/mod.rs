@@ -12,7 +12,7 @@ use super::rapier::geometry::{
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
-use crate::proxy_table::Order;
+use crate::proxy_table::{Lists, Order};
 use crate::{Aabb, PairFilter};
 
 #[cfg(test)]
@@ -104,8 +104,8 @@ impl UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
-        self.bring_up_to_date(params, colliders, bodies, lists, events);
+        let lists = Lists::new(modified_colliders, removed_colliders);
+        self.bring_up_to_date(params, colliders, bodies, &lists, events);
     }
 
     /// Hands over the box of a collider, in place of listing it as modified: in the next [`update`](Self::update) it counts

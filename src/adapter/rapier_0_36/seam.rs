@@ -6,6 +6,7 @@ use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
 };
 use super::rapier::parry::partitioning::Bvh;
+use crate::proxy_table::Lists;
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -17,9 +18,24 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
-        self.note_neighbors(lists);
-        self.bring_up_to_date(params, colliders, bodies, lists, events);
+        let noted = std::mem::take(&mut self.noted);
+        let lists = Lists {
+            modified: modified_colliders,
+            reinserted: &noted.reinserted,
+            unmoved: &noted.unmoved,
+            removed: removed_colliders,
+        };
+        self.note_neighbors(&lists);
+        self.bring_up_to_date(params, colliders, bodies, &lists, events);
+    }
+
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        self.noted.reinserted.extend_from_slice(reinserted);
+        self.noted.unmoved.extend_from_slice(unmoved);
+    }
+
+    fn is_new(&self) -> bool {
+        self.stats().updates == 0
     }
 
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {

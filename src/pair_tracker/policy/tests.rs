@@ -10,7 +10,6 @@ fn world() -> Known {
         stirred: 0,
         escaped: 0,
         candidates: 4000,
-        overlapping: 2000,
         rows: 5000,
         lists: ListState::default(),
         are_layers_used: true,
@@ -18,9 +17,7 @@ fn world() -> Known {
         foresight: Foresight::new(None),
         spent: Spent {
             updates: 1,
-            moved: 1000,
             searching: FULL_RUN,
-            all: FULL_RUN,
         },
     }
 }
@@ -40,7 +37,7 @@ const MISSED: Extent = Extent::Picked {
 };
 
 fn plan(known: Known) -> Plan {
-    Plan::of::<2>(&known, || Some(0.1))
+    Plan::of(&known, || Some(0.1))
 }
 
 fn is_full_run(known: Known) -> bool {
@@ -153,7 +150,6 @@ fn look_ups_may_cost_as_much_as_the_mean() {
         spent: Spent {
             updates: 3,
             searching,
-            ..world().spent
         },
         ..world()
     };
@@ -250,9 +246,7 @@ fn numbers_beyond_all_measure_are_no_panic() {
         escaped: 1,
         spent: Spent {
             updates: 0,
-            moved: u64::MAX,
             searching: u64::MAX,
-            all: u64::MAX,
         },
         ..world()
     };
@@ -282,7 +276,7 @@ fn without_a_sorted_base_layer_every_search_is_a_full_run() {
 }
 
 #[test]
-fn a_fixed_foresight_is_kept_and_others_are_adapted() {
+fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
     let known = Known {
         touched: 1000,
         escaped: 1000,
@@ -293,24 +287,19 @@ fn a_fixed_foresight_is_kept_and_others_are_adapted() {
         ..known
     };
     let unasked = || panic!("the speed decides nothing");
-    let Plan::FullRun(foresight) = Plan::of::<2>(&fixed, unasked) else {
+    let Plan::FullRun(foresight) = Plan::of(&fixed, unasked) else {
         panic!("all have escaped");
     };
     assert_eq!(foresight.moves(), 5);
     let Plan::FullRun(foresight) = plan(known) else {
         panic!("all have escaped");
     };
-    let motion = || Motion {
-        speed: Some(0.1),
-        pairs: 2.0,
-    };
-    let expected = known.foresight.adapted::<2>(known.spent, motion);
-    assert_eq!(foresight, expected);
+    assert_eq!(foresight, known.foresight.renewed(|| Some(0.1)));
     assert_ne!(foresight, known.foresight);
 }
 
 #[test]
-fn work_is_priced_by_unit() {
+fn searching_is_priced_by_unit() {
     let work = Work {
         compared: 1,
         picked: 10,
@@ -319,14 +308,22 @@ fn work_is_priced_by_unit() {
         searched: 10_000,
         found: 100_000,
     };
+    let mut spent = Spent::default();
+    spent.add(&work);
+    spent.add(&Work::default());
     let searching = 1000 * LOOKED_UP + 10_000 * SEARCHED + 100_000 * FOUND;
-    let expected = Spent {
-        updates: 1,
-        moved: 7,
-        searching,
-        all: searching + COMPARED + 10 * PICKED + 100 * WALKED,
-    };
-    assert_eq!(price(&work, 7), expected);
+    assert_eq!(
+        spent,
+        Spent {
+            updates: 2,
+            searching
+        }
+    );
+    spent.add(&Work {
+        found: usize::MAX,
+        ..work
+    });
+    assert_eq!(spent.searching, u64::MAX);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use oorandom::Rand32;
 
 use super::model::Model;
 use super::{Colliders, Id, MARGIN, Memo, SLACK, Side};
-use crate::proxy_table::{Changes, ProxyTable};
+use crate::proxy_table::{Changes, Lists, ProxyTable};
 use crate::{Aabb, Kernel, PairFilter, Settings, Stats};
 
 /// Both in one world, and what is random about it.
@@ -135,7 +135,7 @@ impl World {
     /// One update of both.
     pub(super) fn update(&mut self, modified: &[Id], removed: &[Id]) {
         self.table
-            .update([modified, removed], &self.colliders, MARGIN);
+            .update(&Lists::new(modified, removed), &self.colliders, MARGIN);
         self.model.update(modified, removed, &self.colliders);
 
         let [added, deleted] = self.model.finish();

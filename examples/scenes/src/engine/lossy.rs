@@ -84,6 +84,10 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Lossy<B> {
             self.inner.set_aabbs(params, colliders, boxes);
         }
 
+        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+            self.inner.note_changes(reinserted, unmoved);
+        }
+
         fn bvh(&self) -> &Bvh {
             self.inner.bvh()
         }

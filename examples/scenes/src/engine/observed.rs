@@ -221,6 +221,10 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
             }
         }
 
+        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+            self.inner.note_changes(reinserted, unmoved);
+        }
+
         fn bvh(&self) -> &Bvh {
             self.inner.bvh()
         }

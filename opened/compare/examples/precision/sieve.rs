@@ -117,6 +117,10 @@ impl CustomBroadPhase for Sieve {
         events.append(&mut own);
     }
 
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        self.inner.note_changes(reinserted, unmoved);
+    }
+
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
         self.inner.set_aabb(params, handle, aabb);
     }

@@ -64,6 +64,11 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
             }
         }
 
+        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+            self.heard.note_changes(reinserted, unmoved);
+            self.unheard.note_changes(reinserted, unmoved);
+        }
+
         fn bvh(&self) -> &Bvh {
             self.heard.bvh()
         }
