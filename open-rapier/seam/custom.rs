@@ -66,10 +66,7 @@ impl BroadPhaseBvh {
     /// A broad phase that leaves everything to `broad_phase`. The settings of Rapier's own have no effect on it.
     pub fn custom(broad_phase: impl CustomBroadPhase) -> Self {
         Self {
-            custom: Custom {
-                broad_phase: Some(Box::new(broad_phase)),
-                ..Custom::default()
-            },
+            custom: Custom::with(Some(Box::new(broad_phase))),
             ..Self::default()
         }
     }
@@ -192,15 +189,21 @@ pub(super) struct Custom {
 impl Clone for Custom {
     fn clone(&self) -> Self {
         let broad_phase = self.broad_phase.as_ref();
-        Self {
-            broad_phase: broad_phase.map(|custom| custom.clone_box()),
-            ..Self::default()
-        }
+        Self::with(broad_phase.map(|custom| custom.clone_box()))
     }
 }
 
 impl Custom {
-    /// Updates the custom broad phase, if there is one. Tells it what Rapier's own looks at.
+    pub(super) fn with(broad_phase: Option<Box<dyn CustomBroadPhase>>) -> Self {
+        Self {
+            broad_phase,
+            modified: Vec::new(),
+            reinserted: Vec::new(),
+            unmoved: Vec::new(),
+        }
+    }
+
+    /// Updates the custom broad phase with the colliders that Rapier's own would look at, and says whether there is one.
     pub(super) fn update(
         &mut self,
         params: &IntegrationParameters,

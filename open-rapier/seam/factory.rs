@@ -15,11 +15,6 @@ impl Default for Custom {
         let broad_phase = BROAD_PHASE_FACTORY.get().map(|make| make());
         #[cfg(not(feature = "std"))]
         let broad_phase = None;
-        Self {
-            broad_phase,
-            modified: Vec::new(),
-            reinserted: Vec::new(),
-            unmoved: Vec::new(),
-        }
+        Self::with(broad_phase)
     }
 }
