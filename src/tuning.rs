@@ -212,8 +212,8 @@ pub(crate) mod foresight {
 }
 
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
-/// caches. Chosen within what `cargo bench --features rapier2d,rapier3d --bench prices` fits to the times of updates, which differ
-/// from machine to machine by a factor of two. Only their ratios decide anything.
+/// caches. Chosen, and not fitted: `cargo bench --features rapier2d,rapier3d --bench prices` fits other prices to the times of updates,
+/// but a fit does not know what that spares or costs later. Only ratios decide anything.
 #[cfg(feature = "_adapter")]
 pub(crate) mod prices {
     /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
