@@ -58,7 +58,12 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
     before: &[Aabb<R, D>],
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0);
-    for &slot in moved.iter().step_by(moved.len() / SPEED_SAMPLE + 1) {
+    // By slots and in their order, because threads note what has moved in another one.
+    let one_in = (moved.len() / SPEED_SAMPLE + 1) as u32;
+    let is_sampled = |slot: &u32| (slot.wrapping_mul(0x9e37_79b9) >> 8) % one_in == 0;
+    let mut sample: Vec<_> = moved.iter().copied().filter(is_sampled).collect();
+    sample.sort_unstable();
+    for slot in sample {
         let (now, before) = (&now[slot as usize], &before[slot as usize]);
         for k in 0..D {
             let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
