@@ -278,16 +278,24 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Brings the filter keys of known colliders up to date, and nothing else.
+    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
     fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
+        let are_used = self.tracker.volumes().are_used();
         for &handle in handles {
-            if let Some(slot) = self.slot_of(handle) {
-                if let Some((_, key)) = source.read(handle, &mut self.memos[slot as usize]) {
-                    self.tracker.set_key(slot, key);
-                }
+            let Some(slot) = self.slot_of(handle) else {
+                continue;
+            };
+            let memo = &mut self.memos[slot as usize];
+            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
+            else {
+                continue;
+            };
+            self.tracker.set_key(slot, key);
+            if are_used && self.tracker.volumes().get(slot).kind != volume.kind {
+                self.tracker.set_volume(slot, &volume, false);
             }
         }
     }

@@ -391,3 +391,20 @@ fn collisions_without_dynamics() {
     }
     assert!(touching > 10, "they touch in {touching} steps");
 }
+
+/// Who asks a hook wants to be asked about all pairs of boxes, also if what asks rests and was told to by nothing but that.
+#[test]
+fn hooks_that_are_set_on_what_rests() {
+    let mut twins = Twins::weightless();
+    let ball = || ColliderBuilder::ball(0.5);
+    let (_, still) = twins.insert(fixed(0.0, 0.0), ball());
+    let (_, other) = twins.insert(dynamic(0.8, 0.8).can_sleep(false), ball());
+    let is_pair = |world: &PhysicsWorld| world.narrow_phase.contact_pair(still, other).is_some();
+    twins.steps(3);
+    assert!(!is_pair(&twins.ours) && is_pair(&twins.theirs));
+    twins.change(still, |still| {
+        still.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS)
+    });
+    twins.steps(2);
+    assert!(is_pair(&twins.ours) && is_pair(&twins.theirs));
+}
