@@ -1,7 +1,7 @@
 //! Boxes on which some methods break down: how time and memory grow, for each kernel and for a bounding volume hierarchy.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench hard_boxes
+//! cargo bench --features rapier2d-027,rapier3d-027,parallel --bench hard_boxes
 //! ```
 //!
 //! Prints a Markdown table for each dimension. *Times uniform* is the time per box or pair, relative to uniform boxes.

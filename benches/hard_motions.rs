@@ -21,21 +21,21 @@ use std::time::Duration;
 #[path = "hard_motions"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
 
 #[path = "hard_motions"]
-mod dim2_0_36 {
-    use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36 as ours;
+mod dim2_036 {
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
@@ -43,21 +43,21 @@ mod dim2_0_36 {
 #[path = "hard_motions"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
 
 #[path = "hard_motions"]
-mod dim3_0_36 {
-    use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36 as ours;
+mod dim3_036 {
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
@@ -80,11 +80,11 @@ fn main() {
     common::set_threads();
     print_head(2);
     dim2::print(true);
-    dim2_0_36::print(false);
+    dim2_036::print(false);
     println!();
     print_head(3);
     dim3::print(true);
-    dim3_0_36::print(false);
+    dim3_036::print(false);
     println!();
 }
 

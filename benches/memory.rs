@@ -19,21 +19,21 @@ use motion::Motion;
 #[path = "memory"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
 
 #[path = "memory"]
-mod dim2_0_36 {
-    use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36 as ours;
+mod dim2_036 {
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
@@ -41,21 +41,21 @@ mod dim2_0_36 {
 #[path = "memory"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
 
 #[path = "memory"]
-mod dim3_0_36 {
-    use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36 as ours;
+mod dim3_036 {
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
@@ -69,7 +69,7 @@ fn main() {
     for motion in Motion::ALL {
         dim2::print(motion);
         dim3::print(motion);
-        dim2_0_36::print(motion);
-        dim3_0_36::print(motion);
+        dim2_036::print(motion);
+        dim3_036::print(motion);
     }
 }

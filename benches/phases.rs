@@ -1,7 +1,7 @@
 //! Where the time goes: the phases of the kernel and of an update, beside a lower bound.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench phases
+//! cargo bench --features rapier2d-027,rapier3d-027,parallel --bench phases
 //! ```
 //!
 //! Prints Markdown tables. For the kernel, each phase is the median over some frames, between which the boxes drift. The
@@ -26,10 +26,10 @@ use std::time::Duration;
 #[path = "phases"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }
@@ -37,10 +37,10 @@ mod dim2 {
 #[path = "phases"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::print;
 }

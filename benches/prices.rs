@@ -1,7 +1,7 @@
 //! What the units of an update's work cost in whole worlds, and how the foresight that goes by speed fares beside fixed ones.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d --bench prices [-- SCENE ...]
+//! cargo bench --features rapier2d-027,rapier3d-027 --bench prices [-- SCENE ...]
 //! ```
 //!
 //! Rapier's own broad phase drives each scene of `compare`; unisize gets the same updates, once with each fixed foresight and
@@ -21,7 +21,7 @@ use unisize_scenes::SceneKind;
 
 #[path = "prices"]
 mod dim2 {
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod dimension;
@@ -30,7 +30,7 @@ mod dim2 {
 
 #[path = "prices"]
 mod dim3 {
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod dimension;

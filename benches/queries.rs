@@ -1,7 +1,7 @@
 //! What a query costs when a step has one: the kept tree brought up to date, and its quality once it has aged.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d --bench queries
+//! cargo bench --features rapier2d-027,rapier3d-027 --bench queries
 //! ```
 //!
 //! Prints a Markdown table. Balls fly about in a container, all of them or a part, and there is one ray in every step.
@@ -14,7 +14,7 @@ mod common;
 #[path = "queries"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
     pub(crate) use dimension::print;
@@ -23,7 +23,7 @@ mod dim2 {
 #[path = "queries"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
     pub(crate) use dimension::print;

@@ -1,7 +1,7 @@
 //! Time and memory a body from a hundred thousand to four million: does it stay level?
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench scale
+//! cargo bench --features rapier2d-027,rapier3d-027,parallel --bench scale
 //! ```
 //!
 //! Prints a Markdown table and writes a chart to `docs/figures/scale.svg`. Boxes drift, at the densities of the bench `update`.
@@ -26,10 +26,10 @@ use unisize_scenes::DriftingBoxes;
 #[path = "scale"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::{DENSITY, measure};
 }
@@ -37,10 +37,10 @@ mod dim2 {
 #[path = "scale"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::{DENSITY, measure};
 }

@@ -1,7 +1,7 @@
 //! The share of a whole Rapier step that the broad phase takes: falling balls, with Rapier's own and with unisize.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench share
+//! cargo bench --features rapier2d-027,rapier3d-027,parallel --bench share
 //! ```
 //!
 //! Prints a Markdown table. Balls fall, land and begin to settle; all steps count.
@@ -12,7 +12,7 @@ mod common;
 
 #[path = "share"]
 mod dim2 {
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod dimension;
@@ -21,7 +21,7 @@ mod dim2 {
 
 #[path = "share"]
 mod dim3 {
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod dimension;

@@ -1,7 +1,7 @@
 //! Whole steps of the physics pipeline: 2,000 falling balls, with Rapier's own broad phase and with unisize.
 //!
 //! ```text
-//! cargo bench --features rapier2d,rapier3d,parallel --bench step
+//! cargo bench --features rapier2d-027,rapier3d-027,parallel --bench step
 //! ```
 //!
 //! Times the simulation from the start until most of the balls have landed: a pile costs more than balls in the
@@ -52,7 +52,7 @@ fn for_each_dimension(criterion: &mut Criterion) {
         group,
         "unisize",
         dim2,
-        unisize::rapier2d::UnisizeBroadPhase::new()
+        unisize::rapier2d_027::UnisizeBroadPhase::new()
     );
     group.finish();
 
@@ -67,7 +67,7 @@ fn for_each_dimension(criterion: &mut Criterion) {
         group,
         "unisize",
         dim3,
-        unisize::rapier3d::UnisizeBroadPhase::new()
+        unisize::rapier3d_027::UnisizeBroadPhase::new()
     );
     group.finish();
 }

@@ -20,21 +20,21 @@ use motion::Motion;
 #[path = "update"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::bench;
 }
 
 #[path = "update"]
-mod dim2_0_36 {
-    use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36 as ours;
+mod dim2_036 {
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::bench;
 }
@@ -42,21 +42,21 @@ mod dim2_0_36 {
 #[path = "update"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_27.rs"]
+    #[path = "../common/rapier_027.rs"]
     mod version;
     pub(crate) use dimension::bench;
 }
 
 #[path = "update"]
-mod dim3_0_36 {
-    use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36 as ours;
+mod dim3_036 {
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036 as ours;
 
     mod dimension;
-    #[path = "../common/rapier_0_36.rs"]
+    #[path = "../common/rapier_036.rs"]
     mod version;
     pub(crate) use dimension::bench;
 }
@@ -65,7 +65,7 @@ fn main() {
     let mut criterion = settings::criterion();
     dim2::bench(&mut criterion);
     dim3::bench(&mut criterion);
-    dim2_0_36::bench(&mut criterion);
-    dim3_0_36::bench(&mut criterion);
+    dim2_036::bench(&mut criterion);
+    dim3_036::bench(&mut criterion);
     criterion.final_summary();
 }

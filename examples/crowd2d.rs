@@ -4,10 +4,10 @@
 //! it forms a pair.
 //!
 //! ```text
-//! cargo run --release --features rapier2d --example crowd2d -- --out crowd2d.gif
+//! cargo run --release --features rapier2d-027 --example crowd2d -- --out crowd2d.gif
 //! ```
 
-use unisize::rapier2d as ours;
+use unisize::rapier2d_027 as ours;
 use unisize_scenes::dim2 as scenes;
 
 #[path = "show/mod.rs"]

@@ -1,9 +1,9 @@
 //! The smallest program: a pile of balls on a floor, stepped with unisize.
 //!
-//! `cargo run --release --features rapier3d --example drop_in`
+//! `cargo run --release --features rapier3d-027 --example drop_in`
 
 use rapier3d::prelude::*;
-use unisize::rapier3d::UnisizeBroadPhase;
+use unisize::rapier3d_027::UnisizeBroadPhase;
 
 fn main() {
     let mut bodies = RigidBodySet::new();

@@ -1,10 +1,10 @@
 //! Grains are poured into a container, colour after colour.
 //!
 //! ```text
-//! cargo run --release --features rapier3d --example particles3d -- --out particles3d.gif
+//! cargo run --release --features rapier3d-027 --example particles3d -- --out particles3d.gif
 //! ```
 
-use unisize::rapier3d as ours;
+use unisize::rapier3d_027 as ours;
 use unisize_scenes::dim3 as scenes;
 
 #[path = "show/mod.rs"]

@@ -1,10 +1,10 @@
 //! Ropes of jointed capsules fall over bars and tangle.
 //!
 //! ```text
-//! cargo run --release --features rapier3d --example rope3d -- --out rope3d.gif
+//! cargo run --release --features rapier3d-027 --example rope3d -- --out rope3d.gif
 //! ```
 
-use unisize::rapier3d as ours;
+use unisize::rapier3d_027 as ours;
 use unisize_scenes::dim3 as scenes;
 
 #[path = "show/mod.rs"]

@@ -10,20 +10,20 @@
 //!
 //! Give Rapier another broad phase; everything else stays as it is, and so do the contacts.
 //!
-//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d_0_36`,
-//! `rapier3d_0_36`, `rapier2d-f64_0_36` or `rapier3d-f64_0_36`:
+//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d_036`,
+//! `rapier3d_036`, `rapier2d-f64-036` or `rapier3d-f64-036`:
 //!
 //! ```diff
 //! -let mut broad_phase = DefaultBroadPhase::new();
-//! +let mut broad_phase = DefaultBroadPhase::custom(unisize::rapier3d_0_36::UnisizeBroadPhase::new());
+//! +let mut broad_phase = DefaultBroadPhase::custom(unisize::rapier3d_036::UnisizeBroadPhase::new());
 //! ```
 //!
-//! Rapier **0.27**, the last version whose pipelines take any broad phase, with the feature `rapier2d`, `rapier3d`,
-//! `rapier2d-f64` or `rapier3d-f64`:
+//! Rapier **0.27**, the last version whose pipelines take any broad phase, with the feature `rapier2d-027`, `rapier3d-027`,
+//! `rapier2d-f64-027` or `rapier3d-f64-027`:
 //!
 //! ```diff
 //! -let mut broad_phase = DefaultBroadPhase::new();
-//! +let mut broad_phase = unisize::rapier3d::UnisizeBroadPhase::new();
+//! +let mut broad_phase = unisize::rapier3d_027::UnisizeBroadPhase::new();
 //! ```
 //!
 //! Programs that drive the collision detection of Rapier 0.36 by themselves need no opened copy: `UnisizeBroadPhase::update`
@@ -102,22 +102,22 @@ mod tuning;
 #[cfg(feature = "_adapter")]
 mod volume;
 
-#[cfg(feature = "rapier2d")]
-pub mod rapier2d;
-#[cfg(feature = "rapier2d_0_36")]
-pub mod rapier2d_0_36;
-#[cfg(feature = "rapier2d-f64")]
-pub mod rapier2d_f64;
-#[cfg(feature = "rapier2d-f64_0_36")]
-pub mod rapier2d_f64_0_36;
-#[cfg(feature = "rapier3d")]
-pub mod rapier3d;
-#[cfg(feature = "rapier3d_0_36")]
-pub mod rapier3d_0_36;
-#[cfg(feature = "rapier3d-f64")]
-pub mod rapier3d_f64;
-#[cfg(feature = "rapier3d-f64_0_36")]
-pub mod rapier3d_f64_0_36;
+#[cfg(feature = "rapier2d-027")]
+pub mod rapier2d_027;
+#[cfg(feature = "rapier2d-036")]
+pub mod rapier2d_036;
+#[cfg(feature = "rapier2d-f64-027")]
+pub mod rapier2d_f64_027;
+#[cfg(feature = "rapier2d-f64-036")]
+pub mod rapier2d_f64_036;
+#[cfg(feature = "rapier3d-027")]
+pub mod rapier3d_027;
+#[cfg(feature = "rapier3d-036")]
+pub mod rapier3d_036;
+#[cfg(feature = "rapier3d-f64-027")]
+pub mod rapier3d_f64_027;
+#[cfg(feature = "rapier3d-f64-036")]
+pub mod rapier3d_f64_036;
 
 pub use aabb::Aabb;
 #[cfg(feature = "baselines")]
@@ -139,16 +139,16 @@ pub use stats::{Stats, Work};
 pub use stopwatch::PhaseTimes;
 
 /// The example of the README, compiled and run.
-#[cfg(all(doctest, feature = "rapier3d"))]
+#[cfg(all(doctest, feature = "rapier3d-027"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
 /// The examples of the page for those who come from Rapier's own broad phase.
-#[cfg(all(doctest, feature = "rapier3d"))]
+#[cfg(all(doctest, feature = "rapier3d-027"))]
 #[doc = include_str!("../docs/migrating.md")]
 struct Migrating;
 
 /// The example of the page about the newest Rapier.
-#[cfg(all(doctest, feature = "rapier3d_0_36"))]
+#[cfg(all(doctest, feature = "rapier3d-036"))]
 #[doc = include_str!("../docs/newest-rapier.md")]
 struct NewestRapier;

@@ -52,7 +52,7 @@ macro_rules! compare {
     };
 }
 
-compare!(dim2, rapier2d);
-compare!(dim3, rapier3d);
-compare!(dim2_f64, rapier2d_f64);
-compare!(dim3_f64, rapier3d_f64);
+compare!(dim2, rapier2d_027);
+compare!(dim3, rapier3d_027);
+compare!(dim2_f64, rapier2d_f64_027);
+compare!(dim3_f64, rapier3d_f64_027);

@@ -52,14 +52,14 @@ const SCALARS: &[Scalar] = &[Scalar::F32, Scalar::F64];
 mod dim2 {
     //! The simulations in rapier2d.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
 
     mod dimension;
-    #[path = "rapier_0_27.rs"]
+    #[path = "rapier_027.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -68,14 +68,14 @@ mod dim2 {
 mod dim3 {
     //! The simulations in rapier3d.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
 
     mod dimension;
-    #[path = "rapier_0_27.rs"]
+    #[path = "rapier_027.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -84,14 +84,14 @@ mod dim3 {
 mod dim2_f64 {
     //! The simulations in rapier2d-f64.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier2d_f64 as ours;
+    use unisize::rapier2d_f64_027 as ours;
     use unisize_scenes::dim2_f64 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
 
     mod dimension;
-    #[path = "rapier_0_27.rs"]
+    #[path = "rapier_027.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -100,14 +100,14 @@ mod dim2_f64 {
 mod dim3_f64 {
     //! The simulations in rapier3d-f64.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier3d_f64 as ours;
+    use unisize::rapier3d_f64_027 as ours;
     use unisize_scenes::dim3_f64 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
 
     mod dimension;
-    #[path = "rapier_0_27.rs"]
+    #[path = "rapier_027.rs"]
     mod version;
     pub(super) use dimension::run;
 }

@@ -1,8 +1,8 @@
 //! Beads with dynamics of their own, in a box with a zone.
 
 use oorandom::Rand32;
-use rapier3d_0_36::parry::query;
-use rapier3d_0_36::prelude::*;
+use rapier3d_036::parry::query;
+use rapier3d_036::prelude::*;
 
 const RADIUS: f32 = 0.1;
 

@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::{Receiver, channel};
 
-use rapier3d_0_36::prelude::*;
+use rapier3d_036::prelude::*;
 
 use crate::beads::Beads;
 

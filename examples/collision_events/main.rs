@@ -1,7 +1,7 @@
 //! Rapier 0.36 without its pipelines: beads with dynamics of their own. Parry finds their contacts among the pairs of
 //! `UnisizeBroadPhase`, and these are reported as Rapier's `CollisionEvent`s.
 //!
-//! `cargo run --release --features rapier3d_0_36 --example collision_events`
+//! `cargo run --release --features rapier3d-036 --example collision_events`
 //!
 //! The beads fly about in a box and bounce off each other; in its middle is a zone that only senses them. With
 //! `--verify` Rapier's own `CollisionPipeline` sees the same beads, and must report the same events in every step.
@@ -16,9 +16,9 @@ use anyhow::ensure;
 use beads::Beads;
 use clap::Parser;
 use engine::Engine;
-use rapier3d_0_36::prelude::*;
+use rapier3d_036::prelude::*;
 use touching::Touching;
-use unisize::rapier3d_0_36::UnisizeBroadPhase;
+use unisize::rapier3d_036::UnisizeBroadPhase;
 
 #[derive(Parser)]
 #[command(about = "Rapier 0.36's collision events without its pipelines")]

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use rapier3d_0_36::parry::query;
-use rapier3d_0_36::prelude::*;
+use rapier3d_036::parry::query;
+use rapier3d_036::prelude::*;
 
 /// The pairs of the broad phase, and whether they touch: a narrow phase without contact forces.
 #[derive(Default)]

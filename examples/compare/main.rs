@@ -1,7 +1,7 @@
 //! Does unisize do the same as Rapier's own broad phase, and how much faster does it make a step?
 //!
 //! ```text
-//! cargo run --release --features rapier2d,rapier3d,parallel --example compare
+//! cargo run --release --features rapier2d-027,rapier3d-027,parallel --example compare
 //! ```
 //!
 //! simulates every scene in two and three dimensions with both broad phases side by side, compares the pairs
@@ -33,7 +33,7 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Off;
 
 #[path = "."]
 mod dim2 {
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     const DIM: u8 = 2;
@@ -44,7 +44,7 @@ mod dim2 {
 
 #[path = "."]
 mod dim3 {
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     const DIM: u8 = 3;

@@ -49,7 +49,7 @@ const HAS_CHARTS: bool = true;
 #[path = "."]
 mod dim2 {
     //! The runs in rapier2d.
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     const DIM: u8 = 2;
@@ -57,7 +57,7 @@ mod dim2 {
     mod dimension;
     #[path = "flavour/dim2.rs"]
     mod flavour;
-    #[path = "version/rapier_0_27.rs"]
+    #[path = "version/rapier_027.rs"]
     mod version;
     pub(super) use dimension::{shift, study};
 }
@@ -65,7 +65,7 @@ mod dim2 {
 #[path = "."]
 mod dim3 {
     //! The runs in rapier3d.
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     const DIM: u8 = 3;
@@ -73,7 +73,7 @@ mod dim3 {
     mod dimension;
     #[path = "flavour/dim3.rs"]
     mod flavour;
-    #[path = "version/rapier_0_27.rs"]
+    #[path = "version/rapier_027.rs"]
     mod version;
     pub(super) use dimension::{shift, study};
 }

@@ -35,8 +35,8 @@ mod table;
 #[path = "."]
 mod dim2 {
     //! The measurements in rapier2d.
-    use rapier2d_0_36 as newest;
-    use unisize::rapier2d as ours;
+    use rapier2d_036 as newest;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod dimension;
@@ -46,8 +46,8 @@ mod dim2 {
 #[path = "."]
 mod dim3 {
     //! The measurements in rapier3d.
-    use rapier3d_0_36 as newest;
-    use unisize::rapier3d as ours;
+    use rapier3d_036 as newest;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod dimension;

@@ -10,7 +10,7 @@
 mod dim2 {
     use flavour::{floors, hinge, soft_body, spin};
     use rapier2d as rapier;
-    use unisize::rapier2d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod flavour;
     #[path = "../suite/mod.rs"]
@@ -20,7 +20,7 @@ mod dim2 {
 mod dim3 {
     use flavour::{floors, hinge, soft_body, spin};
     use rapier3d as rapier;
-    use unisize::rapier3d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod flavour;
     #[path = "../suite/mod.rs"]
@@ -32,7 +32,7 @@ mod dim3 {
 mod dim2_f64 {
     use flavour::{floors, hinge, soft_body, spin};
     use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod flavour;
     #[path = "../suite/mod.rs"]
@@ -43,7 +43,7 @@ mod dim2_f64 {
 mod dim3_f64 {
     use flavour::{floors, hinge, soft_body, spin};
     use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod flavour;
     #[path = "../suite/mod.rs"]

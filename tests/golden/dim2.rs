@@ -2,8 +2,8 @@
 
 use rapier2d as rapier;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier2d::PairFilter;
-use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
+use unisize::rapier2d_027::PairFilter;
+use unisize::rapier2d_027::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim2::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim2::{Observed, Scene};

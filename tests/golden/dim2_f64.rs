@@ -2,8 +2,8 @@
 
 use rapier2d_f64 as rapier;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier2d_f64::PairFilter;
-use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
+use unisize::rapier2d_f64_027::PairFilter;
+use unisize::rapier2d_f64_027::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim2_f64::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim2_f64::{Observed, Scene};

@@ -2,8 +2,8 @@
 
 use rapier3d as rapier;
 #[cfg(feature = "enhanced-determinism")]
-use unisize::rapier3d::PairFilter;
-use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
+use unisize::rapier3d_027::PairFilter;
+use unisize::rapier3d_027::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::dim3::PairEvent;
 #[cfg(feature = "enhanced-determinism")]
 use unisize_scenes::dim3::{Observed, Scene};

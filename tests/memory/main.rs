@@ -13,7 +13,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 #[path = "../../examples/soak"]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d::UnisizeBroadPhase;
+    use unisize::rapier2d_027::UnisizeBroadPhase;
     use unisize_scenes::dim2::Observed;
 
     mod soak;
@@ -23,7 +23,7 @@ mod dim2 {
 #[path = "../../examples/soak"]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d::UnisizeBroadPhase;
+    use unisize::rapier3d_027::UnisizeBroadPhase;
     use unisize_scenes::dim3::Observed;
 
     mod soak;

@@ -6,32 +6,32 @@
 
 #[path = "."]
 mod dim2 {
-    use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }
 
 #[path = "."]
 mod dim3 {
-    use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }
 
 #[path = "."]
 mod dim2_f64 {
-    use rapier2d_f64_0_36 as rapier;
-    use unisize::rapier2d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use rapier2d_f64_036 as rapier;
+    use unisize::rapier2d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }
 
 #[path = "."]
 mod dim3_f64 {
-    use rapier3d_f64_0_36 as rapier;
-    use unisize::rapier3d_f64_0_36::{PairFilter, Settings, UnisizeBroadPhase};
+    use rapier3d_f64_036 as rapier;
+    use unisize::rapier3d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
 
     mod suite;
 }

@@ -11,7 +11,7 @@ mod strategies;
 mod dim2 {
     use flavour::{height_field, hinge, mesh_floor, spin};
     use rapier2d as rapier;
-    use unisize::rapier2d::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_027::{PairFilter, Settings, UnisizeBroadPhase};
     use unisize_scenes::dim2::{Tee, World};
 
     mod flavour;
@@ -22,7 +22,7 @@ mod dim2 {
 mod dim3 {
     use flavour::{height_field, hinge, mesh_floor, spin};
     use rapier3d as rapier;
-    use unisize::rapier3d::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_027::{PairFilter, Settings, UnisizeBroadPhase};
     use unisize_scenes::dim3::{Tee, World};
 
     mod flavour;
@@ -35,7 +35,7 @@ mod dim3 {
 mod dim2_f64 {
     use flavour::{height_field, hinge, mesh_floor, spin};
     use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_f64_027::{PairFilter, Settings, UnisizeBroadPhase};
     use unisize_scenes::dim2_f64::{Tee, World};
 
     mod flavour;
@@ -47,7 +47,7 @@ mod dim2_f64 {
 mod dim3_f64 {
     use flavour::{height_field, hinge, mesh_floor, spin};
     use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64::{PairFilter, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_f64_027::{PairFilter, Settings, UnisizeBroadPhase};
     use unisize_scenes::dim3_f64::{Tee, World};
 
     mod flavour;

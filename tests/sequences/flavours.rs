@@ -3,13 +3,13 @@
 #[path = "."]
 pub(crate) mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d::{Kernel, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_027::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "plane.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_27/mod.rs"]
+    #[path = "rapier_027/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
@@ -18,13 +18,13 @@ pub(crate) mod dim2 {
 #[path = "."]
 pub(crate) mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_027::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "space.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_27/mod.rs"]
+    #[path = "rapier_027/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
@@ -33,13 +33,13 @@ pub(crate) mod dim3 {
 #[path = "."]
 pub(crate) mod dim2_f64 {
     use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64::{Kernel, Settings, UnisizeBroadPhase};
+    use unisize::rapier2d_f64_027::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "plane.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_27/mod.rs"]
+    #[path = "rapier_027/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
@@ -48,73 +48,73 @@ pub(crate) mod dim2_f64 {
 #[path = "."]
 pub(crate) mod dim3_f64 {
     use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64::{Kernel, Settings, UnisizeBroadPhase};
+    use unisize::rapier3d_f64_027::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "space.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_27/mod.rs"]
+    #[path = "rapier_027/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
 }
 
 #[path = "."]
-pub(crate) mod dim2_0_36 {
-    use rapier2d_0_36 as rapier;
-    use unisize::rapier2d_0_36::{Kernel, Settings, UnisizeBroadPhase};
+pub(crate) mod dim2_036 {
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "plane.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_36/mod.rs"]
+    #[path = "rapier_036/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
 }
 
 #[path = "."]
-pub(crate) mod dim3_0_36 {
-    use rapier3d_0_36 as rapier;
-    use unisize::rapier3d_0_36::{Kernel, Settings, UnisizeBroadPhase};
+pub(crate) mod dim3_036 {
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "space.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_36/mod.rs"]
+    #[path = "rapier_036/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
 }
 
 #[path = "."]
-pub(crate) mod dim2_f64_0_36 {
-    use rapier2d_f64_0_36 as rapier;
-    use unisize::rapier2d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
+pub(crate) mod dim2_f64_036 {
+    use rapier2d_f64_036 as rapier;
+    use unisize::rapier2d_f64_036::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "plane.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_36/mod.rs"]
+    #[path = "rapier_036/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;
 }
 
 #[path = "."]
-pub(crate) mod dim3_f64_0_36 {
-    use rapier3d_f64_0_36 as rapier;
-    use unisize::rapier3d_f64_0_36::{Kernel, Settings, UnisizeBroadPhase};
+pub(crate) mod dim3_f64_036 {
+    use rapier3d_f64_036 as rapier;
+    use unisize::rapier3d_f64_036::{Kernel, Settings, UnisizeBroadPhase};
 
     #[cfg(test)]
     #[path = "space.rs"]
     mod solids;
     mod suite;
-    #[path = "rapier_0_36/mod.rs"]
+    #[path = "rapier_036/mod.rs"]
     mod version;
 
     pub(crate) use suite::play;

@@ -7,7 +7,7 @@
 use arbitrary::{Result, Unstructured};
 
 use crate::flavours::{
-    dim2, dim2_0_36, dim2_f64, dim2_f64_0_36, dim3, dim3_0_36, dim3_f64, dim3_f64_0_36,
+    dim2, dim2_036, dim2_f64, dim2_f64_036, dim3, dim3_036, dim3_f64, dim3_f64_036,
 };
 use crate::ops::{
     ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
@@ -37,10 +37,10 @@ pub(crate) fn play(bytes: &[u8]) {
         1 => dim3::play(&sequence, kernel),
         2 => dim2_f64::play(&sequence, kernel),
         3 => dim3_f64::play(&sequence, kernel),
-        4 => dim2_0_36::play(&sequence, kernel),
-        5 => dim3_0_36::play(&sequence, kernel),
-        6 => dim2_f64_0_36::play(&sequence, kernel),
-        _ => dim3_f64_0_36::play(&sequence, kernel),
+        4 => dim2_036::play(&sequence, kernel),
+        5 => dim3_036::play(&sequence, kernel),
+        6 => dim2_f64_036::play(&sequence, kernel),
+        _ => dim3_f64_036::play(&sequence, kernel),
     }
 }
 

@@ -6,7 +6,7 @@ mod boxes;
 #[path = "."]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
+    use unisize::rapier2d_027::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
     use unisize_scenes::dim2::{Observed, PairEvent, Scene};
 
     mod suite;
@@ -15,7 +15,7 @@ mod dim2 {
 #[path = "."]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
+    use unisize::rapier3d_027::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
     use unisize_scenes::dim3::{Observed, PairEvent, Scene};
 
     mod suite;
@@ -24,7 +24,7 @@ mod dim3 {
 #[path = "."]
 mod dim2_f64 {
     use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
+    use unisize::rapier2d_f64_027::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
     use unisize_scenes::dim2_f64::{Observed, PairEvent, Scene};
 
     mod suite;
@@ -33,7 +33,7 @@ mod dim2_f64 {
 #[path = "."]
 mod dim3_f64 {
     use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
+    use unisize::rapier3d_f64_027::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
     use unisize_scenes::dim3_f64::{Observed, PairEvent, Scene};
 
     mod suite;

@@ -3,7 +3,7 @@
 #[path = "."]
 mod dim2 {
     use rapier2d as rapier;
-    use unisize::rapier2d::{Stats, UnisizeBroadPhase};
+    use unisize::rapier2d_027::{Stats, UnisizeBroadPhase};
     use unisize_scenes::dim2::PairEvent;
 
     mod suite;
@@ -12,7 +12,7 @@ mod dim2 {
 #[path = "."]
 mod dim3 {
     use rapier3d as rapier;
-    use unisize::rapier3d::{Stats, UnisizeBroadPhase};
+    use unisize::rapier3d_027::{Stats, UnisizeBroadPhase};
     use unisize_scenes::dim3::PairEvent;
 
     mod suite;
@@ -21,7 +21,7 @@ mod dim3 {
 #[path = "."]
 mod dim2_f64 {
     use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64::{Stats, UnisizeBroadPhase};
+    use unisize::rapier2d_f64_027::{Stats, UnisizeBroadPhase};
     use unisize_scenes::dim2_f64::PairEvent;
 
     mod suite;
@@ -30,7 +30,7 @@ mod dim2_f64 {
 #[path = "."]
 mod dim3_f64 {
     use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64::{Stats, UnisizeBroadPhase};
+    use unisize::rapier3d_f64_027::{Stats, UnisizeBroadPhase};
     use unisize_scenes::dim3_f64::PairEvent;
 
     mod suite;

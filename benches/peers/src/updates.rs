@@ -45,7 +45,7 @@ mod dim2 {
     #[path = "."]
     mod v027 {
         use rapier2d as rapier;
-        use unisize::rapier2d as ours;
+        use unisize::rapier2d_027 as ours;
 
         #[path = "v027.rs"]
         mod engine;
@@ -56,7 +56,7 @@ mod dim2 {
     #[path = "."]
     mod v036 {
         use rapier2d_036 as rapier;
-        use unisize::rapier2d_0_36 as ours;
+        use unisize::rapier2d_036 as ours;
 
         mod deferred;
         #[path = "v036.rs"]
@@ -93,7 +93,7 @@ mod dim3 {
     #[path = "."]
     mod v027 {
         use rapier3d as rapier;
-        use unisize::rapier3d as ours;
+        use unisize::rapier3d_027 as ours;
 
         #[path = "v027.rs"]
         mod engine;
@@ -104,7 +104,7 @@ mod dim3 {
     #[path = "."]
     mod v036 {
         use rapier3d_036 as rapier;
-        use unisize::rapier3d_0_36 as ours;
+        use unisize::rapier3d_036 as ours;
 
         mod deferred;
         #[path = "v036.rs"]

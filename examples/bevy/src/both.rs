@@ -10,7 +10,7 @@ use bevy_rapier3d::rapier::geometry::{
     Aabb, BroadPhasePairEvent, Bvh, ColliderHandle, ColliderSet, CustomBroadPhase,
     DefaultBroadPhase,
 };
-use unisize::rapier3d_0_36::UnisizeBroadPhase;
+use unisize::rapier3d_036::UnisizeBroadPhase;
 
 /// Puts [`Both`] into every Rapier context when it is made.
 pub(crate) struct BothPlugin;

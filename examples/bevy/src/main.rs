@@ -14,7 +14,7 @@ use bevy::time::{TimePlugin, TimeUpdateStrategy};
 use bevy_rapier3d::prelude::*;
 use bevy_rapier3d::rapier::geometry::{ColliderHandle, DefaultBroadPhase};
 use clap::Parser;
-use unisize::rapier3d_0_36::UnisizeBroadPhase;
+use unisize::rapier3d_036::UnisizeBroadPhase;
 
 use both::Both;
 use plugin::UnisizePlugin;

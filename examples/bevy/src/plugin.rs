@@ -3,7 +3,7 @@
 use bevy::prelude::*;
 use bevy_rapier3d::prelude::RapierContextSimulation;
 use bevy_rapier3d::rapier::geometry::DefaultBroadPhase;
-use unisize::rapier3d_0_36::UnisizeBroadPhase;
+use unisize::rapier3d_036::UnisizeBroadPhase;
 
 /// Puts unisize into every Rapier context when it is made.
 pub(crate) struct UnisizePlugin;

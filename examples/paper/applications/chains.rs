@@ -6,7 +6,7 @@ use crate::progress::progress_bar;
 use crate::race::{race, unit_boxes};
 use crate::table::{Table, count, digits};
 use anyhow::{Result, ensure};
-use unisize::rapier3d::UnisizeBroadPhase;
+use unisize::rapier3d_027::UnisizeBroadPhase;
 use unisize_scenes::dim3::{Candidate, Comparison};
 use unisize_scenes::{Backbone, SceneKind};
 

@@ -7,7 +7,7 @@ use crate::table::{Table, digits};
 use anyhow::{Result, ensure};
 use rapier2d::prelude::*;
 use std::time::Instant;
-use unisize::rapier2d::UnisizeBroadPhase;
+use unisize::rapier2d_027::UnisizeBroadPhase;
 use unisize::{Aabb, GridSweep, PairFinder};
 use unisize_scenes::Stampede;
 

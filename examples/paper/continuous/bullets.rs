@@ -3,7 +3,7 @@
 
 use crate::table::{Table, digits};
 use rapier3d::prelude::*;
-use unisize::rapier3d::UnisizeBroadPhase;
+use unisize::rapier3d_027::UnisizeBroadPhase;
 use unisize_scenes::dim3::World;
 
 const BALLS: usize = 400;

@@ -1,7 +1,7 @@
 //! Rapier 0.36, whose pipeline sets the boxes of moved colliders one by one, and lists only colliders that the user has changed,
 //! here none.
 
-use rapier2d_0_36 as rapier;
+use rapier2d_036 as rapier;
 
 #[path = "world.rs"]
 mod world;

@@ -1,6 +1,6 @@
 //! Steps every scene, or those that are named, with Rapier's default broad phase and prints what it took and whether it stayed sane.
 //!
-//! `cargo run --release -p unisize-scenes --features rapier2d,rapier3d --example survey -- [steps] [bodies] [scene]...`
+//! `cargo run --release -p unisize-scenes --features rapier2d-027,rapier3d-027 --example survey -- [steps] [bodies] [scene]...`
 
 use std::time::Instant;
 use unisize_scenes::SceneKind;

@@ -1,11 +1,11 @@
 //! The worlds that unisize is tested, measured and shown on.
 //!
 //! `dim2`, `dim3`, `dim2_f64` and `dim3_f64` are one source, compiled once for each engine whose feature is on:
-//! `rapier2d`, `rapier3d`, `rapier2d-f64` and `rapier3d-f64`. A `dim3::Scene` is built from a [`SceneKind`], a number
+//! `rapier2d-027`, `rapier3d-027`, `rapier2d-f64-027` and `rapier3d-f64-027`. A `dim3::Scene` is built from a [`SceneKind`], a number
 //! of bodies and a seed, and is stepped with any broad phase:
 //!
 //! ```
-//! # #[cfg(feature = "rapier3d")]
+//! # #[cfg(feature = "rapier3d-027")]
 //! # {
 //! use unisize_scenes::SceneKind;
 //! use unisize_scenes::dim3::{Scene, rapier::prelude::DefaultBroadPhase};
@@ -23,7 +23,7 @@
 //! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
-//! its versions in `version/`. `dim2_0_36` and the like are for opened copies of Rapier 0.36, and exist if there are such.
+//! its versions in `version/`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod backbone;
@@ -44,7 +44,7 @@ pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
 pub use stampede::Stampede;
 
-#[cfg(feature = "rapier2d")]
+#[cfg(feature = "rapier2d-027")]
 pub mod dim2 {
     //! The scenes for rapier2d.
 
@@ -57,7 +57,7 @@ pub mod dim2 {
     #[path = "../show.rs"]
     mod show;
     mod vehicle;
-    #[path = "../version/rapier_0_27.rs"]
+    #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
@@ -66,7 +66,7 @@ pub mod dim2 {
     pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
-#[cfg(feature = "rapier3d")]
+#[cfg(feature = "rapier3d-027")]
 pub mod dim3 {
     //! The scenes for rapier3d.
 
@@ -82,7 +82,7 @@ pub mod dim3 {
     mod show;
     mod solids;
     mod vehicle;
-    #[path = "../version/rapier_0_27.rs"]
+    #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
@@ -93,7 +93,7 @@ pub mod dim3 {
     pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
-#[cfg(feature = "rapier2d-f64")]
+#[cfg(feature = "rapier2d-f64-027")]
 #[path = "dim2"]
 pub mod dim2_f64 {
     //! The scenes for rapier2d-f64.
@@ -104,14 +104,14 @@ pub mod dim2_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
-    #[path = "../version/rapier_0_27.rs"]
+    #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
     pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
-#[cfg(feature = "rapier3d-f64")]
+#[cfg(feature = "rapier3d-f64-027")]
 #[path = "dim3"]
 pub mod dim3_f64 {
     //! The scenes for rapier3d-f64.
@@ -122,26 +122,26 @@ pub mod dim3_f64 {
     mod engine;
     mod flavour;
     mod vehicle;
-    #[path = "../version/rapier_0_27.rs"]
+    #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
     pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
 }
 
-#[cfg(all(feature = "rapier2d_0_36", opened_rapier2d))]
+#[cfg(all(feature = "rapier2d-036", opened_rapier2d))]
 #[path = "dim2"]
-pub mod dim2_0_36 {
+pub mod dim2_036 {
     //! The scenes for an opened rapier2d 0.36.
 
-    pub use rapier2d_0_36 as rapier;
+    pub use rapier2d_036 as rapier;
 
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
     mod soft;
     mod vehicle;
-    #[path = "../version/rapier_0_36.rs"]
+    #[path = "../version/rapier_036.rs"]
     mod version;
 
     pub use engine::*;
@@ -150,19 +150,19 @@ pub mod dim2_0_36 {
     };
 }
 
-#[cfg(all(feature = "rapier3d_0_36", opened_rapier3d))]
+#[cfg(all(feature = "rapier3d-036", opened_rapier3d))]
 #[path = "dim3"]
-pub mod dim3_0_36 {
+pub mod dim3_036 {
     //! The scenes for an opened rapier3d 0.36.
 
-    pub use rapier3d_0_36 as rapier;
+    pub use rapier3d_036 as rapier;
 
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
     mod soft;
     mod vehicle;
-    #[path = "../version/rapier_0_36.rs"]
+    #[path = "../version/rapier_036.rs"]
     mod version;
 
     pub use engine::*;
@@ -171,19 +171,19 @@ pub mod dim3_0_36 {
     };
 }
 
-#[cfg(all(feature = "rapier2d-f64_0_36", opened_rapier2d_f64))]
+#[cfg(all(feature = "rapier2d-f64-036", opened_rapier2d_f64))]
 #[path = "dim2"]
-pub mod dim2_f64_0_36 {
+pub mod dim2_f64_036 {
     //! The scenes for an opened rapier2d-f64 0.36.
 
-    pub use rapier2d_f64_0_36 as rapier;
+    pub use rapier2d_f64_036 as rapier;
 
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
     mod soft;
     mod vehicle;
-    #[path = "../version/rapier_0_36.rs"]
+    #[path = "../version/rapier_036.rs"]
     mod version;
 
     pub use engine::*;
@@ -192,19 +192,19 @@ pub mod dim2_f64_0_36 {
     };
 }
 
-#[cfg(all(feature = "rapier3d-f64_0_36", opened_rapier3d_f64))]
+#[cfg(all(feature = "rapier3d-f64-036", opened_rapier3d_f64))]
 #[path = "dim3"]
-pub mod dim3_f64_0_36 {
+pub mod dim3_f64_036 {
     //! The scenes for an opened rapier3d-f64 0.36.
 
-    pub use rapier3d_f64_0_36 as rapier;
+    pub use rapier3d_f64_036 as rapier;
 
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
     mod soft;
     mod vehicle;
-    #[path = "../version/rapier_0_36.rs"]
+    #[path = "../version/rapier_036.rs"]
     mod version;
 
     pub use engine::*;

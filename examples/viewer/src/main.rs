@@ -26,7 +26,7 @@ mod dim2 {
     //! Scenes in two dimensions.
     use crate::choice;
     use scenes::rapier;
-    use unisize::rapier2d as ours;
+    use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
     mod live;
@@ -41,7 +41,7 @@ mod dim3 {
     //! Scenes in three dimensions.
     use crate::choice;
     use scenes::rapier;
-    use unisize::rapier3d as ours;
+    use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
     mod live;

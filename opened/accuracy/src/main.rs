@@ -48,14 +48,14 @@ const SCALARS: &[Scalar] = &[Scalar::F32, Scalar::F64];
 mod dim2 {
     //! The simulations in rapier2d.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier2d_0_36 as ours;
-    use unisize_scenes::dim2_0_36 as scenes;
+    use unisize::rapier2d_036 as ours;
+    use unisize_scenes::dim2_036 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
 
     mod dimension;
-    #[path = "rapier_0_36.rs"]
+    #[path = "rapier_036.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -64,14 +64,14 @@ mod dim2 {
 mod dim3 {
     //! The simulations in rapier3d.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier3d_0_36 as ours;
-    use unisize_scenes::dim3_0_36 as scenes;
+    use unisize::rapier3d_036 as ours;
+    use unisize_scenes::dim3_036 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
 
     mod dimension;
-    #[path = "rapier_0_36.rs"]
+    #[path = "rapier_036.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -80,14 +80,14 @@ mod dim3 {
 mod dim2_f64 {
     //! The simulations in rapier2d-f64.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier2d_f64_0_36 as ours;
-    use unisize_scenes::dim2_f64_0_36 as scenes;
+    use unisize::rapier2d_f64_036 as ours;
+    use unisize_scenes::dim2_f64_036 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
 
     mod dimension;
-    #[path = "rapier_0_36.rs"]
+    #[path = "rapier_036.rs"]
     mod version;
     pub(super) use dimension::run;
 }
@@ -96,14 +96,14 @@ mod dim2_f64 {
 mod dim3_f64 {
     //! The simulations in rapier3d-f64.
     use scenes::rapier::prelude::JointAxesMask;
-    use unisize::rapier3d_f64_0_36 as ours;
-    use unisize_scenes::dim3_f64_0_36 as scenes;
+    use unisize::rapier3d_f64_036 as ours;
+    use unisize_scenes::dim3_f64_036 as scenes;
 
     /// What the joint of a pendulum holds together.
     const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
 
     mod dimension;
-    #[path = "rapier_0_36.rs"]
+    #[path = "rapier_036.rs"]
     mod version;
     pub(super) use dimension::run;
 }

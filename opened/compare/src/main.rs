@@ -40,8 +40,8 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
 
 #[path = "../../../examples/compare"]
 mod dim2 {
-    use unisize::rapier2d_0_36 as ours;
-    use unisize_scenes::dim2_0_36 as scenes;
+    use unisize::rapier2d_036 as ours;
+    use unisize_scenes::dim2_036 as scenes;
 
     const DIM: u8 = 2;
 
@@ -51,8 +51,8 @@ mod dim2 {
 
 #[path = "../../../examples/compare"]
 mod dim3 {
-    use unisize::rapier3d_0_36 as ours;
-    use unisize_scenes::dim3_0_36 as scenes;
+    use unisize::rapier3d_036 as ours;
+    use unisize_scenes::dim3_036 as scenes;
 
     const DIM: u8 = 3;
 

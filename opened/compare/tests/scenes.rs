@@ -4,5 +4,5 @@
 #[path = "../../../examples/scenes/tests/suite/mod.rs"]
 mod suite;
 
-scene_tests!(dim2_0_36);
-scene_tests!(dim3_0_36);
+scene_tests!(dim2_036);
+scene_tests!(dim3_036);

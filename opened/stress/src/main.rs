@@ -50,15 +50,15 @@ const HAS_CHARTS: bool = false;
 #[path = "../../../examples/stress"]
 mod dim2 {
     //! The runs in rapier2d.
-    use unisize::rapier2d_0_36 as ours;
-    use unisize_scenes::dim2_0_36 as scenes;
+    use unisize::rapier2d_036 as ours;
+    use unisize_scenes::dim2_036 as scenes;
 
     const DIM: u8 = 2;
 
     mod dimension;
     #[path = "flavour/dim2.rs"]
     mod flavour;
-    #[path = "version/rapier_0_36.rs"]
+    #[path = "version/rapier_036.rs"]
     mod version;
     pub(super) use dimension::{shift, study};
 }
@@ -66,15 +66,15 @@ mod dim2 {
 #[path = "../../../examples/stress"]
 mod dim3 {
     //! The runs in rapier3d.
-    use unisize::rapier3d_0_36 as ours;
-    use unisize_scenes::dim3_0_36 as scenes;
+    use unisize::rapier3d_036 as ours;
+    use unisize_scenes::dim3_036 as scenes;
 
     const DIM: u8 = 3;
 
     mod dimension;
     #[path = "flavour/dim3.rs"]
     mod flavour;
-    #[path = "version/rapier_0_36.rs"]
+    #[path = "version/rapier_036.rs"]
     mod version;
     pub(super) use dimension::{shift, study};
 }

@@ -48,7 +48,7 @@ pub use outcome::{Clocked, Independent, Outcome, RayCount, Tally};
 /// The broad phase that is compared with the default: how to make one, and what it can be asked.
 ///
 /// ```
-/// # #[cfg(feature = "rapier3d")]
+/// # #[cfg(feature = "rapier3d-027")]
 /// # {
 /// use unisize_scenes::dim3::{Candidate, rapier::prelude::DefaultBroadPhase};
 ///
@@ -108,7 +108,7 @@ impl<C: BroadPhase + 'static> Candidate<C> {
 /// What is to be compared: a scene, and how closely to look.
 ///
 /// ```
-/// # #[cfg(feature = "rapier2d")]
+/// # #[cfg(feature = "rapier2d-027")]
 /// # {
 /// use unisize_scenes::SceneKind;
 /// use unisize_scenes::dim2::{Candidate, Comparison, rapier::prelude::DefaultBroadPhase};

@@ -23,7 +23,7 @@ pub use timing::Timing;
 /// A broad phase under observation.
 ///
 /// ```
-/// # #[cfg(feature = "rapier3d")]
+/// # #[cfg(feature = "rapier3d-027")]
 /// # {
 /// use unisize_scenes::SceneKind;
 /// use unisize_scenes::dim3::{Observed, Scene, rapier::prelude::DefaultBroadPhase};

@@ -47,7 +47,7 @@ type AsQueryPipelineMut<B> = for<'a> fn(
 /// How a broad phase is asked.
 ///
 /// ```
-/// # #[cfg(feature = "rapier3d")]
+/// # #[cfg(feature = "rapier3d-027")]
 /// # {
 /// use unisize_scenes::dim3::{QueryAccess, rapier::prelude::DefaultBroadPhase};
 ///

@@ -89,8 +89,8 @@ impl Test {
 
 #[path = "."]
 mod dim2 {
-    use unisize::rapier2d_0_36 as ours;
-    use unisize_scenes::dim2_0_36 as scenes;
+    use unisize::rapier2d_036 as ours;
+    use unisize_scenes::dim2_036 as scenes;
 
     mod dimension;
     mod race;
@@ -101,8 +101,8 @@ mod dim2 {
 
 #[path = "."]
 mod dim3 {
-    use unisize::rapier3d_0_36 as ours;
-    use unisize_scenes::dim3_0_36 as scenes;
+    use unisize::rapier3d_036 as ours;
+    use unisize_scenes::dim3_036 as scenes;
 
     mod dimension;
     mod race;

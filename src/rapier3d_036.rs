@@ -1,9 +1,9 @@
 //! The broad phase for rapier3d 0.36.
 //!
-#![doc = include_str!("adapter/rapier_0_36/module.md")]
-#![cfg_attr(not(opened_rapier3d), doc = include_str!("adapter/rapier_0_36/unopened.md"))]
+#![doc = include_str!("adapter/rapier_036/module.md")]
+#![cfg_attr(not(opened_rapier3d), doc = include_str!("adapter/rapier_036/unopened.md"))]
 
-use ::rapier3d_0_36 as rapier;
+use ::rapier3d_036 as rapier;
 
 #[path = "adapter/mod.rs"]
 mod adapter;
@@ -12,11 +12,11 @@ mod adapter;
 #[path = "adapter/test_support/dim3.rs"]
 mod test_support;
 
-#[path = "adapter/rapier_0_36/mod.rs"]
+#[path = "adapter/rapier_036/mod.rs"]
 mod version;
 
 #[cfg(opened_rapier3d)]
-#[path = "adapter/rapier_0_36/seam.rs"]
+#[path = "adapter/rapier_036/seam.rs"]
 mod seam;
 
 pub use crate::{Kernel, PairFilter, Stats, Work};

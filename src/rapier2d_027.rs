@@ -6,7 +6,7 @@
 //! ```
 //! use rapier2d::parry::query::DefaultQueryDispatcher;
 //! use rapier2d::prelude::*;
-//! use unisize::rapier2d::UnisizeBroadPhase;
+//! use unisize::rapier2d_027::UnisizeBroadPhase;
 //!
 //! let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
 //! let wall = colliders.insert(ColliderBuilder::cuboid(0.5, 5.0).translation(vector![4.0, 0.0]));
@@ -43,7 +43,7 @@ mod adapter;
 #[path = "adapter/test_support/dim2.rs"]
 mod test_support;
 
-#[path = "adapter/rapier_0_27/mod.rs"]
+#[path = "adapter/rapier_027/mod.rs"]
 mod version;
 
 pub use crate::{Kernel, PairFilter, Stats, Work};

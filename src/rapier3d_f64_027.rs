@@ -1,17 +1,17 @@
-//! The broad phase for rapier2d-f64 0.27.
+//! The broad phase for rapier3d-f64 0.27.
 //!
 //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
 
-use ::rapier2d_f64 as rapier;
+use ::rapier3d_f64 as rapier;
 
 #[path = "adapter/mod.rs"]
 mod adapter;
 
 #[cfg(test)]
-#[path = "adapter/test_support/dim2.rs"]
+#[path = "adapter/test_support/dim3.rs"]
 mod test_support;
 
-#[path = "adapter/rapier_0_27/mod.rs"]
+#[path = "adapter/rapier_027/mod.rs"]
 mod version;
 
 pub use crate::{Kernel, PairFilter, Stats, Work};

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use rapier3d::prelude::*;
-//! use unisize::rapier3d::{Settings, UnisizeBroadPhase};
+//! use unisize::rapier3d_027::{Settings, UnisizeBroadPhase};
 //!
 //! let (bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
 //! let [left, right, far] = [0.0, 0.9, 5.0].map(|x| {
@@ -33,7 +33,7 @@
 //!
 //! ```
 //! # use rapier3d::prelude::*;
-//! use unisize::rapier3d::{Kernel, Settings, UnisizeBroadPhase};
+//! use unisize::rapier3d_027::{Kernel, Settings, UnisizeBroadPhase};
 //!
 //! let settings = Settings::default().with_kernel(Kernel::RankSweep).with_timed(true);
 //! let mut broad_phase = UnisizeBroadPhase::with_settings(settings);
@@ -60,7 +60,7 @@ mod adapter;
 #[path = "adapter/test_support/dim3.rs"]
 mod test_support;
 
-#[path = "adapter/rapier_0_27/mod.rs"]
+#[path = "adapter/rapier_027/mod.rs"]
 mod version;
 
 pub use crate::{Kernel, PairFilter, Stats, Work};

@@ -1,8 +1,8 @@
 //! The broad phase for rapier3d-f64 0.36.
 //!
-#![doc = include_str!("adapter/rapier_0_36/module.md")]
+#![doc = include_str!("adapter/rapier_036/module.md")]
 
-use ::rapier3d_f64_0_36 as rapier;
+use ::rapier3d_f64_036 as rapier;
 
 #[path = "adapter/mod.rs"]
 mod adapter;
@@ -11,11 +11,11 @@ mod adapter;
 #[path = "adapter/test_support/dim3.rs"]
 mod test_support;
 
-#[path = "adapter/rapier_0_36/mod.rs"]
+#[path = "adapter/rapier_036/mod.rs"]
 mod version;
 
 #[cfg(opened_rapier3d_f64)]
-#[path = "adapter/rapier_0_36/seam.rs"]
+#[path = "adapter/rapier_036/seam.rs"]
 mod seam;
 
 pub use crate::{Kernel, PairFilter, Stats, Work};
