@@ -15,7 +15,7 @@ mod tests;
 mod tubes;
 
 use crate::pair_finder::check_boxes;
-use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{ONE_TUBE_UP_TO, OUTSIZE_UP_TO_EIGHTHS, STRIP_WIDENINGS, THREADS_FROM};
 use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
 use grid::Grid;
@@ -127,6 +127,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         self.stopwatch.times = PhaseTimes::default();
         let mut stopwatch = std::mem::take(&mut self.stopwatch);
         let are_valid = self.find(boxes, Everyone(boxes.len()), false, pairs, &mut stopwatch);
+        stopwatch.leave();
         self.stopwatch = stopwatch;
         if are_valid {
             return Ok(());
@@ -233,14 +234,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let parts = &self.parts[..part_count];
         class.find(boxes, parts, slab_count, keeps, pairs, stopwatch);
         if !class.outsize.is_empty() {
-            let lap = stopwatch.start();
+            stopwatch.enter(Phase::Sweep);
             class.prepare_lookup();
             let mut emitter = Emitter::new(pairs);
             for &i in &class.outsize {
                 class.look_up(&boxes[i as usize], i, &mut emitter);
             }
             emitter.finish();
-            stopwatch.lap(lap, |times| &mut times.sweep);
+            stopwatch.leave();
         }
         true
     }
@@ -322,7 +323,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             _ => STRIP_WIDENINGS.iter(),
         };
         loop {
-            let mut lap = stopwatch.start();
+            stopwatch.enter(Phase::Read);
             let widening = widenings.next();
             let mut part_count = 1;
             self.grid = Grid::default();
@@ -341,14 +342,14 @@ impl<R: Real, const D: usize> Class<R, D> {
                 if M::MAY_BE_INVALID {
                     members.for_each(boxes, 0..count, |_, _, aabb| is_valid &= aabb.is_valid());
                 }
-                lap = stopwatch.lap(lap, |times| &mut times.read);
                 if !is_valid {
                     return None;
                 }
+                stopwatch.enter(Phase::Sort);
                 self.grid.extend::<D>();
                 self.scattered
                     .deal(boxes, members, &self.grid, &mut self.outsize);
-                lap = stopwatch.lap(lap, |times| &mut times.sort);
+                stopwatch.enter(Phase::Read);
             }
             if parts.len() < part_count {
                 parts.resize_with(part_count, Part::default);
@@ -359,7 +360,6 @@ impl<R: Real, const D: usize> Class<R, D> {
             }
             let grid = &self.grid;
             parallel::for_each(parts, |part| part.count(boxes, members, grid));
-            lap = stopwatch.lap(lap, |times| &mut times.read);
             if !parts.iter().all(|part| !part.is_invalid) {
                 return None;
             }
@@ -367,8 +367,9 @@ impl<R: Real, const D: usize> Class<R, D> {
                 self.outsize.append(&mut part.outsize);
             }
             if widening.is_none() || self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
+                stopwatch.enter(Phase::Sort);
                 parallel::for_each(parts, |part| part.place(members));
-                stopwatch.lap(lap, |times| &mut times.sort);
+                stopwatch.leave();
                 return Some(part_count);
             }
         }

@@ -22,7 +22,7 @@ mod verdict;
 use std::fmt::Debug;
 
 use crate::pair_tracker::{FilterKey, PairTracker};
-use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::volume::Volume;
 use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
 pub(crate) use changes::{Changes, Order};
@@ -223,7 +223,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     {
         self.begin(margin);
         self.gathered.listed += lists.len();
-        let lap = self.tracker.stopwatch.start();
+        self.tracker.stopwatch.enter(Phase::Read);
         // Removals first: a listed collider may already have the slot of a removed one.
         for &handle in lists.removed {
             self.remove(handle);
@@ -234,7 +234,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.reader = reader;
         self.reinsert(lists.reinserted, source);
         self.read_keys(lists.unmoved, source);
-        self.tracker.stopwatch.lap(lap, |times| &mut times.read);
+        self.tracker.stopwatch.leave();
     }
 
     /// Whether there is an update to finish, because boxes were handed over.
@@ -389,7 +389,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         event: impl Fn(bool, [H; 2]) -> E,
     ) {
         self.tracker.finish(slack, |change| changes.note(change));
-        let lap = self.tracker.stopwatch.start();
+        self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let Self {
             generations, stats, ..
@@ -400,7 +400,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
             events.push(event(is_added, handles(generations, pair)));
         });
-        self.tracker.stopwatch.lap(lap, |times| &mut times.events);
+        self.tracker.stopwatch.leave();
         self.stats.times = self.tracker.stopwatch.times;
     }
 }

@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 use crate::endpoints::{Endpoints, SortKey, check_count, has_narrow_keys};
 use crate::pair_finder::{check_boxes, ordered};
 use crate::parallel;
-use crate::stopwatch::Stopwatch;
+use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
 use crate::{Aabb, InvalidBox, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
@@ -96,9 +96,11 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         pairs.clear();
         check_count(boxes.len())?;
         self.stopwatch.times = PhaseTimes::default();
-        let lap = self.stopwatch.start();
-        check_boxes(boxes)?;
-        self.stopwatch.lap(lap, |times| &mut times.read);
+        self.stopwatch.enter(Phase::Read);
+        if let Err(error) = check_boxes(boxes) {
+            self.stopwatch.leave();
+            return Err(error);
+        }
         let Self {
             narrow,
             wide,
@@ -139,7 +141,7 @@ impl Sweep {
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        let lap = stopwatch.start();
+        stopwatch.enter(Phase::Sort);
         let Self {
             orders: [order, second_order],
             lows,
@@ -163,7 +165,7 @@ impl Sweep {
             exact
         };
         let swept = usize::from(sort_both);
-        let lap = stopwatch.lap(lap, |times| &mut times.sort);
+        stopwatch.enter(Phase::Sweep);
         if exact {
             // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D, not even a look at the boxes.
             self.sweep(swept, pairs, |p, q| {
@@ -176,7 +178,7 @@ impl Sweep {
             let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
             self.sweep(swept, pairs, overlap);
         }
-        stopwatch.lap(lap, |times| &mut times.sweep);
+        stopwatch.leave();
     }
 
     /// Sweeps the endpoints of the second axis, in the order `orders[swept]`, and appends the pairs of objects that

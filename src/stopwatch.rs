@@ -61,22 +61,32 @@ impl AddAssign for PhaseTimes {
 /// Whether there is a clock: in WebAssembly without a system to ask there is none, and to read it would be a panic.
 const IS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
+/// A phase of an update, as in [`PhaseTimes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Phase {
+    Read,
+    Sort,
+    Sweep,
+    #[cfg(feature = "_adapter")]
+    Difference,
+    #[cfg(feature = "_adapter")]
+    Events,
+}
+
 /// Adds up the time that phases take. It does not read the clock unless it is switched on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stopwatch {
     is_on: bool,
+    /// The phase that is running, and when it began.
+    running: Option<(Phase, Instant)>,
     pub(crate) times: PhaseTimes,
 }
-
-/// When a phase began, if the stopwatch is on.
-#[derive(Clone, Copy)]
-pub(crate) struct Lap(Option<Instant>);
 
 impl Stopwatch {
     pub(crate) fn new(is_on: bool) -> Self {
         Self {
             is_on: is_on && IS_CLOCK,
-            times: PhaseTimes::default(),
+            ..Self::default()
         }
     }
 
@@ -85,22 +95,36 @@ impl Stopwatch {
         Self::new(self.is_on)
     }
 
-    /// Begins the first phase.
-    pub(crate) fn start(&self) -> Lap {
-        Lap(self.is_on.then(Instant::now))
+    /// Begins a phase, and ends the one that is running, if any.
+    pub(crate) fn enter(&mut self, phase: Phase) {
+        if self.is_on {
+            let now = Instant::now();
+            self.end_at(now);
+            self.running = Some((phase, now));
+        }
     }
 
-    /// Ends a phase, and begins the next one.
-    pub(crate) fn lap(
-        &mut self,
-        Lap(began): Lap,
-        phase: impl FnOnce(&mut PhaseTimes) -> &mut Duration,
-    ) -> Lap {
-        Lap(began.map(|began| {
-            let now = Instant::now();
-            *phase(&mut self.times) += now - began;
-            now
-        }))
+    /// Ends the phase that is running, if any.
+    pub(crate) fn leave(&mut self) {
+        if self.running.is_some() {
+            self.end_at(Instant::now());
+        }
+    }
+
+    fn end_at(&mut self, now: Instant) {
+        let Some((phase, began)) = self.running.take() else {
+            return;
+        };
+        let times = &mut self.times;
+        *match phase {
+            Phase::Read => &mut times.read,
+            Phase::Sort => &mut times.sort,
+            Phase::Sweep => &mut times.sweep,
+            #[cfg(feature = "_adapter")]
+            Phase::Difference => &mut times.difference,
+            #[cfg(feature = "_adapter")]
+            Phase::Events => &mut times.events,
+        } += now - began;
     }
 }
 
@@ -109,17 +133,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_a_stopwatch_that_is_on_adds_laps_up() {
+    fn only_a_stopwatch_that_is_on_adds_phases_up() {
+        let wait = || std::thread::sleep(Duration::from_millis(1));
         for is_on in [false, true] {
             let mut stopwatch = Stopwatch::new(is_on);
-            let mut lap = stopwatch.start();
-            for _ in 0..2 {
-                std::thread::sleep(Duration::from_millis(1));
-                lap = stopwatch.lap(lap, |times| &mut times.sort);
+            for phase in [Phase::Sort, Phase::Read, Phase::Sort] {
+                stopwatch.enter(phase);
+                wait();
             }
-            let PhaseTimes { sort, .. } = stopwatch.times;
+            stopwatch.leave();
+            wait();
+            stopwatch.leave();
+            let PhaseTimes { sort, read, .. } = stopwatch.times;
             assert_eq!(sort >= Duration::from_millis(2), is_on);
-            assert_eq!(stopwatch.times.total(), sort);
+            assert_eq!(read >= Duration::from_millis(1), is_on);
+            assert_eq!(stopwatch.times.total(), sort + read);
         }
     }
 }

@@ -11,7 +11,7 @@ use super::part::{Part, entries_before};
 use super::scattered::Scattered;
 use super::sweep::Emitter;
 use super::tubes::{Entry, Tubes};
-use crate::stopwatch::{Lap, Stopwatch};
+use crate::stopwatch::{Phase, Stopwatch};
 use crate::{Aabb, Real};
 
 /// Some of the tubes of a grid, and the pairs found in them.
@@ -108,7 +108,6 @@ struct Pass<'a, R: Real, const D: usize> {
     keeps: bool,
     emitter: Emitter<'a>,
     stopwatch: &'a mut Stopwatch,
-    lap: Lap,
 }
 
 impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
@@ -121,7 +120,7 @@ impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
         let Slab {
             tubes, stopwatch, ..
         } = slab;
-        let lap = stopwatch.start();
+        stopwatch.enter(Phase::Sort);
         if let Some((entries, occupied)) = size {
             tubes.reserve(entries, occupied);
         }
@@ -130,21 +129,21 @@ impl<'a, R: Real, const D: usize> Pass<'a, R, D> {
             keeps: size.is_some(),
             emitter: Emitter::new(pairs),
             stopwatch,
-            lap,
         }
     }
 
     /// Sorts and sweeps the next tube that has entries.
     fn take(&mut self, strips: [u32; 2], entries: &[Entry<R, D>]) {
         let sorted = self.tubes.push(strips, entries, self.keeps);
-        self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sort);
+        self.stopwatch.enter(Phase::Sweep);
         self.tubes.columns().sweep(sorted, &mut self.emitter);
-        self.lap = self.stopwatch.lap(self.lap, |times| &mut times.sweep);
+        self.stopwatch.enter(Phase::Sort);
     }
 
     fn finish(self) {
+        self.stopwatch.enter(Phase::Sweep);
         self.emitter.finish();
-        self.stopwatch.lap(self.lap, |times| &mut times.sweep);
+        self.stopwatch.leave();
     }
 }
 

@@ -11,7 +11,7 @@
 //! boxes up have no layers.
 
 use crate::slot_set::SlotSet;
-use crate::stopwatch::Stopwatch;
+use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
 use crate::{Aabb, BruteForce, GridSweep, InvalidBox, Kernel, PairFinder, RankSweep, Real, Work};
 
@@ -189,7 +189,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        let lap = stopwatch.start();
+        stopwatch.enter(Phase::Sweep);
         let queries = escaped.slots().iter().copied();
         let queries = queries.filter(|&slot| boxes[slot as usize].is_valid());
         let first = found.len();
@@ -199,7 +199,6 @@ impl<R: Real, const D: usize> Layer<R, D> {
         retain_from(found, first, |[a, b]| {
             outdated.contains(a) != outdated.contains(b)
         });
-        stopwatch.lap(lap, |times| &mut times.sweep);
     }
 }
 
@@ -282,9 +281,8 @@ impl<R: Real, const D: usize> GridLayers<R, D> {
         if boxes.len() <= COMPARE_ALL_UP_TO {
             self.base.is_sorted = false;
             self.base.outdated.clear();
-            let lap = stopwatch.start();
+            stopwatch.enter(Phase::Sweep);
             compare_all(boxes, found);
-            stopwatch.lap(lap, |times| &mut times.sweep);
             return;
         }
         collect_valid(boxes, &mut self.members);
@@ -324,7 +322,7 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        let lap = stopwatch.start();
+        stopwatch.enter(Phase::Sweep);
         collect_valid(boxes, &mut self.slots);
         self.boxes.clear();
         self.boxes
@@ -337,7 +335,6 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
             .iter()
             .map(|pair| pair.map(|i| self.slots[i as usize]));
         found.extend(pairs);
-        stopwatch.lap(lap, |times| &mut times.sweep);
     }
 }
 

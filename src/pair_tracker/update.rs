@@ -23,7 +23,7 @@ use super::horizon::mean_speed;
 use super::layers::retain_from;
 use super::policy::{self, Extent, Known, Plan, Spent, are_most_touched};
 use super::{FilterKey, PairChange, PairTracker};
-use crate::stopwatch::Lap;
+use crate::stopwatch::Phase;
 use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, SLOTS_A_TASK, THREADS_FROM};
 use crate::{Real, Work, parallel};
 
@@ -36,7 +36,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     ///
     /// If volumes are in use, a held pair ends when one of its boxes is renewed and they are farther apart than `slack`.
     pub(crate) fn finish(&mut self, slack: R, mut report: impl FnMut(PairChange)) {
-        let lap = self.stopwatch.start();
+        self.stopwatch.enter(Phase::Difference);
         self.slack = slack;
         if !(self.touched.is_empty() && self.stirred.is_empty()) {
             self.candidates.compact_if_sparse();
@@ -48,30 +48,29 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let plan = Plan::of(&self.known(), || {
             mean_speed(&self.touched, &self.boxes, &self.previous)
         });
-        let lap = match plan {
+        match plan {
             Plan::Nothing => {
                 self.last_touched.clear();
+                self.stopwatch.leave();
                 return;
             }
             Plan::Compare(extent) => {
                 self.work = Work::default();
                 self.found.clear();
                 self.compare(extent, &mut report);
-                lap
             }
             Plan::LookUp(extent) => {
-                let lap = self.look_up(lap);
+                self.look_up();
                 self.compare(extent, &mut report);
-                lap
             }
             Plan::FullRun(foresight) => {
                 self.spent = Spent::default();
-                self.run_in_full(foresight, lap, &mut report)
+                self.run_in_full(foresight, &mut report);
             }
-        };
+        }
         self.spent.add(&self.work);
         self.settle();
-        self.stopwatch.lap(lap, |times| &mut times.difference);
+        self.stopwatch.leave();
     }
 
     /// Marks the slots that have another box, if volumes are in use.
@@ -105,11 +104,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Draws the fat boxes of the escaped anew and looks them up among all others. Takes the lap of what came before, and
-    /// returns the one that it has begun.
-    fn look_up(&mut self, lap: Lap) -> Lap {
+    /// Draws the fat boxes of the escaped anew and looks them up among all others.
+    fn look_up(&mut self) {
         self.draw_escaped();
-        self.stopwatch.lap(lap, |times| &mut times.difference);
         self.found.clear();
         let Self {
             layers,
@@ -121,9 +118,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             ..
         } = self;
         *work = layers.find_escaped(fat_boxes, escaped, found, stopwatch);
-        let lap = self.stopwatch.start();
+        self.stopwatch.enter(Phase::Difference);
         self.keep_those_that_may_meet();
-        lap
     }
 
     /// Compares candidates, retires the candidates of the escaped, and takes in what was found for the escaped.
@@ -162,14 +158,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Searches for all candidates, by fat boxes that are drawn with this foresight. Takes the lap of what came before, and
-    /// returns the one that it has begun.
-    fn run_in_full(
-        &mut self,
-        foresight: Foresight,
-        lap: Lap,
-        report: &mut impl FnMut(PairChange),
-    ) -> Lap {
+    /// Searches for all candidates, by fat boxes that are drawn with this foresight.
+    fn run_in_full(&mut self, foresight: Foresight, report: &mut impl FnMut(PairChange)) {
         // What was read from a snapshot may be any number.
         self.full_runs = self.full_runs.wrapping_add(1);
         self.foresight = foresight;
@@ -178,12 +168,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.found.clear();
         let count = self.candidates.len();
         self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
-        let mut lap = self.search(lap);
+        self.search();
         while !self.foresight.is_fixed() && self.are_too_many_found() {
             self.foresight.shorten();
             self.draw_all();
             self.found = Vec::new();
-            lap = self.search(lap);
+            self.search();
             // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
             if !self.foresight.is_any() {
                 break;
@@ -202,19 +192,16 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {
             self.found = Vec::new();
         }
-        lap
     }
 
     /// Appends the overlapping pairs among all fat boxes to what was found.
-    fn search(&mut self, lap: Lap) -> Lap {
-        self.stopwatch.lap(lap, |times| &mut times.difference);
+    fn search(&mut self) {
         self.layers
             .find_all(&self.fat_boxes, &mut self.found, &mut self.stopwatch);
         self.work.searched += self.boxes.len();
         self.work.found += self.found.len();
-        let lap = self.stopwatch.start();
+        self.stopwatch.enter(Phase::Difference);
         self.keep_those_that_may_meet();
-        lap
     }
 
     /// Drops the found pairs that may not meet.

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::pair_tracker::FilterKey;
+use crate::stopwatch::Phase;
 use crate::tuning::update::ROOM_AHEAD;
 use crate::volume::{Volume, VolumeKind};
 use crate::{Aabb, Real};
@@ -60,7 +61,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) {
         self.begin(margin);
-        let lap = self.tracker.stopwatch.start();
+        self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.forget_repeats();
         let mut boxes = boxes.into_iter();
         while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
@@ -81,7 +82,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 self.await_collider(handle, aabb, margin);
             }
         }
-        self.tracker.stopwatch.lap(lap, |times| &mut times.read);
+        self.tracker.stopwatch.leave();
     }
 
     /// Moves known proxies, up to the first box that is more than a move, which is returned.
