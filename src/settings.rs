@@ -1,6 +1,8 @@
 //! What a user may choose.
 
-use crate::{Kernel, PairFilter, Real};
+use crate::kernel::Kernel;
+use crate::pair_filter::PairFilter;
+use crate::real::Real;
 
 /// How a broad phase works. The default suits every scene.
 ///
@@ -11,7 +13,7 @@ use crate::{Kernel, PairFilter, Real};
 /// ```
 /// use unisize::{Kernel, Settings};
 ///
-/// let settings = Settings::<f32>::default().with_margin(0.05).with_foresight(8);
+/// let settings = Settings::<f32>::default().with_margin(0.05);
 /// assert_eq!((settings.margin, settings.kernel), (Some(0.05), Kernel::GridSweep));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,12 +43,14 @@ pub struct Settings<R> {
     /// Which pairs are left out because they can have no effect. Default: `None`, [`PairFilter::Off`] for Rapier 0.27
     /// and [`PairFilter::Shapes`] for 0.36.
     pub filter: Option<PairFilter>,
-    /// How far ahead colliders are searched for, in multiples of their last move. It decides the speed, never the
+    /// For studies. How far ahead colliders are searched for, in multiples of their last move. It decides the speed, never the
     /// answer. Default: `None`, for as many moves as take colliders half their size ahead on average, and at most 32.
     /// 0 searches for nothing ahead of time. A number that is too large for the scene costs time and memory.
+    #[doc(hidden)]
     pub foresight: Option<u16>,
-    /// Whether the few colliders that have moved otherwise than foreseen are looked up among the others. If not, every
+    /// For studies. Whether the few colliders that have moved otherwise than foreseen are looked up among the others. If not, every
     /// search is for all pairs. It decides the speed, never the answer. Default: `true`.
+    #[doc(hidden)]
     pub layers: bool,
     /// Whether each update takes the time of its phases, for [`Stats::times`](crate::Stats::times). Default: `false`, so
     /// that no update reads the clock. On `wasm32-unknown-unknown`, which has none, times are zero.
@@ -89,6 +93,7 @@ impl<R: Real> Settings<R> {
     }
 
     /// The same with a fixed [`foresight`](Self::foresight).
+    #[doc(hidden)]
     pub fn with_foresight(self, moves: impl Into<Option<u16>>) -> Self {
         Self {
             foresight: moves.into(),
@@ -97,6 +102,7 @@ impl<R: Real> Settings<R> {
     }
 
     /// The same with [`layers`](Self::layers), or without.
+    #[doc(hidden)]
     pub fn with_layers(self, layers: bool) -> Self {
         Self { layers, ..self }
     }

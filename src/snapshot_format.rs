@@ -4,7 +4,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
 /// The number of the format. It changes with every change of a field, or of what a field decides.
-const NUMBER: u32 = 8;
+const NUMBER: u32 = 9;
 
 /// The mark at the beginning of a snapshot: written as the number of the format, and read only if the number is the
 /// same.

@@ -1,10 +1,11 @@
 //! What a user may want to know.
 
-use crate::PhaseTimes;
+use crate::stopwatch::PhaseTimes;
 
-/// A look at a broad phase: what it holds, and what the last update with something to do was made of.
+/// What a broad phase holds, and what its last update did.
 ///
-/// Counters may be added in later versions; to make one, say for a test, start from `Stats::default()` and set fields.
+/// An update that had nothing to look at leaves them as they are. Fields may be added in later versions; to make one, say for a
+/// test, start from `Stats::default()` and set fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -12,45 +13,52 @@ use crate::PhaseTimes;
 )]
 #[non_exhaustive]
 pub struct Stats {
-    /// Colliders that have a proxy.
+    /// Colliders that have a box.
     pub proxies: usize,
     /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves once it is
     /// valid again.
     pub refused: usize,
-    /// Slots whose proxy is new, gone, or has moved otherwise than foreseen since the last full run of the kernel: they are
-    /// in the layers above the base.
-    pub above_base: usize,
     /// Pairs held.
     pub pairs: usize,
-    /// Pairs that are watched, because they are held or may soon be.
-    pub candidates: usize,
-    /// How far ahead colliders are searched for, in multiples of their last move; 0 where things are too fast.
-    pub foresight: u32,
-    /// Searches for all pairs so far; the other updates did without one.
-    pub full_runs: u64,
-    /// Size classes in the last of these searches: 1 where sizes agree; 0 before the first one, and with a kernel that
-    /// has none.
-    pub classes: usize,
-    /// The number of strips into which the first size class is cut, along the second and the third axis. A planar scene
-    /// is not cut across its plane.
-    pub strips: [u32; 2],
-    /// Updates so far that had colliders to look at.
-    pub updates: u64,
-    /// Colliders that the last such update was given, modified and removed.
-    pub listed: usize,
-    /// Colliders whose box that update changed: they were new, had left their margin, or were refused.
-    pub moved: usize,
-    /// What the update took.
-    pub work: Work,
-    /// Pairs that it reported as new.
+    /// Pairs that the last update reported as new.
     pub added: usize,
     /// Pairs that it reported as ended.
     pub deleted: usize,
-    /// How long each phase of that update took; zeros unless [`Settings::timed`](crate::Settings::timed) asks for it.
+    /// Updates so far that had colliders to look at.
+    pub updates: u64,
+    /// Searches for all pairs so far; the other updates did without one.
+    pub full_runs: u64,
+    /// How long each phase of the last update took; zeros unless [`Settings::timed`](crate::Settings::timed) asks for it.
     pub times: PhaseTimes,
+
+    /// Colliders that the last update was given, modified and removed.
+    #[doc(hidden)]
+    pub listed: usize,
+    /// Colliders whose box it changed: they were new, had left their margin, or were refused.
+    #[doc(hidden)]
+    pub moved: usize,
+    /// Slots in the layers above the base: their proxy is new, gone, or has left its fat box since the last full run.
+    #[doc(hidden)]
+    pub above_base: usize,
+    /// Pairs of fat boxes that overlap: held, or soon to be.
+    #[doc(hidden)]
+    pub candidates: usize,
+    /// How many moves ahead fat boxes reach.
+    #[doc(hidden)]
+    pub foresight: u32,
+    /// Size classes in the last full run; 0 before the first one, and with a kernel that has none.
+    #[doc(hidden)]
+    pub classes: usize,
+    /// The strips of the first size class, along the second and the third axis.
+    #[doc(hidden)]
+    pub strips: [u32; 2],
+    /// What the last update took.
+    #[doc(hidden)]
+    pub work: Work,
 }
 
-/// The work of an update, counted in what takes time. How far ahead colliders are searched for is decided by it.
+/// The work of an update, counted in what takes time.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",

@@ -247,7 +247,7 @@ fn counters_may_be_any_number() {
 fn another_format_is_named() {
     let other = complaint(|value| value["format"] = json!(1));
     assert!(
-        other.contains("format 1") && other.contains("reads format 8"),
+        other.contains("format 1") && other.contains("reads format 9"),
         "{other}"
     );
     // Before anything is read that the other version may have otherwise.
