@@ -18,5 +18,7 @@ mod version;
 #[path = "adapter/rapier_036/seam.rs"]
 mod seam;
 
-pub use crate::{Kernel, PairFilter, Stats, Work};
+pub use crate::kernel::Kernel;
+pub use crate::pair_filter::PairFilter;
+pub use crate::stats::{Stats, Work};
 pub use adapter::{Settings, UnisizeBroadPhase};

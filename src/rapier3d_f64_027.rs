@@ -14,5 +14,7 @@ mod test_support;
 #[path = "adapter/rapier_027/mod.rs"]
 mod version;
 
-pub use crate::{Kernel, PairFilter, Stats, Work};
+pub use crate::kernel::Kernel;
+pub use crate::pair_filter::PairFilter;
+pub use crate::stats::{Stats, Work};
 pub use adapter::{Settings, UnisizeBroadPhase};

@@ -11,9 +11,11 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::version;
+use crate::kernel::Kernel;
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::{Changes, Lists, ProxyTable};
+use crate::stats::Stats;
 use crate::volume::Volume;
-use crate::{Kernel, PairFilter, Stats};
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an

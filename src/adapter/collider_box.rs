@@ -6,9 +6,10 @@ use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
 use super::rapier::math::{DIM, Real};
 use super::version;
+use crate::aabb::Aabb;
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::BoxSource;
 use crate::volume::Volume;
-use crate::{Aabb, PairFilter};
 
 /// Where boxes are read: the engine's sets, in one update.
 pub(super) struct ColliderBoxes<'a> {

@@ -3,7 +3,7 @@
 use super::rapier::dynamics::{RigidBody, RigidBodyType};
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups};
 use super::version;
-use crate::PairFilter;
+use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 
 /// The properties of a collider and its body that decide whether it may meet another one, in 16 bytes: keys of candidates are read

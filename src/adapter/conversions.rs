@@ -2,7 +2,7 @@
 
 use super::rapier::geometry::{Aabb as RapierAabb, ColliderHandle};
 use super::rapier::math::{DIM, Real};
-use crate::Aabb;
+use crate::aabb::Aabb;
 use crate::proxy_table::Handle;
 
 impl From<RapierAabb> for Aabb<Real, DIM> {

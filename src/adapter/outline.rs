@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::rapier::geometry::{Collider, ShapeType, SharedShape};
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
-use crate::Aabb;
+use crate::aabb::Aabb;
 use crate::volume::{Volume, VolumeKind};
 
 /// The outline of one collider's shape; empty until it is first asked for a box.

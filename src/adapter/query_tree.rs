@@ -15,7 +15,7 @@ use crate::tuning::queries::{
     TIGHTEN_FROM_ONE_IN,
 };
 
-type Aabb = crate::Aabb<Real, DIM>;
+type Aabb = crate::aabb::Aabb<Real, DIM>;
 
 /// The boxes by slot; invalid where there is none.
 type Boxes<'a> = &'a [Aabb];

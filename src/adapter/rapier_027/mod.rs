@@ -10,7 +10,7 @@ use super::rapier::geometry::{
 use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
-use crate::PairFilter;
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::{Lists, Order};
 
 mod unusual_box;

@@ -6,7 +6,7 @@ use super::super::rapier::dynamics::{
 use super::super::rapier::geometry::Collider;
 use super::super::rapier::math::{DIM, Isometry, Real};
 use super::super::rapier::parry::bounding_volume::BoundingVolume;
-use crate::Aabb;
+use crate::aabb::Aabb;
 
 /// The box of a collider whose body soft CCD expects elsewhere at the end of the step, or whose shape is not simple,
 /// loosened by this distance.

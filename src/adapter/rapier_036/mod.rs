@@ -12,8 +12,9 @@ use super::rapier::geometry::{
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
+use crate::aabb::Aabb;
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::{Lists, Order};
-use crate::{Aabb, PairFilter};
 
 #[cfg(test)]
 pub(super) use super::rapier::math::AngVector;
