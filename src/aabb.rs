@@ -92,7 +92,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
     }
 
     /// Whether no coordinate is NaN and `mins <= maxs` on every axis. To a kernel, every other box is an
-    /// [`InvalidBox`](crate::InvalidBox).
+    /// [`InvalidInput`](crate::InvalidInput).
     ///
     /// ```
     /// use unisize::Aabb;

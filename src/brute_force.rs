@@ -1,7 +1,7 @@
 //! The oracle: every box against every other.
 
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidInput, PairFinder, Real};
 
 /// Tests every box against every other, in **O(n²)** time and no memory.
 ///
@@ -14,7 +14,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for BruteForce {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         pairs.clear();
         check_boxes(boxes)?;
         for (i, a) in boxes.iter().enumerate() {

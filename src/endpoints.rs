@@ -6,7 +6,7 @@
 
 mod radix_sort;
 
-use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
+use crate::{Aabb, InvalidInput, InvalidInputReason, Real};
 pub(crate) use radix_sort::{RadixSort, SortKey};
 
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
@@ -18,9 +18,9 @@ pub(crate) const fn has_narrow_keys<R>() -> bool {
 }
 
 /// Refuses more boxes than there are numbers for their endpoints.
-pub(crate) fn check_count(count: usize) -> Result<(), InvalidBox> {
+pub(crate) fn check_count(count: usize) -> Result<(), InvalidInput> {
     if count > MAX_BOXES {
-        return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
+        return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
     }
     Ok(())
 }

@@ -17,7 +17,7 @@ mod tubes;
 use crate::pair_finder::check_boxes;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{ONE_TUBE_UP_TO, OUTSIZE_UP_TO_EIGHTHS, STRIP_WIDENINGS, THREADS_FROM};
-use crate::{Aabb, InvalidBox, InvalidBoxReason, PairFinder, Real, parallel};
+use crate::{Aabb, InvalidInput, InvalidInputReason, PairFinder, Real, parallel};
 use grid::Grid;
 use members::{Everyone, Members};
 use part::Part;
@@ -41,7 +41,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// ones, where many large boxes span many tubes without touching anything there, or where boxes lie 10⁸ times their
 /// size apart. **O(n + pairs)** memory always.
 ///
-/// At most 2²⁹ boxes; more are refused as [`TooMany`](InvalidBoxReason::TooMany).
+/// At most 2²⁹ boxes; more are refused as [`TooMany`](InvalidInputReason::TooMany).
 ///
 /// With the feature `parallel`, the work on many boxes is shared among the threads of the current Rayon pool. The
 /// pairs are the same, in the same order.
@@ -57,7 +57,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// let mut pairs = Vec::new();
 /// GridSweep::default().find_pairs(&boxes, &mut pairs)?;
 /// assert_eq!(pairs, [[0, 1]]);
-/// # Ok::<(), unisize::InvalidBox>(())
+/// # Ok::<(), unisize::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct GridSweep<R, const D: usize> {
@@ -72,9 +72,9 @@ pub struct GridSweep<R, const D: usize> {
 }
 
 /// Refuses more boxes than there are numbers for their entries.
-fn check_count(count: usize) -> Result<(), InvalidBox> {
+fn check_count(count: usize) -> Result<(), InvalidInput> {
     if count > MAX_BOXES {
-        return Err(InvalidBox::new(MAX_BOXES, InvalidBoxReason::TooMany));
+        return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
     }
     Ok(())
 }
@@ -121,7 +121,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         pairs.clear();
         check_count(boxes.len())?;
         self.stopwatch.times = PhaseTimes::default();
@@ -165,7 +165,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// order of the members for [`look_up`](Self::look_up).
     ///
     /// # Errors
-    /// [`InvalidBoxReason::TooMany`] if there are more boxes than there are numbers for; then no pair is found, and no order
+    /// [`InvalidInputReason::TooMany`] if there are more boxes than there are numbers for; then no pair is found, and no order
     /// remembered.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
@@ -174,7 +174,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         members: &[u32],
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         self.class_count = 0;
         check_count(boxes.len())?;
         self.find(boxes, members, true, pairs, stopwatch);

@@ -44,7 +44,7 @@
 //! let mut pairs = Vec::new();
 //! finder.find_pairs(&boxes, &mut pairs)?;
 //! assert_eq!(pairs, [[0, 2]]);
-//! # Ok::<(), unisize::InvalidBox>(())
+//! # Ok::<(), unisize::InvalidInput>(())
 //! ```
 //!
 //! # Kernels
@@ -62,7 +62,7 @@
 //! The last four, the paper's reference algorithms, take the feature `baselines`. All kernels return the same set of
 //! pairs, on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are
 //! generic over `f32` and `f64` and over two and three dimensions. None panics, for any boxes: NaN and inverted boxes
-//! are an [`InvalidBox`] error.
+//! are an [`InvalidInput`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -75,7 +75,7 @@ mod bit_tree;
 mod brute_force;
 mod endpoints;
 mod grid_sweep;
-mod invalid_box;
+mod invalid_input;
 #[cfg(feature = "_adapter")]
 mod kernel;
 mod lanes;
@@ -124,7 +124,7 @@ pub use aabb::Aabb;
 pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
-pub use invalid_box::{InvalidBox, InvalidBoxReason};
+pub use invalid_input::{InvalidInput, InvalidInputReason};
 #[cfg(feature = "_adapter")]
 pub use kernel::Kernel;
 #[cfg(feature = "_adapter")]

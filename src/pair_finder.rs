@@ -1,6 +1,6 @@
 //! What every kernel is: a pair finder. Boxes in, overlapping pairs out.
 
-use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
+use crate::{Aabb, InvalidInput, InvalidInputReason, Real};
 
 /// Finds all overlapping pairs among boxes. The pair finders of this crate are called kernels.
 ///
@@ -9,13 +9,13 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 /// method, that method will have a default.
 ///
 /// ```
-/// use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder, RankSweep, Real};
+/// use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder, RankSweep, Real};
 ///
 /// /// The pairs by any pair finder, of any scalar, in any dimension, sorted.
 /// fn sorted_pairs<R: Real, const D: usize>(
 ///     mut finder: impl PairFinder<R, D>,
 ///     boxes: &[Aabb<R, D>],
-/// ) -> Result<Vec<[u32; 2]>, InvalidBox> {
+/// ) -> Result<Vec<[u32; 2]>, InvalidInput> {
 ///     let mut pairs = Vec::new();
 ///     finder.find_pairs(boxes, &mut pairs)?;
 ///     pairs.sort_unstable();
@@ -27,7 +27,7 @@ use crate::{Aabb, InvalidBox, InvalidBoxReason, Real};
 /// assert_eq!(expected, [[0, 1], [0, 2], [1, 2]]);
 /// assert_eq!(sorted_pairs(GridSweep::default(), &boxes)?, expected);
 /// assert_eq!(sorted_pairs(RankSweep::default(), &boxes)?, expected);
-/// # Ok::<(), InvalidBox>(())
+/// # Ok::<(), InvalidInput>(())
 /// ```
 pub trait PairFinder<R, const D: usize> {
     /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
@@ -36,20 +36,22 @@ pub trait PairFinder<R, const D: usize> {
     /// it is the same in every run.
     ///
     /// # Errors
-    /// [`InvalidBox`] names the first box that has a NaN or `mins > maxs`, or the first box past the number that the
+    /// [`InvalidInput`] names the first box that has a NaN or `mins > maxs`, or the first box past the number that the
     /// finder can take; `pairs` is then empty.
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox>;
+    ) -> Result<(), InvalidInput>;
 }
 
 /// Checks what [`PairFinder::find_pairs`] requires of its input, in **O(n)**.
-pub(crate) fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), InvalidBox> {
-    let invalid = |index, reason| Err(InvalidBox::new(index, reason));
+pub(crate) fn check_boxes<R: Real, const D: usize>(
+    boxes: &[Aabb<R, D>],
+) -> Result<(), InvalidInput> {
+    let invalid = |index, reason| Err(InvalidInput::new(index, reason));
     if boxes.len() > u32::MAX as usize {
-        return invalid(u32::MAX as usize, InvalidBoxReason::TooMany);
+        return invalid(u32::MAX as usize, InvalidInputReason::TooMany);
     }
     let Some(index) = boxes.iter().position(|b| !b.is_valid()) else {
         return Ok(());
@@ -57,10 +59,10 @@ pub(crate) fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Resu
     let Aabb { mins, maxs } = &boxes[index];
     for axis in 0..D {
         if mins[axis].is_nan() || maxs[axis].is_nan() {
-            return invalid(index, InvalidBoxReason::NotANumber { axis });
+            return invalid(index, InvalidInputReason::NotANumber { axis });
         }
         if mins[axis] > maxs[axis] {
-            return invalid(index, InvalidBoxReason::Inverted { axis });
+            return invalid(index, InvalidInputReason::Inverted { axis });
         }
     }
     unreachable!("a box is invalid on one of its axes")

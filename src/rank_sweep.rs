@@ -16,7 +16,7 @@ use crate::pair_finder::{check_boxes, ordered};
 use crate::parallel;
 use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
-use crate::{Aabb, InvalidBox, PairFinder, PhaseTimes, Real};
+use crate::{Aabb, InvalidInput, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and
@@ -44,7 +44,7 @@ const BATCH: usize = 32;
 /// 0.
 ///
 /// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidBoxReason::TooMany).
+/// [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
 /// With the feature `parallel`, the endpoints of the two axes are sorted at the same time, as section 7 of the paper has
 /// it; the sweep takes one thread. The pairs are the same, in the same order.
@@ -60,7 +60,7 @@ const BATCH: usize = 32;
 /// assert_eq!(pairs, [[0, 1]]);
 /// let times = finder.phase_times();
 /// println!("sorting took {:?}, pairing {:?}", times.sort, times.sweep);
-/// # Ok::<(), unisize::InvalidBox>(())
+/// # Ok::<(), unisize::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R, const D: usize> {
@@ -91,7 +91,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len())?;

@@ -1,6 +1,6 @@
 //! Parry's bounding volume hierarchy, rebuilt for each call and traversed against itself.
 
-use unisize::{Aabb, InvalidBox, PairFinder};
+use unisize::{Aabb, InvalidInput, PairFinder};
 
 macro_rules! hierarchy {
     ($name:ident, $rapier:ident, $dimension:literal) => {
@@ -16,7 +16,7 @@ macro_rules! hierarchy {
                 &mut self,
                 boxes: &[Aabb<f32, $dimension>],
                 pairs: &mut Vec<[u32; 2]>,
-            ) -> Result<(), InvalidBox> {
+            ) -> Result<(), InvalidInput> {
                 use $rapier::parry::bounding_volume::Aabb;
                 use $rapier::parry::partitioning::{Bvh, BvhBuildStrategy};
                 let leaves = boxes

@@ -4,7 +4,7 @@ use super::active_list::ActiveList;
 use super::coherent_order::CoherentOrder;
 use crate::endpoints::{check_count, has_narrow_keys};
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidInput, PairFinder, Real};
 
 /// Sweep and prune on one axis whose order is kept from call to call and repaired by insertion sort: Baraff, *Dynamic
 /// simulation of non-penetrating rigid bodies* (1992), and Cohen and others, *I-COLLIDE* (1995).
@@ -22,7 +22,7 @@ use crate::{Aabb, InvalidBox, PairFinder, Real};
 /// The axes are taken in the given order: let the first be one along which boxes are spread out. `D` must not be 0.
 ///
 /// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidBoxReason::TooMany).
+/// [`TooMany`](crate::InvalidInputReason::TooMany).
 #[derive(Clone, Debug, Default)]
 pub struct CoherentSweepAndPrune<R, const D: usize> {
     /// The order by keys of 32 bits, empty unless `R` is `f32`.
@@ -37,7 +37,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for CoherentSweepAndPrune<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len())?;

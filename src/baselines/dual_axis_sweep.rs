@@ -12,7 +12,7 @@ mod tests;
 use super::axis_sort::AxisSort;
 use crate::endpoints::check_count;
 use crate::pair_finder::{check_boxes, ordered};
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidInput, PairFinder, Real};
 use length_class::{CLASSES, LengthClass, class_of};
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept, because they are scattered in memory.
@@ -40,7 +40,7 @@ const BATCH: usize = 32;
 /// 0.
 ///
 /// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidBoxReason::TooMany).
+/// [`TooMany`](crate::InvalidInputReason::TooMany).
 #[derive(Clone, Debug)]
 pub struct DualAxisSweep<R, const D: usize> {
     sorter: AxisSort,
@@ -76,7 +76,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for DualAxisSweep<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len())?;

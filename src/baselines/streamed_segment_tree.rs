@@ -16,7 +16,7 @@ mod scan;
 mod tests;
 
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidInput, PairFinder, Real};
 use entry::{Border, Entry};
 use median::Median;
 use partition::partition;
@@ -56,7 +56,7 @@ const MAX_SPLITS: u32 = 96;
 /// let mut pairs = Vec::new();
 /// StreamedSegmentTree::with_cutoff(2000).find_pairs(&boxes, &mut pairs)?;
 /// assert_eq!(pairs, [[0, 1]]);
-/// # Ok::<(), unisize::InvalidBox>(())
+/// # Ok::<(), unisize::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct StreamedSegmentTree<R, const D: usize> {
@@ -90,7 +90,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for StreamedSegmentTree<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_boxes(boxes)?;

@@ -4,7 +4,7 @@ use super::active_list::ActiveList;
 use super::axis_sort::AxisSort;
 use crate::endpoints::check_count;
 use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidBox, PairFinder, Real};
+use crate::{Aabb, InvalidInput, PairFinder, Real};
 
 /// Sweep and prune on one axis: Baraff, *Dynamic simulation of non-penetrating rigid bodies* (1992), as section 3 of
 /// Capannini and Larsson's paper has it.
@@ -20,7 +20,7 @@ use crate::{Aabb, InvalidBox, PairFinder, Real};
 /// The axes are taken in the given order: let the first be one along which boxes are spread out. `D` must not be 0.
 ///
 /// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidBoxReason::TooMany).
+/// [`TooMany`](crate::InvalidInputReason::TooMany).
 #[derive(Clone, Debug, Default)]
 pub struct SweepAndPrune<R, const D: usize> {
     sorter: AxisSort,
@@ -34,7 +34,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for SweepAndPrune<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len())?;

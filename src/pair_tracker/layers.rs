@@ -13,7 +13,7 @@
 use crate::slot_set::SlotSet;
 use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
-use crate::{Aabb, BruteForce, GridSweep, InvalidBox, Kernel, PairFinder, RankSweep, Real, Work};
+use crate::{Aabb, BruteForce, GridSweep, InvalidInput, Kernel, PairFinder, RankSweep, Real, Work};
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug)]
@@ -340,7 +340,7 @@ impl<K: PairFinder<R, D>, R: Real, const D: usize> Unlayered<K, R, D> {
 
 /// Says why a run has found no pairs.
 #[cold]
-fn log_too_many(error: InvalidBox) {
+fn log_too_many(error: InvalidInput) {
     // All boxes are valid, so there are more than the kernel takes.
     log::error!("no pairs are found: {error}");
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::endpoints::MAX_BOXES;
-use crate::{BruteForce, InvalidBoxReason};
+use crate::{BruteForce, InvalidInputReason};
 
 /// Finds the pairs of `boxes` with a kernel whose scratch memory may be used already, and compares them with the
 /// oracle's.
@@ -263,8 +263,8 @@ fn invalid_boxes_are_named_and_leave_no_pairs() {
     let mut kernel = RankSweep::default();
     let mut pairs = Vec::new();
     for (mins, reason) in [
-        ([0.0, f32::NAN], InvalidBoxReason::NotANumber { axis: 1 }),
-        ([2.0, 0.0], InvalidBoxReason::Inverted { axis: 0 }),
+        ([0.0, f32::NAN], InvalidInputReason::NotANumber { axis: 1 }),
+        ([2.0, 0.0], InvalidInputReason::Inverted { axis: 0 }),
     ] {
         pairs.push([0, 1]);
         boxes[1].mins = mins;
@@ -277,6 +277,6 @@ fn invalid_boxes_are_named_and_leave_no_pairs() {
     let error = check_count(MAX_BOXES + 1).unwrap_err();
     assert_eq!(
         (error.index, error.reason),
-        (MAX_BOXES, InvalidBoxReason::TooMany)
+        (MAX_BOXES, InvalidInputReason::TooMany)
     );
 }

@@ -1,7 +1,7 @@
 //! The streamed segment tree with another cutoff.
 
 use crate::numbers::Number;
-use unisize::{Aabb, InvalidBox, PairFinder, StreamedSegmentTree};
+use unisize::{Aabb, InvalidInput, PairFinder, StreamedSegmentTree};
 
 /// [`StreamedSegmentTree`] with this cutoff.
 pub(crate) struct WithCutoff<R, const D: usize, const CUTOFF: usize>(StreamedSegmentTree<R, D>);
@@ -17,7 +17,7 @@ impl<R: Number, const D: usize, const CUTOFF: usize> PairFinder<R, D> for WithCu
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         self.0.find_pairs(boxes, pairs)
     }
 }

@@ -1,8 +1,8 @@
 //! What must hold for inputs that must be refused.
 
 use crate::numbers::Number;
-use unisize::InvalidBoxReason::{Inverted, NotANumber};
-use unisize::{Aabb, InvalidBoxReason, PairFinder};
+use unisize::InvalidInputReason::{Inverted, NotANumber};
+use unisize::{Aabb, InvalidInputReason, PairFinder};
 
 use crate::check::{JUNK, find};
 use crate::numbers::stepped;
@@ -41,7 +41,7 @@ fn refuses<F, R, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],
     index: usize,
-    reason: InvalidBoxReason,
+    reason: InvalidInputReason,
 ) where
     F: PairFinder<R, D>,
     R: Number,
@@ -58,7 +58,7 @@ fn refuses<F, R, const D: usize>(
 /// Everything that can be wrong with a box, on each axis, with a name.
 fn invalid_versions<R: Number, const D: usize>(
     valid: Aabb<R, D>,
-) -> Vec<(Aabb<R, D>, InvalidBoxReason)> {
+) -> Vec<(Aabb<R, D>, InvalidInputReason)> {
     let nan = R::from_f64(f64::NAN);
     let negative_nan = R::from_f64(-f64::NAN);
     let mut versions = Vec::new();

@@ -3,7 +3,7 @@
 use std::num::NonZero;
 
 use crate::numbers::Number;
-use unisize::{Aabb, GridSweep, InvalidBox, PairFinder};
+use unisize::{Aabb, GridSweep, InvalidInput, PairFinder};
 
 /// [`GridSweep`] in three slabs, which must give the same pairs in the same order as one slab.
 pub(crate) struct InSlabs<R, const D: usize> {
@@ -30,7 +30,7 @@ impl<R: Number, const D: usize> PairFinder<R, D> for InSlabs<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
-    ) -> Result<(), InvalidBox> {
+    ) -> Result<(), InvalidInput> {
         let expected = self.one.find_pairs(boxes, &mut self.expected);
         let found = self.three.find_pairs(boxes, pairs);
         assert_eq!(found, expected);

@@ -1,6 +1,6 @@
 //! Sets of pairs of indices, to compare what one found with what another did.
 
-use unisize::{Aabb, BruteForce, GridSweep, InvalidBox, PairFinder};
+use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder};
 
 /// Up to so many boxes, every one is compared with every other.
 const BRUTE_FORCE_MAX: usize = 1 << 14;
@@ -20,7 +20,7 @@ impl PairSet {
 
     /// The oracle's: by brute force, or, of more boxes than that is possible for, by the kernel that the tests
     /// compare with brute force.
-    pub(crate) fn of_boxes<const D: usize>(boxes: &[Aabb<f32, D>]) -> Result<Self, InvalidBox> {
+    pub(crate) fn of_boxes<const D: usize>(boxes: &[Aabb<f32, D>]) -> Result<Self, InvalidInput> {
         let mut pairs = Vec::new();
         if boxes.len() <= BRUTE_FORCE_MAX {
             BruteForce.find_pairs(boxes, &mut pairs)?;

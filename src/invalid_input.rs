@@ -1,47 +1,47 @@
-//! The only way in which finding pairs can fail.
+//! The error of finding pairs.
 
 use thiserror::Error;
 
-/// An input that a [`PairFinder`](crate::PairFinder) refuses, with the index of the offending box.
+/// Why a [`PairFinder`](crate::PairFinder) refuses its input, and at which box.
 ///
 /// ```
-/// use unisize::{Aabb, GridSweep, InvalidBoxReason, PairFinder};
+/// use unisize::{Aabb, GridSweep, InvalidInputReason, PairFinder};
 ///
 /// let boxes = [Aabb::new([0.0, 0.0], [1.0, 1.0]), Aabb::new([0.0, f32::NAN], [1.0, 1.0])];
 /// let mut pairs = vec![[3, 4]];
 /// let error = GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap_err();
-/// assert_eq!((error.index, error.reason), (1, InvalidBoxReason::NotANumber { axis: 1 }));
+/// assert_eq!((error.index, error.reason), (1, InvalidInputReason::NotANumber { axis: 1 }));
 /// assert_eq!(error.to_string(), "box 1 has a NaN on axis 1");
 /// assert!(pairs.is_empty());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("box {index} {reason}")]
 #[non_exhaustive]
-pub struct InvalidBox {
-    /// The index of the first offending box in the slice that was given.
+pub struct InvalidInput {
+    /// The index of the first box that is refused.
     pub index: usize,
-    /// What is wrong with it.
-    pub reason: InvalidBoxReason,
+    /// Why it is refused.
+    pub reason: InvalidInputReason,
 }
 
-impl InvalidBox {
-    /// The error about the first offending box, for pair finders that you write.
+impl InvalidInput {
+    /// The error for this box, for pair finders of your own.
     ///
     /// ```
-    /// use unisize::{InvalidBox, InvalidBoxReason};
+    /// use unisize::{InvalidInput, InvalidInputReason};
     ///
-    /// let error = InvalidBox::new(7, InvalidBoxReason::TooMany);
+    /// let error = InvalidInput::new(7, InvalidInputReason::TooMany);
     /// assert_eq!(error.to_string(), "box 7 is one more than this kernel takes");
     /// ```
-    pub const fn new(index: usize, reason: InvalidBoxReason) -> Self {
+    pub const fn new(index: usize, reason: InvalidInputReason) -> Self {
         Self { index, reason }
     }
 }
 
-/// What is wrong with an [`InvalidBox`].
+/// Why a box is refused: see [`InvalidInput`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
-pub enum InvalidBoxReason {
+pub enum InvalidInputReason {
     /// A coordinate on this axis is NaN.
     #[error("has a NaN on axis {axis}")]
     NotANumber {
@@ -54,7 +54,7 @@ pub enum InvalidBoxReason {
         /// The first inverted axis.
         axis: usize,
     },
-    /// The kernel numbers boxes, or entries of boxes, with 32 bits, and there are more. Its docs say how many it takes.
+    /// There are more boxes than the kernel can number; its documentation states the limit. The index is that limit.
     #[error("is one more than this kernel takes")]
     TooMany,
 }
