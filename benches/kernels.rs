@@ -4,7 +4,7 @@
 //! cargo bench --bench kernels -- GridSweep
 //! ```
 //!
-//! With the feature `baselines` the paper's reference algorithms are measured as well.
+//! The paper's reference algorithms are measured as well.
 //!
 //! Between runs the boxes drift, as they would between two frames; that is not timed.
 //! Throughput is in boxes a second.
@@ -18,8 +18,7 @@ use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder, RankSweep, Real};
-#[cfg(feature = "baselines")]
-use unisize::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
+use unisize_reference::{CoherentSweepAndPrune, DualAxisSweep, SweepAndPrune};
 use unisize_scenes::DriftingBoxes;
 
 /// Numbers of boxes.
@@ -55,8 +54,7 @@ fn in_dimension<const D: usize>(criterion: &mut Criterion, density: f64, sweeps_
         kernel::<GridSweep<f32, D>, _, D>(&mut group, "GridSweep", count, density);
         if count <= sweeps_max {
             kernel::<RankSweep<f32, D>, _, D>(&mut group, "RankSweep", count, density);
-            #[cfg(feature = "baselines")]
-            baselines::<f32, D>(&mut group, count, density);
+            references::<f32, D>(&mut group, count, density);
         }
     }
     group.finish();
@@ -64,14 +62,12 @@ fn in_dimension<const D: usize>(criterion: &mut Criterion, density: f64, sweeps_
     let mut group = criterion.benchmark_group(format!("kernels/{D}D/f64/density-{density}"));
     kernel::<GridSweep<f64, D>, _, D>(&mut group, "GridSweep", F64_COUNT, density);
     kernel::<RankSweep<f64, D>, _, D>(&mut group, "RankSweep", F64_COUNT, density);
-    #[cfg(feature = "baselines")]
-    baselines::<f64, D>(&mut group, F64_COUNT, density);
+    references::<f64, D>(&mut group, F64_COUNT, density);
     group.finish();
 }
 
 /// The paper's reference algorithms on one input.
-#[cfg(feature = "baselines")]
-fn baselines<R: Real, const D: usize>(
+fn references<R: Real, const D: usize>(
     group: &mut BenchmarkGroup<'_, WallTime>,
     count: usize,
     density: f64,

@@ -54,21 +54,14 @@
 //! | [`GridSweep`] | O(n + pairs) for boxes of about one size | always |
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
-//! | `SweepAndPrune` | O(n k), with k boxes at once on the first axis | to compare: Baraff's original |
-//! | `CoherentSweepAndPrune` | the same, with less for sorting what hardly moves | to compare: I-COLLIDE's form of it |
-//! | `DualAxisSweep` | O((n log n + pairs) log n) for boxes of any sizes in 2D | to compare: the paper's forerunner |
-//! | `StreamedSegmentTree` | O(n logᴰ n + pairs) | to compare: the algorithm of CGAL |
 //!
-//! The last four, the paper's reference algorithms, take the feature `baselines`. All kernels return the same set of
-//! pairs, on every input, bit for bit: closed boxes, compared as the numbers stand ([`Aabb::overlaps`]). They are
-//! generic over `f32` and `f64` and over two and three dimensions. None panics, for any boxes: NaN and inverted boxes
-//! are an [`InvalidInput`] error.
+//! All kernels return the same set of pairs, on every input, bit for bit: closed boxes, compared as the numbers stand
+//! ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three dimensions. None panics, for any
+//! boxes: NaN and inverted boxes are an [`InvalidInput`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod aabb;
-#[cfg(feature = "baselines")]
-mod baselines;
 #[cfg(feature = "_adapter")]
 mod bit_set;
 mod bit_tree;
@@ -120,8 +113,6 @@ pub mod rapier3d_f64_027;
 pub mod rapier3d_f64_036;
 
 pub use aabb::Aabb;
-#[cfg(feature = "baselines")]
-pub use baselines::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
 pub use invalid_input::{InvalidInput, InvalidInputReason};

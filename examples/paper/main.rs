@@ -1,14 +1,14 @@
 //! The paper, reproduced: its tables, its figures, its applications and its open questions, beside our own measurements.
 //!
 //! ```text
-//! cargo run --release --features rapier2d-027,rapier3d-027,rapier2d-036,parallel,baselines --example paper
+//! cargo run --release --features rapier2d-027,rapier3d-027,rapier2d-036,parallel --example paper
 //! ```
 //!
 //! remakes every table, chart and picture of `docs/paper.md`, which explains them. Tables go into the page between comments
 //! with their names, charts and pictures into `docs/paper/`. To remake one part:
 //!
 //! ```text
-//! cargo run --release --features rapier2d-027,rapier3d-027,rapier2d-036,parallel,baselines --example paper -- table1
+//! cargo run --release --features rapier2d-027,rapier3d-027,rapier2d-036,parallel --example paper -- table1
 //! ```
 //!
 //! All methods get the same boxes in the same frames, in turns. The program exits with 1 if they find different pairs or if it

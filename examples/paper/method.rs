@@ -2,11 +2,9 @@
 
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
-use unisize::{
-    Aabb, CoherentSweepAndPrune, DualAxisSweep, GridSweep, PairFinder, RankSweep,
-    StreamedSegmentTree, SweepAndPrune,
-};
+use unisize::{Aabb, GridSweep, PairFinder, RankSweep};
 use unisize_charts::{RGBColor, color};
+use unisize_reference::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 
 /// The cutoff at which the streamed segment tree is fastest for boxes of one size.
 const BEST_CUTOFF: usize = 2000;

@@ -258,7 +258,7 @@ fn times_are_taken_on_demand() {
 }
 
 #[test]
-fn invalid_boxes_are_named_and_leave_no_pairs() {
+fn invalid_inputes_are_named_and_leave_no_pairs() {
     let mut boxes = vec![Aabb::new([0.0_f32, 0.0], [1.0, 1.0]); 3];
     let mut kernel = RankSweep::default();
     let mut pairs = Vec::new();

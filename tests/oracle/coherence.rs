@@ -9,7 +9,8 @@ use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_oneof};
 use proptest::sample::select;
 use proptest::strategy::Just;
 use proptest::test_runner::{TestCaseError, TestRunner};
-use unisize::{Aabb, CoherentSweepAndPrune, PairFinder};
+use unisize::{Aabb, PairFinder};
+use unisize_reference::CoherentSweepAndPrune;
 
 use crate::check::{expected_pairs, find};
 use crate::random::Random;

@@ -1,7 +1,8 @@
 //! The streamed segment tree with another cutoff.
 
 use crate::numbers::Number;
-use unisize::{Aabb, InvalidInput, PairFinder, StreamedSegmentTree};
+use unisize::{Aabb, InvalidInput, PairFinder};
+use unisize_reference::StreamedSegmentTree;
 
 /// [`StreamedSegmentTree`] with this cutoff.
 pub(crate) struct WithCutoff<R, const D: usize, const CUTOFF: usize>(StreamedSegmentTree<R, D>);

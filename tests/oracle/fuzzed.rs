@@ -10,8 +10,7 @@ use std::num::NonZero;
 use crate::numbers::Number;
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
-#[cfg(feature = "baselines")]
-use unisize::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
+use unisize_reference::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
 
 use crate::numbers::{alphabet, stepped};
 
@@ -74,21 +73,16 @@ type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>
 fn others<R: Number, const D: usize>() -> Kernels<R, D> {
     vec![
         ("RankSweep", Box::new(RankSweep::default())),
-        #[cfg(feature = "baselines")]
         ("SweepAndPrune", Box::new(SweepAndPrune::default())),
-        #[cfg(feature = "baselines")]
         (
             "CoherentSweepAndPrune",
             Box::new(CoherentSweepAndPrune::default()),
         ),
-        #[cfg(feature = "baselines")]
         ("DualAxisSweep", Box::new(DualAxisSweep::default())),
-        #[cfg(feature = "baselines")]
         (
             "StreamedSegmentTree",
             Box::new(StreamedSegmentTree::default()),
         ),
-        #[cfg(feature = "baselines")]
         (
             "StreamedSegmentTree that splits as far as it goes",
             Box::new(StreamedSegmentTree::with_cutoff(0)),

@@ -9,9 +9,7 @@
 mod arbitrary;
 mod census;
 mod check;
-#[cfg(feature = "baselines")]
 mod coherence;
-#[cfg(feature = "baselines")]
 mod cutoffs;
 mod errors;
 mod fuzzed;
@@ -44,7 +42,7 @@ macro_rules! oracle_suite {
             }
 
             #[test]
-            fn invalid_boxes_are_refused() {
+            fn invalid_inputes_are_refused() {
                 errors::check::<$finder, $real, $dim>();
             }
 
@@ -92,11 +90,12 @@ oracle_suite!(rank_sweep_f32_3, RankSweep<f32, 3>, f32, 3);
 oracle_suite!(rank_sweep_f64_2, RankSweep<f64, 2>, f64, 2);
 oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);
 
-#[cfg(feature = "baselines")]
-mod baselines {
+mod references {
     use super::*;
     use cutoffs::WithCutoff;
-    use unisize::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
+    use unisize_reference::{
+        CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune,
+    };
 
     oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
     oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);

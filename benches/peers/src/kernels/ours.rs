@@ -5,7 +5,8 @@ use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::Result;
 use std::borrow::Cow;
-use unisize::{GridSweep, PairFinder, RankSweep, StreamedSegmentTree};
+use unisize::{GridSweep, PairFinder, RankSweep};
+use unisize_reference::StreamedSegmentTree;
 
 pub(super) const STREAMED_AT_DEFAULT_CUTOFF: &str = "unisize StreamedSegmentTree, default cutoff";
 

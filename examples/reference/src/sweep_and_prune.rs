@@ -1,10 +1,9 @@
 //! Sweep and prune in its original form: one axis is sorted and swept, and what overlaps there is tested.
 
-use super::active_list::ActiveList;
-use super::axis_sort::AxisSort;
-use crate::endpoints::check_count;
-use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidInput, PairFinder, Real};
+use crate::active_list::ActiveList;
+use crate::check_boxes;
+use crate::endpoints::{self, Endpoint};
+use unisize::{Aabb, InvalidInput, PairFinder, Real};
 
 /// Sweep and prune on one axis: Baraff, *Dynamic simulation of non-penetrating rigid bodies* (1992), as section 3 of
 /// Capannini and Larsson's paper has it.
@@ -14,18 +13,14 @@ use crate::{Aabb, InvalidInput, PairFinder, Real};
 /// the further axes are compared, eight boxes at once.
 ///
 /// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis, and **O(n)** memory beside
-/// the pairs. The sort is of integers and takes **O(n)**. With n boxes evenly spread in a square, k grows as √n, in a
-/// cube as n to the power of ⅔. One long box adds at most one to k, however long it is.
+/// the pairs. With n boxes evenly spread in a square, k grows as √n, in a cube as n to the power of ⅔. One long box adds at
+/// most one to k, however long it is.
 ///
 /// The axes are taken in the given order: let the first be one along which boxes are spread out. `D` must not be 0.
-///
-/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidInputReason::TooMany).
 #[derive(Clone, Debug, Default)]
 pub struct SweepAndPrune<R, const D: usize> {
-    sorter: AxisSort,
     /// Scratch memory: the endpoints in order.
-    order: Vec<u32>,
+    endpoints: Vec<Endpoint<R>>,
     active: ActiveList<R, D>,
 }
 
@@ -37,10 +32,10 @@ impl<R: Real, const D: usize> PairFinder<R, D> for SweepAndPrune<R, D> {
     ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
-        check_count(boxes.len())?;
         check_boxes(boxes)?;
-        self.sorter.sort(boxes, 0, &mut self.order);
-        self.active.sweep(self.order.iter().copied(), boxes, pairs);
+        endpoints::sort(boxes, 0, &mut self.endpoints);
+        let order = self.endpoints.iter().map(|&(_, endpoint)| endpoint);
+        self.active.sweep(order, boxes, pairs);
         Ok(())
     }
 }

@@ -9,11 +9,10 @@ mod length_class;
 #[cfg(test)]
 mod tests;
 
-use super::axis_sort::AxisSort;
-use crate::endpoints::check_count;
-use crate::pair_finder::{check_boxes, ordered};
-use crate::{Aabb, InvalidInput, PairFinder, Real};
+use crate::endpoints::{self, Endpoint};
+use crate::{check_boxes, ordered};
 use length_class::{CLASSES, LengthClass, class_of};
+use unisize::{Aabb, InvalidInput, PairFinder, Real};
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept, because they are scattered in memory.
 const BATCH: usize = 32;
@@ -38,14 +37,11 @@ const BATCH: usize = 32;
 ///
 /// The axes are taken in the given order: let the first two be those along which boxes are spread out. `D` must not be
 /// 0.
-///
-/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidInputReason::TooMany).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct DualAxisSweep<R, const D: usize> {
-    sorter: AxisSort,
+    /// Scratch memory: the endpoints of one axis in order.
+    endpoints: Vec<Endpoint<R>>,
     sweep: Sweep,
-    real: core::marker::PhantomData<R>,
 }
 
 /// What the sweep works on. All of it is scratch memory.
@@ -61,16 +57,6 @@ struct Sweep {
     classes: [LengthClass; CLASSES],
 }
 
-impl<R, const D: usize> Default for DualAxisSweep<R, D> {
-    fn default() -> Self {
-        Self {
-            sorter: AxisSort::default(),
-            sweep: Sweep::default(),
-            real: core::marker::PhantomData,
-        }
-    }
-}
-
 impl<R: Real, const D: usize> PairFinder<R, D> for DualAxisSweep<R, D> {
     fn find_pairs(
         &mut self,
@@ -79,12 +65,15 @@ impl<R: Real, const D: usize> PairFinder<R, D> for DualAxisSweep<R, D> {
     ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
-        check_count(boxes.len())?;
         check_boxes(boxes)?;
-        let Self { sorter, sweep, .. } = self;
-        sorter.sort(boxes, 0, &mut sweep.first);
+        let Self { endpoints, sweep } = self;
         // With one axis only, that is swept as well.
-        sorter.sort(boxes, 1.min(D - 1), &mut sweep.swept);
+        let orders = [(0, &mut sweep.first), (1.min(D - 1), &mut sweep.swept)];
+        for (axis, order) in orders {
+            endpoints::sort(boxes, axis, endpoints);
+            order.clear();
+            order.extend(endpoints.iter().map(|&(_, endpoint)| endpoint));
+        }
         sweep.rank(boxes.len());
         if D <= 2 {
             sweep.sweep(pairs, |_, _| true);

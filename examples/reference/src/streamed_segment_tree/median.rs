@@ -1,8 +1,8 @@
 //! The approximate median of many places, from a sample of them.
 
 use super::entry::{Border, Entry};
-use crate::Real;
 use oorandom::Rand32;
+use unisize::Real;
 
 /// The seed of the random numbers, the same in every run.
 const SEED: u64 = 0x5e61_7ee5;
@@ -71,7 +71,7 @@ fn of_three<R: Real>(a: Border<R>, b: Border<R>, c: Border<R>) -> Border<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Aabb;
+    use unisize::Aabb;
 
     fn entries(count: u32, low: impl Fn(u32) -> f32) -> Vec<Entry<f32, 1>> {
         let entry = |index| Entry {

@@ -101,7 +101,9 @@ fn boxes_of_one_size_are_of_few_classes() {
     let mut kernel = DualAxisSweep::default();
     let (mut pairs, mut expected) = (Vec::new(), Vec::new());
     kernel.find_pairs(&boxes, &mut pairs).unwrap();
-    crate::BruteForce.find_pairs(&boxes, &mut expected).unwrap();
+    unisize::BruteForce
+        .find_pairs(&boxes, &mut expected)
+        .unwrap();
     pairs.sort();
     assert_eq!(pairs, expected);
 

@@ -15,11 +15,11 @@ mod scan;
 #[cfg(test)]
 mod tests;
 
-use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidInput, PairFinder, Real};
+use crate::check_boxes;
 use entry::{Border, Entry};
 use median::Median;
 use partition::partition;
+use unisize::{Aabb, InvalidInput, PairFinder, Real};
 
 /// CGAL's default.
 const DEFAULT_CUTOFF: usize = 10;
@@ -43,10 +43,11 @@ const MAX_SPLITS: u32 = 96;
 /// One thing differs from CGAL: the low sides are ordered, and split, by coordinate *and index*. So equal coordinates
 /// are split like any others, whereas CGAL scans what its median does not separate.
 ///
-/// At most `u32::MAX` boxes; `D` must not be 0. The random numbers are the same in each run.
+/// `D` must not be 0. The random numbers are the same in each run.
 ///
 /// ```
-/// use unisize::{Aabb, PairFinder, StreamedSegmentTree};
+/// use unisize::{Aabb, PairFinder};
+/// use unisize_reference::StreamedSegmentTree;
 ///
 /// let boxes = [
 ///     Aabb::new([0.0_f32, 0.0], [1.0, 1.0]),
@@ -125,7 +126,7 @@ impl Walk<'_> {
         intervals: &mut [Entry<R, D>],
         axis: usize,
     ) {
-        let everything = [Border::LEAST, Border::GREATEST];
+        let everything = Border::everything();
         self.node(points, intervals, everything, axis, MAX_SPLITS);
     }
 

@@ -1,12 +1,14 @@
 //! The active list: the boxes that the sweep line crosses.
 //!
 //! A box enters at its low endpoint. At its high endpoint it leaves, and is then tested against all that remain. The
-//! list is dense, in blocks of eight boxes that hold each side of the eight contiguously, so one test covers eight
-//! boxes. It knows the place of each box, so a box is removed by moving the last one into its place.
+//! list is dense, in blocks of eight boxes that hold each side of the eight contiguously, so that the compiler tests eight
+//! boxes at once. It knows the place of each box, so a box is removed by moving the last one into its place.
 
-use crate::lanes::{LANES, Lanes};
-use crate::pair_finder::ordered;
-use crate::{Aabb, Real};
+use crate::ordered;
+use unisize::{Aabb, Real};
+
+/// How many boxes a block has.
+const LANES: usize = 8;
 
 /// The boxes of this many endpoints are fetched before these endpoints are swept. The boxes are scattered in memory, and
 /// fetching a batch takes little longer than fetching one.
@@ -14,7 +16,7 @@ const BATCH: usize = 32;
 
 /// The boxes that the sweep line crosses. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
-pub(super) struct ActiveList<R, const D: usize> {
+pub(crate) struct ActiveList<R, const D: usize> {
     /// As many as were ever needed. Lanes past the last box hold NaN, which overlaps nothing.
     blocks: Vec<Block<R, D>>,
     /// How many boxes are in the list.
@@ -32,11 +34,14 @@ struct Block<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Block<R, D> {
-    const EMPTY: Self = Self {
-        mins: [[R::NAN; LANES]; D],
-        maxs: [[R::NAN; LANES]; D],
-        owners: [0; LANES],
-    };
+    fn empty() -> Self {
+        let nan = [[R::from_f64(f64::NAN); LANES]; D];
+        Self {
+            mins: nan,
+            maxs: nan,
+            owners: [0; LANES],
+        }
+    }
 
     #[inline]
     fn get(&self, lane: usize) -> Aabb<R, D> {
@@ -53,6 +58,20 @@ impl<R: Real, const D: usize> Block<R, D> {
             self.maxs[k][lane] = aabb.maxs[k];
         }
     }
+
+    /// One byte a lane, the first the lowest: 1 where the boxes overlap on these axes, else 0.
+    #[inline]
+    fn overlaps(&self, aabb: &Aabb<R, D>, axes: core::ops::Range<usize>) -> u64 {
+        let mut overlaps = [1_u8; LANES];
+        for k in axes {
+            for lane in 0..LANES {
+                let overlap =
+                    (self.mins[k][lane] <= aabb.maxs[k]) & (self.maxs[k][lane] >= aabb.mins[k]);
+                overlaps[lane] &= u8::from(overlap);
+            }
+        }
+        u64::from_le_bytes(overlaps)
+    }
 }
 
 impl<R: Real, const D: usize> ActiveList<R, D> {
@@ -62,7 +81,7 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
     /// Sweeps the endpoints of the first axis, `i` for lows and `i + n` for highs, and appends every overlapping pair.
     ///
     /// Computes in **O(n k)** time, where k is how many boxes overlap at once on the first axis.
-    pub(super) fn sweep(
+    pub(crate) fn sweep(
         &mut self,
         mut endpoints: impl Iterator<Item = u32>,
         boxes: &[Aabb<R, D>],
@@ -70,7 +89,7 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
     ) {
         let n = boxes.len() as u32;
         self.places.resize(boxes.len(), 0);
-        let mut batch = [(0, Aabb::new([R::ZERO; D], [R::ZERO; D])); BATCH];
+        let mut batch = [(0, Aabb::new([R::default(); D], [R::default(); D])); BATCH];
         loop {
             let mut count = 0;
             for (fetched, endpoint) in batch.iter_mut().zip(&mut endpoints) {
@@ -96,7 +115,7 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
     fn enter(&mut self, owner: u32, aabb: &Aabb<R, D>) {
         let (block, lane) = (self.len / LANES, self.len % LANES);
         if block == self.blocks.len() {
-            self.blocks.push(Block::EMPTY);
+            self.blocks.push(Block::empty());
         }
         let block = &mut self.blocks[block];
         block.set(lane, aabb);
@@ -111,7 +130,8 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
         let last = &mut self.blocks[self.len / LANES];
         let lane = self.len % LANES;
         let (moved_owner, moved) = (last.owners[lane], last.get(lane));
-        last.set(lane, &Aabb::new([R::NAN; D], [R::NAN; D]));
+        let nan = [R::from_f64(f64::NAN); D];
+        last.set(lane, &Aabb::new(nan, nan));
         if moved_owner != owner {
             let place = self.places[owner as usize];
             self.places[moved_owner as usize] = place;
@@ -124,20 +144,10 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
     /// Appends the pairs of a box with those in the list that it overlaps.
     #[inline]
     fn test(&self, owner: u32, aabb: &Aabb<R, D>, pairs: &mut Vec<[u32; 2]>) {
-        let mins = aabb.mins.map(R::Lanes::splat);
-        let maxs = aabb.maxs.map(R::Lanes::splat);
         for block in &self.blocks[..self.len.div_ceil(LANES)] {
-            let overlap_on = |k: usize| {
-                R::Lanes::load(&block.mins[k]).le(maxs[k])
-                    & R::Lanes::load(&block.maxs[k]).ge(mins[k])
-            };
-            let mut overlap = overlap_on(Self::FIRST_TESTED);
-            for k in Self::FIRST_TESTED + 1..D {
-                overlap = overlap & overlap_on(k);
-            }
-            let mut hits = overlap.bits();
+            let mut hits = block.overlaps(aabb, Self::FIRST_TESTED..D);
             while hits != 0 {
-                let other = block.owners[hits.trailing_zeros() as usize];
+                let other = block.owners[hits.trailing_zeros() as usize / 8];
                 pairs.push(ordered(owner, other));
                 hits &= hits - 1;
             }

@@ -1,8 +1,8 @@
 //! What the suite of all kernels does not see from outside.
 
 use super::*;
-use crate::BruteForce;
 use oorandom::Rand32;
+use unisize::BruteForce;
 
 /// Boxes with few different sides, so that they coincide and touch, and sides at infinity.
 fn boxes(count: usize) -> Vec<Aabb<f32, 3>> {
@@ -37,7 +37,7 @@ fn no_pair_is_lost_where_splits_run_out() {
             median: Median::new(),
             pairs: &mut pairs,
         };
-        let everything = [Border::LEAST, Border::GREATEST];
+        let everything = Border::everything();
         walk.node(&mut points, &mut intervals, everything, 2, splits);
         pairs.sort();
         assert!(pairs == expected, "after {splits} splits");

@@ -1,8 +1,8 @@
 //! Sorting two sets along the first axis, and finding their pairs by scanning both.
 
 use super::entry::Entry;
-use crate::Real;
-use crate::pair_finder::ordered;
+use crate::ordered;
+use unisize::Real;
 
 /// Appends the pairs of a point and an interval that holds its low side on the first axis; nothing else is tested.
 ///

@@ -1,7 +1,7 @@
 //! What the lists hold, and how places on an axis are ordered.
 
-use crate::{Aabb, Real};
 use core::ops::Range;
+use unisize::{Aabb, Real};
 
 /// A box, with its index in the caller's list.
 ///
@@ -23,16 +23,13 @@ pub(super) struct Border<R> {
 }
 
 impl<R: Real> Border<R> {
-    /// Nothing begins before this.
-    pub(super) const LEAST: Self = Self {
-        at: R::NEG_INFINITY,
-        index: 0,
-    };
-    /// Everything begins before this: indices are smaller.
-    pub(super) const GREATEST: Self = Self {
-        at: R::INFINITY,
-        index: u32::MAX,
-    };
+    /// Nothing begins before the first, and everything before the second: indices are smaller.
+    pub(super) fn everything() -> [Self; 2] {
+        [(f64::NEG_INFINITY, 0), (f64::INFINITY, u32::MAX)].map(|(at, index)| Self {
+            at: R::from_f64(at),
+            index,
+        })
+    }
 
     /// Whether this comes before the other one.
     #[inline(always)]

@@ -1,0 +1,57 @@
+//! The algorithms that Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, compare themselves
+//! with or build on, as [`PairFinder`](unisize::PairFinder)s.
+//!
+//! | algorithm | time | what it is |
+//! |---|---|---|
+//! | [`SweepAndPrune`] | O(n k), with k boxes at once on the first axis | Baraff's original |
+//! | [`CoherentSweepAndPrune`] | the same, with less for sorting what hardly moves | I-COLLIDE's form of it |
+//! | [`DualAxisSweep`] | O((n log n + pairs) log n) for boxes of any sizes in 2D | the paper's forerunner |
+//! | [`StreamedSegmentTree`] | O(n logᴰ n + pairs) | the algorithm of CGAL |
+//!
+//! They are exact and pass the tests of every kernel, but are here only to be compared with. Endpoints are sorted by a radix
+//! sort, as in the paper and in `RankSweep`, so that what is compared is the search.
+
+mod active_list;
+mod bit_tree;
+mod coherent_sweep_and_prune;
+mod dual_axis_sweep;
+mod endpoints;
+mod streamed_segment_tree;
+mod sweep_and_prune;
+
+pub use coherent_sweep_and_prune::CoherentSweepAndPrune;
+pub use dual_axis_sweep::DualAxisSweep;
+pub use streamed_segment_tree::StreamedSegmentTree;
+pub use sweep_and_prune::SweepAndPrune;
+
+use unisize::{Aabb, InvalidInput, InvalidInputReason, Real};
+
+/// Two endpoints a box, numbered by `u32`, with one number to spare.
+const MAX_BOXES: usize = (u32::MAX / 2) as usize;
+
+/// Checks what [`find_pairs`](unisize::PairFinder::find_pairs) requires of its input.
+fn check_boxes<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), InvalidInput> {
+    if boxes.len() > MAX_BOXES {
+        return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
+    }
+    for (index, Aabb { mins, maxs }) in boxes.iter().enumerate() {
+        for axis in 0..D {
+            if mins[axis] <= maxs[axis] {
+                continue;
+            }
+            let reason = if mins[axis] > maxs[axis] {
+                InvalidInputReason::Inverted { axis }
+            } else {
+                InvalidInputReason::NotANumber { axis }
+            };
+            return Err(InvalidInput::new(index, reason));
+        }
+    }
+    Ok(())
+}
+
+/// The pair of two different indices, smaller first.
+#[inline]
+fn ordered(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
