@@ -143,12 +143,7 @@ pub use stopwatch::PhaseTimes;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// The examples of the page for those who come from Rapier's own broad phase.
-#[cfg(all(doctest, feature = "rapier3d-027"))]
-#[doc = include_str!("../docs/migrating.md")]
-struct Migrating;
-
-/// The example of the page about the newest Rapier.
-#[cfg(all(doctest, feature = "rapier3d-036"))]
-#[doc = include_str!("../docs/newest-rapier.md")]
-struct NewestRapier;
+/// The examples of the guide.
+#[cfg(all(doctest, feature = "rapier3d-027", feature = "rapier3d-036"))]
+#[doc = include_str!("../docs/guide.md")]
+struct Guide;
