@@ -10,8 +10,8 @@
 //!
 //! Give Rapier another broad phase; everything else stays as it is, and so do the contacts.
 //!
-//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d_036`,
-//! `rapier3d_036`, `rapier2d-f64-036` or `rapier3d-f64-036`:
+//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d-036`,
+//! `rapier3d-036`, `rapier2d-f64-036` or `rapier3d-f64-036`:
 //!
 //! ```diff
 //! -let mut broad_phase = DefaultBroadPhase::new();
@@ -134,12 +134,7 @@ pub use stopwatch::PhaseTimes;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// The examples of the page for those who come from Rapier's own broad phase.
-#[cfg(all(doctest, feature = "rapier3d-027"))]
-#[doc = include_str!("../docs/migrating.md")]
-struct Migrating;
-
-/// The example of the page about the newest Rapier.
-#[cfg(all(doctest, feature = "rapier3d-036"))]
-#[doc = include_str!("../docs/newest-rapier.md")]
-struct NewestRapier;
+/// The examples of the guide.
+#[cfg(all(doctest, feature = "rapier3d-027", feature = "rapier3d-036"))]
+#[doc = include_str!("../docs/guide.md")]
+struct Guide;
