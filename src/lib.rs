@@ -73,6 +73,7 @@ mod baselines;
 mod bit_set;
 mod bit_tree;
 mod brute_force;
+mod counting_sort;
 mod endpoints;
 mod grid_sweep;
 mod invalid_input;
@@ -87,6 +88,7 @@ mod pair_tracker;
 mod parallel;
 #[cfg(feature = "_adapter")]
 mod proxy_table;
+mod radix_sort;
 mod rank_sweep;
 mod real;
 #[cfg(feature = "_adapter")]
