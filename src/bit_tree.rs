@@ -105,36 +105,19 @@ impl BitTree {
     }
 }
 
-/// Checks of a tree, also for the tests of those who use it.
 #[cfg(test)]
-mod checks {
-    use super::*;
-    use std::collections::BTreeSet;
-
-    impl BitTree {
-        pub(crate) fn contains(&self, value: u32) -> bool {
-            self.words[(value >> LEVEL_BITS) as usize] >> (value & 63) & 1 != 0
+impl BitTree {
+    /// Compares the bits of all levels with a set of the standard library.
+    pub(crate) fn check(&self, expected: &std::collections::BTreeSet<u32>) {
+        let mut present: Vec<usize> = expected.iter().map(|&value| value as usize).collect();
+        for level in 0..self.levels {
+            let end = self.starts[..self.levels].get(level + 1);
+            let words = &self.words[self.starts[level]..*end.unwrap_or(&self.words.len())];
+            let bits = (0..64 * words.len()).filter(|bit| words[bit / 64] >> (bit % 64) & 1 != 0);
+            assert!(bits.eq(present.iter().copied()), "level {level}");
+            present.iter_mut().for_each(|bit| *bit /= 64);
+            present.dedup();
         }
-
-        /// Compares the bits of all levels with a set of the standard library.
-        pub(crate) fn check(&self, expected: &BTreeSet<u32>) {
-            let mut present: BTreeSet<usize> = expected.iter().map(|&v| v as usize).collect();
-            for level in 0..self.levels {
-                let end = self.starts[..self.levels].get(level + 1);
-                let words = &self.words[self.starts[level]..*end.unwrap_or(&self.words.len())];
-                let bits =
-                    (0..64 * words.len()).filter(|bit| words[bit / 64] >> (bit % 64) & 1 != 0);
-                assert!(bits.eq(present.iter().copied()), "level {level}");
-                present = present.iter().map(|bit| bit / 64).collect();
-            }
-            assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
-        }
-
-        /// Compares the answers about one value with a set of the standard library.
-        pub(crate) fn check_neighbour(&self, expected: &BTreeSet<u32>, value: u32) {
-            let successor = expected.range(value + 1..).next();
-            assert_eq!(self.contains(value), expected.contains(&value));
-            assert_eq!(self.successor(value), *successor.unwrap_or(&self.universe));
-        }
+        assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
     }
 }

@@ -1,7 +1,9 @@
 //! The oracle: every box against every other.
 
-use crate::pair_finder::check_boxes;
-use crate::{Aabb, InvalidInput, PairFinder, Real};
+use crate::aabb::Aabb;
+use crate::invalid_input::InvalidInput;
+use crate::pair_finder::{PairFinder, check_boxes};
+use crate::real::Real;
 
 /// Tests every box against every other, in **O(n²)** time and no memory.
 ///

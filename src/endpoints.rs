@@ -1,13 +1,14 @@
 //! The endpoints of boxes on one axis, in order.
 //!
 //! An axis has `2n` endpoints: the low one of object `i` at `i`, the high one at `i + n`. They are sorted by one stable
-//! radix sort of integers (`radix_sort`). It puts low endpoints before equal high ones, as closed boxes require, and
+//! radix sort of integers (`crate::radix_sort`). It puts low endpoints before equal high ones, as closed boxes require, and
 //! each kind in the order of object ids.
 
-mod radix_sort;
-
-use crate::{Aabb, InvalidInput, InvalidInputReason, Real};
-pub(crate) use radix_sort::{RadixSort, SortKey};
+use crate::aabb::Aabb;
+use crate::invalid_input::{InvalidInput, InvalidInputReason};
+use crate::radix_sort::RadixSort;
+pub(crate) use crate::radix_sort::SortKey;
+use crate::real::Real;
 
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
 pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
@@ -57,6 +58,11 @@ impl<K: SortKey> Endpoints<K> {
 
     /// Sorts the endpoints that were read.
     pub(crate) fn sort_keys(&mut self, order: &mut Vec<u32>) {
-        self.sorter.sort(&self.keys, order);
+        let indexed = self
+            .keys
+            .iter()
+            .enumerate()
+            .map(|(i, &key)| (key, i as u32));
+        self.sorter.sort(indexed, |(_, index)| index, order);
     }
 }

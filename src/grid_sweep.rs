@@ -1,6 +1,8 @@
 //! The fast kernel: sorted tubes, swept eight boxes at a time.
 
-mod ghosts;
+mod choose;
+mod class;
+mod emitter;
 mod grid;
 mod lookup;
 mod members;
@@ -14,16 +16,17 @@ mod sweep;
 mod tests;
 mod tubes;
 
-use crate::pair_finder::check_boxes;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{ONE_TUBE_UP_TO, OUTSIZE_UP_TO_EIGHTHS, STRIP_WIDENINGS, THREADS_FROM};
-use crate::{Aabb, InvalidInput, InvalidInputReason, PairFinder, Real, parallel};
-use grid::Grid;
+use crate::aabb::Aabb;
+use crate::invalid_input::{InvalidInput, InvalidInputReason};
+use crate::pair_finder::{PairFinder, check_boxes};
+use crate::parallel;
+use crate::real::Real;
+use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::tuning::kernel::THREADS_FROM;
+use class::{Assignment, Class, FoundInvalid, Run};
+#[cfg(feature = "_adapter")]
+use emitter::Emitter;
 use members::{Everyone, Members};
-use part::Part;
-use scattered::Scattered;
-use slab::Slab;
-use sweep::Emitter;
 
 /// Entries are numbered with 32 bits, and a box may have four.
 const MAX_BOXES: usize = 1 << 29;
@@ -64,8 +67,7 @@ pub struct GridSweep<R, const D: usize> {
     /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
     class_count: usize,
-    /// Scratch: the boxes of a class by tubes, a part for each thread.
-    parts: Vec<Part>,
+    assignment: Assignment,
     /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
     slab_count: Option<usize>,
     stopwatch: Stopwatch,
@@ -79,37 +81,12 @@ fn check_count(count: usize) -> Result<(), InvalidInput> {
     Ok(())
 }
 
-/// The boxes of one size class, sorted into tubes.
-#[derive(Clone, Debug)]
-struct Class<R, const D: usize> {
-    grid: Grid<R>,
-    /// The first `slab_count` cover the grid. The others are kept for their memory.
-    slabs: Vec<Slab<R, D>>,
-    slab_count: usize,
-    /// Scratch: the boxes by tubes, where there is no table of tubes.
-    scattered: Scattered,
-    /// The boxes too large for this class: the members of all following classes.
-    outsize: Vec<u32>,
-}
-
-impl<R: Real, const D: usize> Default for Class<R, D> {
-    fn default() -> Self {
-        Self {
-            grid: Grid::default(),
-            slabs: Vec::new(),
-            slab_count: 0,
-            scattered: Scattered::default(),
-            outsize: Vec::new(),
-        }
-    }
-}
-
 impl<R, const D: usize> Default for GridSweep<R, D> {
     fn default() -> Self {
         Self {
             classes: Vec::new(),
             class_count: 0,
-            parts: Vec::new(),
+            assignment: Assignment::default(),
             slab_count: None,
             stopwatch: Stopwatch::default(),
         }
@@ -124,16 +101,24 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
     ) -> Result<(), InvalidInput> {
         pairs.clear();
         check_count(boxes.len())?;
-        self.stopwatch.times = PhaseTimes::default();
-        let mut stopwatch = std::mem::take(&mut self.stopwatch);
-        let are_valid = self.find(boxes, Everyone(boxes.len()), false, pairs, &mut stopwatch);
+        let mut stopwatch = self.stopwatch.reset();
+        let members = Everyone(boxes.len());
+        let found = self.run(
+            members,
+            Run {
+                boxes,
+                slab_count: self.slab_count(boxes.len()),
+                keeps: false,
+                pairs,
+                stopwatch: &mut stopwatch,
+            },
+        );
         stopwatch.leave();
         self.stopwatch = stopwatch;
-        if are_valid {
-            return Ok(());
-        }
-        pairs.clear();
-        check_boxes(boxes)
+        found.or_else(|FoundInvalid| {
+            pairs.clear();
+            check_boxes(boxes)
+        })
     }
 }
 
@@ -177,73 +162,58 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ) -> Result<(), InvalidInput> {
         self.class_count = 0;
         check_count(boxes.len())?;
-        self.find(boxes, members, true, pairs, stopwatch);
+        let run = Run {
+            boxes,
+            slab_count: self.slab_count(members.len()),
+            keeps: true,
+            pairs,
+            stopwatch,
+        };
+        // The boxes are valid.
+        let _ = self.run(members, run);
         Ok(())
     }
 
-    /// Appends the overlapping pairs among the members, and says whether their boxes are valid; if not, what has been
-    /// appended is unspecified.
-    fn find(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        members: impl Members,
-        keeps: bool,
-        pairs: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) -> bool {
-        const { assert!(D > 0, "boxes have at least one axis") };
-        self.class_count = 0;
-        let slab_count = match self.slab_count {
+    /// How many slabs the work on so many boxes is cut into, at most.
+    fn slab_count(&self, boxes: usize) -> usize {
+        match self.slab_count {
             Some(count) => count,
-            None if members.count() < THREADS_FROM => 1,
+            None if boxes < THREADS_FROM => 1,
             None => parallel::threads(),
-        };
-        if !self.find_in_class(boxes, members, slab_count, keeps, pairs, stopwatch) {
-            return false;
-        }
-        loop {
-            let class = &mut self.classes[self.class_count - 1];
-            if class.outsize.is_empty() {
-                return true;
-            }
-            let outsize = std::mem::take(&mut class.outsize);
-            self.find_in_class(boxes, &outsize[..], slab_count, keeps, pairs, stopwatch);
-            self.classes[self.class_count - 2].outsize = outsize;
         }
     }
 
-    /// Appends the overlapping pairs of a class, and those of its members with what is too large for it.
-    fn find_in_class(
+    /// Appends the overlapping pairs among the members, class by class.
+    fn run(&mut self, members: impl Members, mut run: Run<R, D>) -> Result<(), FoundInvalid> {
+        const { assert!(D > 0, "boxes have at least one axis") };
+        self.class_count = 0;
+        self.run_class(members, &mut run)?;
+        loop {
+            let class = &mut self.classes[self.class_count - 1];
+            if class.oversized.is_empty() {
+                return Ok(());
+            }
+            let oversized = std::mem::take(&mut class.oversized);
+            self.run_class(&oversized[..], &mut run)?;
+            self.classes[self.class_count - 2].oversized = oversized;
+        }
+    }
+
+    /// Appends the overlapping pairs of the next class, and those of its members with what is too large for it.
+    fn run_class(
         &mut self,
-        boxes: &[Aabb<R, D>],
         members: impl Members,
-        slab_count: usize,
-        keeps: bool,
-        pairs: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) -> bool {
+        run: &mut Run<R, D>,
+    ) -> Result<(), FoundInvalid> {
         if self.class_count == self.classes.len() {
             self.classes.push(Class::default());
         }
         let class = &mut self.classes[self.class_count];
-        let dealt = class.deal(boxes, members, slab_count, &mut self.parts, stopwatch);
-        let Some(part_count) = dealt else {
-            return false;
-        };
+        class.assign(members, &mut self.assignment, run)?;
         self.class_count += 1;
-        let parts = &self.parts[..part_count];
-        class.find(boxes, parts, slab_count, keeps, pairs, stopwatch);
-        if !class.outsize.is_empty() {
-            stopwatch.enter(Phase::Sweep);
-            class.prepare_lookup();
-            let mut emitter = Emitter::new(pairs);
-            for &i in &class.outsize {
-                class.look_up(&boxes[i as usize], i, &mut emitter);
-            }
-            emitter.finish();
-            stopwatch.leave();
-        }
-        true
+        class.sweep(&self.assignment, run);
+        class.look_up_oversized(run);
+        Ok(())
     }
 
     /// The number of size classes in the last run.
@@ -272,13 +242,9 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Frees what only a run needs, and is otherwise kept for the next one.
     #[cfg(feature = "_adapter")]
     pub(crate) fn free_scratch(&mut self) {
-        self.parts = Vec::new();
+        self.assignment = Assignment::default();
         self.classes.truncate(self.class_count);
-        for class in &mut self.classes {
-            class.scattered = Scattered::default();
-            class.slabs.truncate(class.slab_count);
-            class.slabs.iter_mut().for_each(Slab::free_scratch);
-        }
+        self.classes.iter_mut().for_each(Class::free_scratch);
     }
 
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
@@ -300,149 +266,5 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             }
         }
         emitter.finish();
-    }
-}
-
-impl<R: Real, const D: usize> Class<R, D> {
-    /// Chooses a grid and deals the members to its tubes, except the outsize ones: to `parts`, whose number is returned, or, if
-    /// that is 0, to [`Scattered`]. None if a box is invalid; then nothing is dealt.
-    ///
-    /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
-    /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is outsize.
-    fn deal<M: Members>(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        members: M,
-        slab_count: usize,
-        parts: &mut Vec<Part>,
-        stopwatch: &mut Stopwatch,
-    ) -> Option<usize> {
-        let count = members.count();
-        let mut widenings = match count {
-            ..=ONE_TUBE_UP_TO => [].iter(),
-            _ => STRIP_WIDENINGS.iter(),
-        };
-        loop {
-            stopwatch.enter(Phase::Read);
-            let widening = widenings.next();
-            let mut part_count = 1;
-            self.grid = Grid::default();
-            if let Some(&widening) = widening {
-                part_count = slab_count.clamp(1, count);
-                self.grid = Grid::choose(boxes, members, widening);
-                if !self.grid.fits_table(count) {
-                    let cut_once = self.grid.cut_once(boxes, members);
-                    self.grid = cut_once.unwrap_or(self.grid);
-                }
-            }
-            self.outsize.clear();
-            if !self.grid.fits_table(count) {
-                part_count = 0;
-                let mut is_valid = true;
-                if M::MAY_BE_INVALID {
-                    members.for_each(boxes, 0..count, |_, _, aabb| is_valid &= aabb.is_valid());
-                }
-                if !is_valid {
-                    return None;
-                }
-                stopwatch.enter(Phase::Sort);
-                self.grid.extend::<D>();
-                self.scattered
-                    .deal(boxes, members, &self.grid, &mut self.outsize);
-                stopwatch.enter(Phase::Read);
-            }
-            if parts.len() < part_count {
-                parts.resize_with(part_count, Part::default);
-            }
-            let parts = &mut parts[..part_count];
-            for (i, part) in parts.iter_mut().enumerate() {
-                part.range = i * count / part_count..(i + 1) * count / part_count;
-            }
-            let grid = &self.grid;
-            parallel::for_each(parts, |part| part.count(boxes, members, grid));
-            if !parts.iter().all(|part| !part.is_invalid) {
-                return None;
-            }
-            for part in &mut *parts {
-                self.outsize.append(&mut part.outsize);
-            }
-            if widening.is_none() || self.outsize.len() <= count / 8 * OUTSIZE_UP_TO_EIGHTHS {
-                stopwatch.enter(Phase::Sort);
-                parallel::for_each(parts, |part| part.place(members));
-                stopwatch.leave();
-                return Some(part_count);
-            }
-        }
-    }
-
-    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if `keeps` asks for it, or there are outsize boxes to
-    /// look up in them.
-    fn find(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        parts: &[Part],
-        slab_count: usize,
-        keeps: bool,
-        pairs: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) {
-        let keeps = keeps || !self.outsize.is_empty();
-        let Self {
-            grid, scattered, ..
-        } = self;
-        let ranges = match parts {
-            [] => std::iter::once(0..u32::MAX).collect(),
-            _ => slab::split(grid, parts, slab_count),
-        };
-        self.slab_count = ranges.len();
-        if self.slabs.len() < ranges.len() {
-            self.slabs.resize_with(ranges.len(), Slab::default);
-        }
-        for (slab, range) in self.slabs.iter_mut().zip(ranges) {
-            slab.tubes.clear(range);
-            slab.stopwatch = stopwatch.reset();
-        }
-        match &mut self.slabs[..self.slab_count] {
-            [slab] if parts.is_empty() => slab.find_scattered(boxes, scattered, keeps, pairs),
-            [slab] => slab.find(boxes, grid, parts, keeps, pairs),
-            slabs => {
-                // The first one need not copy its pairs.
-                std::mem::swap(&mut slabs[0].pairs, pairs);
-                parallel::for_each(slabs, |slab| {
-                    let mut pairs = std::mem::take(&mut slab.pairs);
-                    slab.find(boxes, grid, parts, keeps, &mut pairs);
-                    slab.pairs = pairs;
-                });
-                std::mem::swap(&mut slabs[0].pairs, pairs);
-                for slab in &mut slabs[1..] {
-                    pairs.append(&mut slab.pairs);
-                }
-            }
-        }
-        // They have worked at the same time.
-        for slab in &self.slabs[..self.slab_count] {
-            let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
-            stopwatch.times.sort += sort / self.slab_count as u32;
-            stopwatch.times.sweep += sweep / self.slab_count as u32;
-        }
-    }
-
-    fn slabs(&self) -> &[Slab<R, D>] {
-        &self.slabs[..self.slab_count]
-    }
-
-    fn prepare_lookup(&mut self) {
-        if self.slabs().iter().all(|slab| slab.tubes.is_prepared()) {
-            return;
-        }
-        parallel::for_each(&mut self.slabs[..self.slab_count], |slab| {
-            slab.tubes.prepare_lookup();
-        });
-    }
-
-    fn look_up(&self, aabb: &Aabb<R, D>, owner: u32, emitter: &mut Emitter) {
-        for slab in self.slabs() {
-            slab.tubes.look_up(&self.grid, aabb, owner, emitter);
-        }
     }
 }

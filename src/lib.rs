@@ -66,6 +66,7 @@ mod aabb;
 mod bit_set;
 mod bit_tree;
 mod brute_force;
+mod counting_sort;
 mod endpoints;
 mod grid_sweep;
 mod invalid_input;
@@ -80,6 +81,7 @@ mod pair_tracker;
 mod parallel;
 #[cfg(feature = "_adapter")]
 mod proxy_table;
+mod radix_sort;
 mod rank_sweep;
 mod real;
 #[cfg(feature = "_adapter")]

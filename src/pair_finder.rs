@@ -1,6 +1,8 @@
 //! What every kernel is: a pair finder. Boxes in, overlapping pairs out.
 
-use crate::{Aabb, InvalidInput, InvalidInputReason, Real};
+use crate::aabb::Aabb;
+use crate::invalid_input::{InvalidInput, InvalidInputReason};
+use crate::real::Real;
 
 /// Finds all overlapping pairs among boxes. The pair finders of this crate are called kernels.
 ///

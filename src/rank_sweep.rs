@@ -11,12 +11,15 @@ mod tests;
 
 use core::marker::PhantomData;
 
-use crate::endpoints::{Endpoints, SortKey, check_count, has_narrow_keys};
-use crate::pair_finder::{check_boxes, ordered};
+use crate::aabb::Aabb;
+use crate::endpoints::{Endpoints, check_count, has_narrow_keys};
+use crate::invalid_input::InvalidInput;
+use crate::pair_finder::{PairFinder, check_boxes, ordered};
 use crate::parallel;
-use crate::stopwatch::{Phase, Stopwatch};
+use crate::radix_sort::SortKey;
+use crate::real::Real;
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
-use crate::{Aabb, InvalidInput, PairFinder, PhaseTimes, Real};
 use succ_tree::SuccTree;
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and

@@ -50,7 +50,7 @@ pub(crate) mod kernel {
 
     /// Eighths of the boxes. If more are too large for a grid, a wider one is tried. Above: many classes of a few boxes each.
     /// Below: mixed sizes end in one tube.
-    pub(crate) const OUTSIZE_UP_TO_EIGHTHS: usize = 7;
+    pub(crate) const OVERSIZED_UP_TO_EIGHTHS: usize = 7;
 
     /// Tubes. The table may have this many more than there are boxes. Above: few boxes clear a table of many tubes. Below:
     /// small worlds are sorted, which takes longer.

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeTuple, Serializer};
 
-use crate::Real;
+use crate::real::Real;
 
 pub(super) fn serialize<R: Serialize, S: Serializer, const D: usize>(
     corner: &[R; D],

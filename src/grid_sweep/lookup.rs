@@ -7,12 +7,21 @@
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
 //! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
 
-use super::ghosts::owner_in;
-use super::grid::{Grid, TubeSpan};
-use super::sweep::Emitter;
+use super::emitter::Emitter;
+use super::grid::TubeSpan;
+use super::owner::Owner;
 use super::tubes::{NOWHERE, Tube, Tubes};
+use crate::aabb::Aabb;
+use crate::real::Real;
 use crate::tuning::kernel::TABLE_LOOKUPS_UP_TO;
-use crate::{Aabb, Real};
+
+/// A box that is looked up.
+pub(super) struct Query<'a, R, const D: usize> {
+    pub(super) aabb: &'a Aabb<R, D>,
+    pub(super) index: u32,
+    /// The tubes that it spans.
+    pub(super) span: TubeSpan,
+}
 
 impl<R: Real, const D: usize> Tubes<R, D> {
     /// Whether [`look_up`](Self::look_up) may be called.
@@ -20,13 +29,18 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.running_maxs.len() == self.owners.len()
     }
 
-    /// Prepares for [`look_up`](Self::look_up), until the next build.
-    pub(super) fn prepare_lookup(&mut self) {
+    /// Prepares for [`look_up`](Self::look_up), until the next run. `columns` tubes are in a row.
+    pub(super) fn prepare_lookup(&mut self, columns: u32) {
         if self.is_prepared() {
             return;
         }
+        self.table.resize(self.range.len(), NOWHERE);
         self.running_maxs.extend_from_slice(&self.maxs[0]);
-        for tube in &self.tubes {
+        for (position, tube) in (0..).zip(&self.tubes) {
+            if !self.table.is_empty() {
+                let [row, column] = tube.strips;
+                self.table[(row * columns + column - self.range.start) as usize] = position;
+            }
             let mut running = R::NEG_INFINITY;
             for max in &mut self.running_maxs[tube.start as usize..tube.end as usize] {
                 running = if *max > running { *max } else { running };
@@ -36,57 +50,32 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Reports every box that overlaps a given one, once, however many entries it has.
-    pub(super) fn look_up(
-        &self,
-        grid: &Grid<R>,
-        aabb: &Aabb<R, D>,
-        owner: u32,
-        emitter: &mut Emitter,
-    ) {
-        let span = grid.tube_span(aabb);
-        let [rows, columns] = [0, 1].map(|cut| u64::from(span.last[cut] - span.first[cut]) + 1);
-        if !self.table.is_empty() && rows * columns <= TABLE_LOOKUPS_UP_TO {
-            self.look_up_in_table(grid, &span, aabb, owner, emitter);
-        } else {
-            self.look_up_by_searching(&span, aabb, owner, emitter);
+    pub(super) fn look_up(&self, query: &Query<R, D>, columns: u32, emitter: &mut Emitter) {
+        let TubeSpan { first, last } = query.span;
+        let tubes = [0, 1].map(|cut| u64::from(last[cut] - first[cut]) + 1);
+        if self.table.is_empty() || tubes[0] * tubes[1] > TABLE_LOOKUPS_UP_TO {
+            return self.search(query, emitter);
         }
-    }
-
-    /// For a box that spans few tubes.
-    fn look_up_in_table(
-        &self,
-        grid: &Grid<R>,
-        span: &TubeSpan,
-        aabb: &Aabb<R, D>,
-        owner: u32,
-        emitter: &mut Emitter,
-    ) {
-        let columns = grid.axes[1].last + 1;
-        for row in span.first[0]..=span.last[0] {
-            for column in span.first[1]..=span.last[1] {
+        for row in first[0]..=last[0] {
+            for column in first[1]..=last[1] {
                 let tube = (row * columns + column).wrapping_sub(self.range.start) as usize;
                 // Tubes of another slab are beyond the end.
                 let position = self.table.get(tube).copied().unwrap_or(NOWHERE);
                 if let Some(tube) = self.tubes.get(position as usize) {
-                    self.look_up_in(tube, span, aabb, owner, emitter);
+                    self.look_up_in(tube, query, emitter);
                 }
             }
         }
     }
 
-    /// For a box that may span any number of tubes, few of which need be occupied.
-    fn look_up_by_searching(
-        &self,
-        span: &TubeSpan,
-        aabb: &Aabb<R, D>,
-        owner: u32,
-        emitter: &mut Emitter,
-    ) {
+    /// The same for a box that may span any number of tubes, few of which need be occupied.
+    fn search(&self, query: &Query<R, D>, emitter: &mut Emitter) {
+        let TubeSpan { first, last } = query.span;
         let mut rest = &self.tubes[..];
-        let mut row = span.first[0];
+        let mut row = first[0];
         // Each row that has tubes, and in it the tubes between the columns.
-        while row <= span.last[0] {
-            rest = &rest[rest.partition_point(|t| t.strips < [row, span.first[1]])..];
+        while row <= last[0] {
+            rest = &rest[rest.partition_point(|tube| tube.strips < [row, first[1]])..];
             let Some(&Tube { strips, .. }) = rest.first() else {
                 return;
             };
@@ -94,28 +83,20 @@ impl<R: Real, const D: usize> Tubes<R, D> {
                 row = strips[0];
                 continue;
             }
-            let in_row = rest.partition_point(|t| t.strips <= [row, span.last[1]]);
+            let in_row = rest.partition_point(|tube| tube.strips <= [row, last[1]]);
             for tube in &rest[..in_row] {
-                self.look_up_in(tube, span, aabb, owner, emitter);
+                self.look_up_in(tube, query, emitter);
             }
             rest = &rest[in_row..];
-            let Some(next) = row.checked_add(1) else {
-                return;
-            };
-            row = next;
+            // The greatest strip is 2^31.
+            row += 1;
         }
     }
 
     #[inline(always)]
-    fn look_up_in(
-        &self,
-        tube: &Tube,
-        span: &TubeSpan,
-        aabb: &Aabb<R, D>,
-        owner: u32,
-        emitter: &mut Emitter,
-    ) {
-        let owner = owner_in(tube.strips, span.first, owner);
+    fn look_up_in(&self, tube: &Tube, query: &Query<R, D>, emitter: &mut Emitter) {
+        let Query { aabb, index, span } = query;
+        let owner = Owner::of(*index, tube.strips, span.first);
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
         self.columns().window::<true>(start, aabb, owner, emitter);

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::{Aabb, Real};
+use crate::aabb::Aabb;
+use crate::real::Real;
 
 /// Indices of boxes, each once, in any order.
 pub(super) trait Members: Copy + Send + Sync {

@@ -1,10 +1,12 @@
 //! The order of a tube's entries along the first axis.
 //!
 //! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits in the first- or
-//! second-level cache. Entries are dealt into twice as many buckets as there are entries by a linear guess. What the
+//! second-level cache. Entries are sorted into twice as many buckets as there are entries by a linear guess. What the
 //! guess misplaces, about one in eight, is put right by insertion.
 
-use crate::Real;
+use crate::counting_sort::{starts_from_counts, take_place};
+use crate::lanes::Lanes;
+use crate::real::Real;
 use crate::tuning::kernel::{BUCKETS_AN_ENTRY, CROWDED_BUCKET, INSERTION_UP_TO};
 
 /// Sorts numbers into an order; keeps its memory between calls.
@@ -14,7 +16,7 @@ pub(super) struct Order<R> {
     sorted: Vec<(R, u32)>,
     /// The bucket of each number.
     buckets: Vec<u32>,
-    /// For each bucket, where its next number goes.
+    /// For each bucket how many numbers it has, then where the next of them goes.
     cursors: Vec<u32>,
 }
 
@@ -29,16 +31,15 @@ impl<R: Real> Order<R> {
             self.sorted.clear();
             self.sorted.extend(numbers.zip(0..));
         } else {
-            self.deal(numbers);
+            self.sort_by_buckets(numbers);
         }
         insertion_sort(&mut self.sorted);
         &self.sorted
     }
 
-    /// Brings the numbers nearly into order: deals each into its bucket. Buckets ascend, and dealing is
-    /// stable.
+    /// Brings the numbers nearly into order: a stable counting sort by buckets, which ascend.
     #[inline]
-    fn deal(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
+    fn sort_by_buckets(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
         let Self {
             sorted,
             buckets,
@@ -56,7 +57,7 @@ impl<R: Real> Order<R> {
         // Non-decreasing in the numbers, like the strips of a grid.
         let buckets_of = |numbers: [R; FOUR]| {
             let offsets = numbers.map(|x| (x - low) * per_length);
-            R::truncated(offsets).map(|bucket| (bucket as usize).min(last))
+            R::Lanes::truncated(offsets).map(|bucket| (bucket as usize).min(last))
         };
         buckets.clear();
         let mut rest = numbers.clone();
@@ -70,24 +71,17 @@ impl<R: Real> Order<R> {
             cursors[bucket] += 1;
             buckets.push(bucket as u32);
         }
-        let mut end = 0;
-        let mut most = 0;
-        for cursor in &mut *cursors {
-            most = most.max(*cursor);
-            end += std::mem::replace(cursor, end);
-        }
+        let most = cursors.iter().copied().max().unwrap_or_default();
+        starts_from_counts(cursors);
         // All of it is written below.
         sorted.resize(count, (R::ZERO, 0));
         let sorted = &mut sorted[..count];
         for (number, &bucket) in numbers.zip(0..).zip(&buckets[..count]) {
-            let cursor = &mut cursors[bucket as usize];
-            sorted[*cursor as usize] = number;
-            *cursor += 1;
+            sorted[take_place(cursors, bucket as usize)] = number;
         }
         if most > CROWDED_BUCKET {
             let mut start = 0;
-            // Each cursor now stands at the end of its bucket.
-            for &end in cursors.iter() {
+            for &end in &*cursors {
                 if end - start > CROWDED_BUCKET {
                     sorted[start as usize..end as usize]
                         .sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("numbers are not NaN"));
@@ -98,7 +92,7 @@ impl<R: Real> Order<R> {
     }
 }
 
-/// How many numbers are dealt with at once.
+/// How many numbers are handled at once.
 const FOUR: usize = 4;
 
 /// The least and the greatest of the finite numbers. Infinite ones must not spoil the guess.
@@ -146,38 +140,29 @@ fn insertion_sort<R: Real>(numbers: &mut [(R, u32)]) {
 mod tests {
     use super::*;
 
-    fn check(numbers: &[f32]) {
-        let mut order = Order::default();
-        let sorted = order.sort(numbers.iter().copied()).to_vec();
-        let mut expected: Vec<_> = numbers.iter().copied().zip(0..).collect();
-        expected.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap());
-        assert_eq!(sorted, expected);
-    }
-
     #[test]
     fn sorts_stably_whatever_the_distribution() {
-        let mut state = 1_u32;
-        let mut next = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as f32
-        };
+        let mut random = oorandom::Rand32::new(1);
+        let mut order = Order::default();
         for n in (0..60).chain([500, 3000]) {
-            let uniform: Vec<f32> = (0..n).map(|_| next()).collect();
-            check(&uniform);
-            check(&uniform.iter().map(|x| x % 7.0).collect::<Vec<_>>());
-            check(&uniform.iter().map(|x| x.exp()).collect::<Vec<_>>());
-            check(&vec![3.0; n]);
-            let mut outlier = uniform.clone();
-            outlier.extend([
+            let uniform: Vec<f32> = (0..n).map(|_| random.rand_float()).collect();
+            let crowded = uniform.iter().map(|x| (x * 200.0).exp2()).collect();
+            let tied = uniform.iter().map(|x| (x * 7.0).floor()).collect();
+            let mut outliers = uniform.clone();
+            outliers.extend([
                 1e30,
-                f32::NEG_INFINITY,
+                -f32::INFINITY,
                 f32::INFINITY,
                 f32::MAX,
                 f32::MIN,
                 -0.0,
                 0.0,
             ]);
-            check(&outlier);
+            for numbers in [uniform, crowded, tied, vec![3.0; n], outliers] {
+                let mut expected: Vec<_> = numbers.iter().copied().zip(0..).collect();
+                expected.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap());
+                assert_eq!(order.sort(numbers.iter().copied()), expected);
+            }
         }
     }
 }

@@ -1,40 +1,26 @@
-//! Whose an entry is, and whether it is a ghost there.
+//! Whose an entry is: of which box, and whether it is a ghost there.
 
-/// The index of the box of an entry, in the lower bits, and above them the cut axes on which the entry is a ghost.
+/// The index of the box of an entry, in the lower 30 bits, and above them the cut axes on which the entry is a ghost: bit 30 for
+/// the first of them, bit 31 for the second.
 ///
-/// In one number, because they are always wanted together.
+/// Both in one number, because they are always wanted together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Owner(u32);
+pub(super) struct Owner(pub(super) u32);
 
-/// The bits of the index.
 const INDEX_BITS: u32 = 30;
+
+/// The bit of a ghost on each cut axis.
+const GHOST: [u32; 2] = [1 << INDEX_BITS, 2 << INDEX_BITS];
 
 impl Owner {
     /// Beyond the last entry of a tube.
     pub(super) const NOBODY: Self = Self(u32::MAX);
 
-    /// The owner of an entry in its own tube.
+    /// The owner of the entry in the tube `strips` of a box whose `mins` lie in the tube `home`.
     #[inline(always)]
-    pub(super) fn at_home(index: u32) -> Self {
-        Self(index)
-    }
-
-    /// The owner of a ghost, or of an entry at home if it is one on no axis. On the cut axis `k` it is one if bit `k` of `axes`
-    /// is set.
-    #[inline(always)]
-    pub(super) fn ghost(index: u32, axes: u32) -> Self {
-        Self(index | axes << INDEX_BITS)
-    }
-
-    /// The owner of these [`bits`](Self::bits).
-    #[inline(always)]
-    pub(super) fn from_bits(bits: u32) -> Self {
-        Self(bits)
-    }
-
-    #[inline(always)]
-    pub(super) fn bits(self) -> u32 {
-        self.0
+    pub(super) fn of(index: u32, strips: [u32; 2], home: [u32; 2]) -> Self {
+        let [row, column] = [0, 1].map(|cut| GHOST[cut] * u32::from(strips[cut] > home[cut]));
+        Self(index | row | column)
     }
 
     #[inline(always)]
@@ -51,5 +37,43 @@ impl Owner {
     #[inline(always)]
     pub(super) fn shares_axis(self, other: Self) -> bool {
         (self.0 & other.0) >> INDEX_BITS != 0
+    }
+}
+
+/// A ghost on its way into a tube.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ghost {
+    pub(super) tube: u32,
+    pub(super) owner: Owner,
+}
+
+/// A box that is at most two strips wide spans at most three tubes besides its own.
+pub(super) const MAX_GHOSTS: usize = 3;
+
+impl Ghost {
+    /// Writes the ghosts of a box that is at most two strips wide to the front of `list`, and returns their number. Entries past
+    /// the count are unspecified. The box is in the tube of number `home`, `columns` of which are in a row, and goes on into the
+    /// next tube on each of the cut axes where `beyond` is one.
+    #[inline(always)]
+    pub(super) fn write_all<const D: usize>(
+        index: u32,
+        home: u32,
+        columns: u32,
+        beyond: [u32; 2],
+        list: &mut [Self; MAX_GHOSTS],
+    ) -> usize {
+        let mut count = 0;
+        let mut write = |tube: u32, axes: u32, exists: u32| {
+            let owner = Owner(index | axes);
+            list[count] = Self { tube, owner };
+            count += exists as usize;
+        };
+        let [is_row, is_column] = beyond;
+        write(home + columns, GHOST[0], is_row);
+        if D > 2 {
+            write(home + 1, GHOST[1], is_column);
+            write(home + columns + 1, GHOST[0] | GHOST[1], is_row & is_column);
+        }
+        count
     }
 }

@@ -1,15 +1,16 @@
-//! A part of the boxes, dealt to the tubes by one thread.
+//! A part of the boxes, assigned to tubes by one thread.
 //!
 //! Threads share out the boxes, not the tubes, so each box is read by one thread only. What a tube holds is put together
-//! from the parts: see [`Slab`](super::slab::Slab).
+//! from the parts. Within a part this is a counting sort: [`count`](Part::count), then [`place`](Part::place).
 
 use std::ops::Range;
 
-use super::ghosts::{Ghost, MAX_GHOSTS, write_ghosts};
 use super::grid::Grid;
 use super::members::Members;
-use super::owner::Owner;
-use crate::{Aabb, Real};
+use super::owner::{Ghost, MAX_GHOSTS, Owner};
+use crate::aabb::Aabb;
+use crate::counting_sort::{starts_from_counts, take_place};
+use crate::real::Real;
 
 /// How many boxes are looked at before there is made room for the ghosts of as many more.
 const BATCH: usize = 256;
@@ -24,18 +25,18 @@ pub(super) struct Part {
     pub(super) range: Range<usize>,
     /// Whether one of their boxes is invalid.
     pub(super) is_invalid: bool,
-    /// Whose the entries are, tube after tube.
-    owners: Vec<Owner>,
-    /// For each tube of the grid, where its entries end, once they are there; before, how many there are. One more for
-    /// outsize boxes, in the place of a tube of their own.
-    ends: Vec<u32>,
-    /// For each member its own tube.
+    /// The boxes too large for the grid.
+    pub(super) oversized: Vec<u32>,
+    /// For each member its own tube; that of an oversized one is the tube past the last.
     homes: Vec<u32>,
     /// The ghosts; those past their count are unspecified.
     ghosts: Vec<Ghost>,
     ghost_count: usize,
-    /// The boxes too large for the grid.
-    pub(super) outsize: Vec<u32>,
+    /// For each tube of the grid and the one past the last: how many entries there are, once they are counted, and where they
+    /// end in `owners`, once they are placed.
+    ends: Vec<u32>,
+    /// Whose the entries are, tube after tube.
+    owners: Vec<Owner>,
 }
 
 impl Part {
@@ -51,18 +52,18 @@ impl Part {
     ) {
         let Self {
             range,
-            ends,
+            oversized,
             homes,
             ghosts,
-            outsize,
+            ends: counts,
             ..
         } = self;
-        let columns = grid.axes[1].last + 1;
+        let columns = grid.columns();
         let tube_count = grid.tube_count() as u32;
-        outsize.clear();
-        ends.clear();
-        ends.resize(tube_count as usize + 1, 0);
-        let ends = &mut ends[..];
+        oversized.clear();
+        counts.clear();
+        counts.resize(tube_count as usize + 1, 0);
+        let counts = &mut counts[..];
         homes.resize(range.len(), 0);
         let mut ghost_count = 0;
         let mut is_invalid = false;
@@ -72,26 +73,26 @@ impl Part {
                 ghosts.resize(room + ghost_count, Ghost::default());
             }
             let ghosts = &mut ghosts[..room];
-            members.for_each(boxes, start..start + homes.len(), |i, owner, aabb| {
+            members.for_each(boxes, start..start + homes.len(), |i, index, aabb| {
                 is_invalid |= M::MAY_BE_INVALID && !aabb.is_valid();
                 let span = grid.tube_span(aabb);
-                if span.is_outsize() {
-                    outsize.push(owner);
+                if span.is_oversized() {
+                    oversized.push(index);
                     homes[i] = tube_count;
-                    ends[tube_count as usize] += 1;
+                    counts[tube_count as usize] += 1;
                     return;
                 }
                 let home = span.first[0] * columns + span.first[1];
                 homes[i] = home;
-                ends[home as usize] += 1;
+                counts[home as usize] += 1;
                 let list = ghosts[ghost_count..]
                     .first_chunk_mut()
                     .expect("there is room");
-                ghost_count += write_ghosts::<D>(owner, home, columns, span.beyond(), list);
+                ghost_count += Ghost::write_all::<D>(index, home, columns, span.beyond(), list);
             });
         }
         for ghost in &ghosts[..ghost_count] {
-            ends[ghost.tube as usize] += 1;
+            counts[ghost.tube as usize] += 1;
         }
         self.ghost_count = ghost_count;
         self.is_invalid = is_invalid;
@@ -99,34 +100,18 @@ impl Part {
 
     /// Places the entries that were counted.
     pub(super) fn place(&mut self, members: impl Members) {
-        let Self {
-            range,
-            owners,
-            ends,
-            homes,
-            ghosts,
-            ghost_count,
-            ..
-        } = self;
-        let mut total = 0;
-        for end in &mut *ends {
-            total += std::mem::replace(end, total);
-        }
+        let next = &mut self.ends[..];
+        let total = starts_from_counts(next) as usize;
         // All that is read later is written below, so what the last call left need not be cleared.
-        if owners.len() < total as usize {
-            owners.resize(total as usize, Owner::default());
+        if self.owners.len() < total {
+            self.owners.resize(total, Owner::default());
         }
-        let (owners, ends) = (&mut owners[..], &mut ends[..]);
-        let mut place = |tube: u32, owner: Owner| {
-            let cursor = &mut ends[tube as usize];
-            owners[*cursor as usize] = owner;
-            *cursor += 1;
-        };
-        for (i, &home) in range.clone().zip(&*homes) {
-            place(home, Owner::at_home(members.index(i)));
+        let owners = &mut self.owners[..];
+        for (i, &home) in self.range.clone().zip(&self.homes) {
+            owners[take_place(next, home as usize)] = Owner(members.index(i));
         }
-        for ghost in &ghosts[..*ghost_count] {
-            place(ghost.tube, ghost.owner);
+        for ghost in &self.ghosts[..self.ghost_count] {
+            owners[take_place(next, ghost.tube as usize)] = ghost.owner;
         }
     }
 
@@ -145,8 +130,50 @@ impl Part {
     }
 }
 
-/// How many entries all parts have in the tubes before this one.
-pub(super) fn entries_before(parts: &[Part], tube: u32) -> usize {
-    let counts = parts.iter().map(|part| part.entries_before(tube) as usize);
-    counts.sum()
+/// All parts of the boxes.
+#[derive(Clone, Copy)]
+pub(super) struct Parts<'a> {
+    pub(super) parts: &'a [Part],
+    /// How many tubes there are, and how many of them in a row.
+    pub(super) tubes: u32,
+    pub(super) columns: u32,
+}
+
+impl Parts<'_> {
+    /// How many entries there are in the tubes before this one.
+    pub(super) fn entries_before(self, tube: u32) -> usize {
+        let counts = self.parts.iter().map(|part| part.entries_before(tube));
+        counts.map(|count| count as usize).sum()
+    }
+
+    /// Whether a tube has entries.
+    pub(super) fn is_occupied(self, tube: u32) -> bool {
+        self.parts.iter().any(|part| !part.tube(tube).is_empty())
+    }
+
+    /// Cuts the tubes into at most `count` ranges that are about equally full.
+    pub(super) fn split(self, count: usize) -> Vec<Range<u32>> {
+        let total = self.entries_before(self.tubes);
+        let mut ranges = Vec::with_capacity(count);
+        let mut start = 0;
+        for i in 1..count {
+            let share = total * i / count;
+            // The first tube that begins at or after the share.
+            let (mut border, mut high) = (start, self.tubes);
+            while border < high {
+                let middle = border + (high - border) / 2;
+                if self.entries_before(middle) < share {
+                    border = middle + 1;
+                } else {
+                    high = middle;
+                }
+            }
+            if start < border && border < self.tubes {
+                ranges.push(start..border);
+                start = border;
+            }
+        }
+        ranges.push(start..self.tubes);
+        ranges
+    }
 }

@@ -3,125 +3,15 @@
 
 use std::ops::Range;
 
+use super::emitter::Emitter;
 use super::owner::Owner;
 use super::tubes::Tubes;
+use crate::aabb::Aabb;
 use crate::lanes::{ARE_VECTORS, LANES, Lanes};
-use crate::pair_finder::ordered;
-use crate::{Aabb, Real};
-
-/// For each byte, the positions of the bits that are set, three bits each, the lowest first; from bit 24 on, how many
-/// there are. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
-const ONES: [u32; 1 << LANES] = {
-    let mut ones = [0; 1 << LANES];
-    let mut bits = 0;
-    while bits < ones.len() {
-        let (mut position, mut count) = (0, 0);
-        while position < LANES {
-            if bits >> position & 1 == 1 {
-                ones[bits] |= (position as u32) << (3 * count);
-                count += 1;
-            }
-            position += 1;
-        }
-        ones[bits] |= count << 24;
-        bits += 1;
-    }
-    ones
-};
-
-/// How many entries may be read beyond the last sentinel: [`Columns::emit_blocks`] reads most, 64 beyond the last of eight.
-pub(super) const PADDING: usize = LANES + 64;
+use crate::real::Real;
 
 /// How many blocks of eight candidates a box may have before it is swept on its own.
 const BLOCKS: usize = 4;
-
-/// How many pairs are collected before they are appended to the output.
-const BUFFER: usize = 512;
-
-/// Pairs on their way to the output.
-///
-/// Most boxes have a few candidates, and how many of them are hits is practically random; a branch on that would be
-/// mispredicted for every other box. So a fixed number of pairs is always written, and the cursor moves on by the
-/// number of hits.
-pub(super) struct Emitter<'a> {
-    pairs: &'a mut Vec<[u32; 2]>,
-    buffer: [[u32; 2]; BUFFER],
-    len: usize,
-}
-
-impl<'a> Emitter<'a> {
-    pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>) -> Self {
-        Self {
-            pairs,
-            buffer: [[0; 2]; BUFFER],
-            len: 0,
-        }
-    }
-
-    /// Appends the pairs of `owner` with those of eight others whose bit in `hits` is set. Pairs of ghosts on the same axis
-    /// are left out.
-    #[inline(always)]
-    fn emit(&mut self, owner: Owner, others: &[Owner; LANES], hits: u32) {
-        if self.len > BUFFER - LANES {
-            self.flush();
-        }
-        let mut ones = ONES[hits as usize % ONES.len()];
-        let count = (ones >> 24) as usize;
-        for written in 0..2 {
-            let other = others[ones as usize % LANES];
-            self.append(owner, other, written < count);
-            ones >>= 3;
-        }
-        for _ in 2..count {
-            self.append(owner, others[ones as usize % LANES], true);
-            ones >>= 3;
-        }
-    }
-
-    /// Appends the pair if it exists, unless both are ghosts on the same axis. There must be room.
-    #[inline(always)]
-    fn append(&mut self, owner: Owner, other: Owner, exists: bool) {
-        self.buffer[self.len % BUFFER] = ordered(owner.index(), other.index());
-        // No branch: it would be mispredicted.
-        self.len += usize::from(exists & !owner.shares_axis(other));
-    }
-
-    /// Appends the pairs of a few entries with those that follow them: of the entry `i`, bit `s` of as many bits as there
-    /// are shifts is for the entry `i + 1 + s`. Pairs of ghosts on the same axis are left out.
-    #[inline(always)]
-    fn emit_shifted<const SHIFTS: usize, const N: usize>(
-        &mut self,
-        owners: &[Owner; N],
-        mut hits: u64,
-    ) {
-        const {
-            assert!(
-                N >= 64 / SHIFTS + SHIFTS,
-                "the last entry has as many that follow"
-            )
-        };
-        if self.len > BUFFER - 64 {
-            self.flush();
-        }
-        while hits != 0 {
-            let hit = hits.trailing_zeros() as usize % 64;
-            hits &= hits - 1;
-            let first = hit / SHIFTS;
-            let other = first + 1 + hit % SHIFTS;
-            self.append(owners[first], owners[other], true);
-        }
-    }
-
-    fn flush(&mut self) {
-        self.pairs.extend_from_slice(&self.buffer[..self.len]);
-        self.len = 0;
-    }
-
-    /// Appends what is left.
-    pub(super) fn finish(mut self) {
-        self.flush();
-    }
-}
 
 /// The columns of the entries, all of one length, so that one bounds check is enough for all of them.
 #[derive(Clone, Copy)]
@@ -286,10 +176,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             for k in 1..D {
                 overlaps &= (self.mins[k][j] <= maxs[k]) & (self.maxs[k][j] >= mins[k]);
             }
-            if emitter.len == BUFFER {
-                emitter.flush();
-            }
-            emitter.append(owner, self.owners[j], overlaps);
+            emitter.emit_one(owner, self.owners[j], overlaps);
         }
     }
 
@@ -381,13 +268,8 @@ mod tests {
 
     #[test]
     fn entries_are_swept_alike_by_eights_and_singly() {
-        let mut state = 1_u64;
-        let mut random = |below: u64| {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (state >> 33) % below
-        };
+        let mut generator = oorandom::Rand64::new(1);
+        let mut random = |below: u64| generator.rand_range(0..below);
         for round in 0..300 {
             // From few candidates a box to more than are collected at once.
             let (count, width) = (1 + random(200), 1 + random(1 << (round % 8)));
@@ -397,7 +279,7 @@ mod tests {
                 let maxs = core::array::from_fn(|k| mins[k] + extents[k]);
                 Entry {
                     aabb: Aabb::new(mins, maxs),
-                    owner: Owner::ghost(i as u32, random(4) as u32),
+                    owner: Owner(i as u32 | (random(4) as u32) << 30),
                 }
             };
             let entries: Vec<_> = (0..count).map(&mut entry).collect();
@@ -422,33 +304,6 @@ mod tests {
                 })
             });
             assert_eq!(by_eights, singly);
-        }
-    }
-
-    #[test]
-    fn bits_go_where_they_belong() {
-        let block = 0x8102_0408_10FF_0037;
-        let columns = transposed(block);
-        for (row, column) in (0..8).flat_map(|row| (0..8).map(move |column| (row, column))) {
-            assert_eq!(
-                block >> (8 * row + column) & 1,
-                columns >> (8 * column + row) & 1
-            );
-        }
-        let [low, high] = interleaved(block, columns);
-        for byte in 0..4 {
-            let pair = |half: u64| [half >> (16 * byte), half >> (16 * byte + 8)].map(|x| x as u8);
-            assert_eq!(
-                pair(low),
-                [block.to_le_bytes()[byte], columns.to_le_bytes()[byte]]
-            );
-            assert_eq!(
-                pair(high),
-                [
-                    block.to_le_bytes()[byte + 4],
-                    columns.to_le_bytes()[byte + 4]
-                ]
-            );
         }
     }
 }

@@ -9,8 +9,12 @@ use std::ops::Range;
 
 use super::order::Order;
 use super::owner::Owner;
-use super::sweep::PADDING;
-use crate::{Aabb, Real};
+use crate::aabb::Aabb;
+use crate::lanes::LANES;
+use crate::real::Real;
+
+/// How many entries may be read beyond the last sentinel: the sweep reads at most 64 beyond the last of eight.
+pub(super) const PADDING: usize = LANES + 64;
 
 /// A box on its way into a tube.
 #[derive(Clone, Copy, Debug)]
@@ -33,10 +37,10 @@ pub(super) struct Tube {
 pub(super) struct Tubes<R, const D: usize> {
     /// Empty if the tubes are not kept.
     pub(super) tubes: Vec<Tube>,
-    /// The numbers, row after row, of the tubes that are dealt with here: all tubes of the grid, or one slab.
+    /// The numbers of these tubes, row after row: all of the grid, or one slab. None if the grid is much larger than the number of
+    /// boxes.
     pub(super) range: Range<u32>,
-    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty if the grid is much larger than the number
-    /// of boxes, or the tubes are not kept.
+    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty unless boxes are looked up.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
@@ -67,7 +71,7 @@ impl<R: Real, const D: usize> Default for Tubes<R, D> {
 }
 
 impl<R: Real, const D: usize> Tubes<R, D> {
-    /// Removes all tubes. Those that come are of this range.
+    /// Removes all tubes. Those that come have numbers of this range.
     pub(super) fn clear(&mut self, range: Range<u32>) {
         self.range = range;
         self.tubes.clear();
@@ -85,15 +89,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
         resize_exact(&mut self.owners, len, Owner::NOBODY);
         self.tubes.reserve_exact(tubes);
-    }
-
-    /// Enters in the table where the next tube of the range will be, if it has entries.
-    pub(super) fn enter_in_table(&mut self, is_occupied: bool) {
-        let position = match is_occupied {
-            true => self.tubes.len() as u32,
-            false => NOWHERE,
-        };
-        self.table.push(position);
     }
 
     /// Adds the next tube that has entries. They are where it says, until the next tube comes unless this one is kept.

@@ -11,7 +11,7 @@
 //!   That is the least widening that suffices. It never exceeds widening to a common length `s`, since no interval that
 //!   begins at or before `x` ends beyond `x + s`. It takes no arithmetic, so it cannot round, overflow or meet `∞ - ∞`.
 
-use crate::endpoints::SortKey;
+use crate::radix_sort::SortKey;
 
 /// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether nothing had to be
 /// widened.
@@ -79,28 +79,25 @@ fn rank_widened<K: SortKey>(keys: &[K], lows: &[u32], ranks: &mut [[u32; 2]]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::endpoints::RadixSort;
+    use crate::radix_sort::RadixSort;
 
-    /// Ranks intervals and checks what is promised of the ranks.
+    /// Ranks intervals, checks what is promised of the ranks, and returns whether nothing was widened.
     fn check(intervals: &[[u32; 2]]) -> bool {
-        let lows = intervals.iter().map(|interval| interval[0]);
-        let keys: Vec<u32> = lows.chain(intervals.iter().map(|i| i[1])).collect();
+        let [lows, highs] = [0, 1].map(|end| intervals.iter().map(move |interval| interval[end]));
+        let keys: Vec<u32> = lows.chain(highs).collect();
         let (mut order, mut ranks) = (Vec::new(), vec![[9; 2]]);
-        RadixSort::default().sort(&keys, &mut order);
+        let indexed = keys.iter().enumerate().map(|(i, &key)| (key, i as u32));
+        RadixSort::default().sort(indexed, |(_, i)| i, &mut order);
         let exact = rank_endpoints(&keys, &order, &mut vec![3], &mut ranks);
 
         let mut all: Vec<u32> = ranks.concat();
         all.sort();
         assert!(all.into_iter().eq(0..2 * intervals.len() as u32));
-        for (i, a) in ranks.iter().enumerate() {
-            assert!(a[0] < a[1]);
-            for (j, b) in ranks.iter().enumerate().filter(|(j, _)| *j != i) {
-                let within = |rank| u32::from(a[0] < rank && rank < a[1]);
-                let count = within(b[0]) + within(b[1]);
-                assert!(count < 2 && !(b[0] < a[0] && a[1] < b[1]), "{intervals:?}");
-                let [p, q] = [intervals[i], intervals[j]];
+        for (a, p) in ranks.iter().zip(intervals) {
+            for (b, q) in ranks.iter().zip(intervals).filter(|(b, _)| *b != a) {
+                let count = b.iter().filter(|rank| (a[0]..a[1]).contains(rank)).count();
                 let overlap = p[0] <= q[1] && q[0] <= p[1];
-                assert!(overlap <= (count == 1), "{intervals:?}");
+                assert!(count < 2 && overlap <= (count == 1), "{intervals:?}");
                 assert!(!exact || overlap == (count == 1), "{intervals:?}");
             }
         }
@@ -108,30 +105,25 @@ mod tests {
     }
 
     #[test]
-    fn no_interval_includes_another() {
+    fn no_interval_includes_another_and_those_of_one_length_are_not_widened() {
         let mut random = oorandom::Rand32::new(1);
-        for _ in 0..3000 {
-            let (n, range) = (random.rand_range(0..12), random.rand_range(1..40));
-            let longest = random.rand_range(1..20);
-            let mut interval = |_| {
-                let low = random.rand_range(0..range);
-                [low, low + random.rand_range(0..longest)]
-            };
-            check(&(0..n).map(&mut interval).collect::<Vec<_>>());
-        }
-    }
-
-    #[test]
-    fn intervals_of_one_length_are_not_widened_even_if_it_is_rounded() {
-        let mut random = oorandom::Rand32::new(1);
-        for _ in 0..3000 {
-            let (n, range) = (random.rand_range(0..12), random.rand_range(1..40));
-            let (length, grain) = (random.rand_range(0..20), random.rand_range(1..5));
-            let mut interval = |_| {
-                let low = random.rand_range(0..range);
-                [low, (low + length).next_multiple_of(grain)]
-            };
-            assert!(check(&(0..n).map(&mut interval).collect::<Vec<_>>()));
+        for round in 0..6000 {
+            let [count, range, longest, grain] =
+                [12, 40, 20, 5].map(|most| random.rand_range(1..most));
+            let is_one_length = round % 2 == 0;
+            let intervals: Vec<_> = (0..count)
+                .map(|_| {
+                    let low = random.rand_range(0..range);
+                    let length = if is_one_length {
+                        longest
+                    } else {
+                        random.rand_range(0..longest)
+                    };
+                    // Lengths may be rounded.
+                    [low, (low + length).next_multiple_of(grain)]
+                })
+                .collect();
+            assert!(check(&intervals) || !is_one_length);
         }
         // Sorted by object id, the equal ends would let object 1 include object 0.
         assert!(check(&[[1, 8], [0, 8]]));

@@ -1,0 +1,20 @@
+//! The two steps that every counting sort here shares: counts become starts, then each item takes the next place of its bucket.
+
+/// Turns the number of items in each bucket into the place of the bucket's first item. Returns the number of all items.
+#[inline]
+pub(crate) fn starts_from_counts(counts: &mut [u32]) -> u32 {
+    let mut start = 0;
+    for count in counts {
+        start += core::mem::replace(count, start);
+    }
+    start
+}
+
+/// The place of the next item of a bucket. Once all items have their places, `next` holds where each bucket ends.
+#[inline(always)]
+pub(crate) fn take_place(next: &mut [u32], bucket: usize) -> usize {
+    let next = &mut next[bucket];
+    let place = *next;
+    *next += 1;
+    place as usize
+}

@@ -1,0 +1,121 @@
+//! Pairs on their way to the output.
+//!
+//! Most boxes have a few candidates, and how many of them are hits is practically random; a branch on that would be
+//! mispredicted for every other box. So a fixed number of pairs is always written to a buffer, and the cursor moves on by the
+//! number of hits.
+
+use super::owner::Owner;
+use crate::lanes::LANES;
+use crate::pair_finder::ordered;
+
+/// For each byte, the positions of the bits that are set, three bits each, the lowest first; from bit 24 on, how many
+/// there are. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
+const ONES: [u32; 1 << LANES] = {
+    let mut ones = [0; 1 << LANES];
+    let mut bits = 0;
+    while bits < ones.len() {
+        let (mut position, mut count) = (0, 0);
+        while position < LANES {
+            if bits >> position & 1 == 1 {
+                ones[bits] |= (position as u32) << (3 * count);
+                count += 1;
+            }
+            position += 1;
+        }
+        ones[bits] |= count << 24;
+        bits += 1;
+    }
+    ones
+};
+
+/// How many pairs are collected before they are appended to the output.
+const BUFFER: usize = 512;
+
+/// Collects pairs and appends them to a list. Pairs of ghosts on the same axis are left out: another tube has them.
+pub(super) struct Emitter<'a> {
+    pairs: &'a mut Vec<[u32; 2]>,
+    buffer: [[u32; 2]; BUFFER],
+    len: usize,
+}
+
+impl<'a> Emitter<'a> {
+    pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>) -> Self {
+        Self {
+            pairs,
+            buffer: [[0; 2]; BUFFER],
+            len: 0,
+        }
+    }
+
+    /// Emits the pairs of `owner` with those of eight others whose bit in `hits` is set.
+    #[inline(always)]
+    pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], hits: u32) {
+        if self.len > BUFFER - LANES {
+            self.flush();
+        }
+        let mut ones = ONES[hits as usize % ONES.len()];
+        let count = (ones >> 24) as usize;
+        for written in 0..2 {
+            let other = others[ones as usize % LANES];
+            self.append(owner, other, written < count);
+            ones >>= 3;
+        }
+        for _ in 2..count {
+            self.append(owner, others[ones as usize % LANES], true);
+            ones >>= 3;
+        }
+    }
+
+    /// Emits one pair, if it is a hit.
+    #[inline(always)]
+    pub(super) fn emit_one(&mut self, owner: Owner, other: Owner, is_hit: bool) {
+        if self.len == BUFFER {
+            self.flush();
+        }
+        self.append(owner, other, is_hit);
+    }
+
+    /// Emits one pair, if it is a hit. There must be room.
+    #[inline(always)]
+    fn append(&mut self, owner: Owner, other: Owner, is_hit: bool) {
+        self.buffer[self.len % BUFFER] = ordered(owner.index(), other.index());
+        // No branch: it would be mispredicted.
+        self.len += usize::from(is_hit & !owner.shares_axis(other));
+    }
+
+    /// Emits the pairs of a few entries with those that follow them: of the entry `i`, bit `s` of as many bits as there
+    /// are shifts is for the entry `i + 1 + s`.
+    #[inline(always)]
+    pub(super) fn emit_shifted<const SHIFTS: usize, const N: usize>(
+        &mut self,
+        owners: &[Owner; N],
+        mut hits: u64,
+    ) {
+        const {
+            assert!(
+                N >= 64 / SHIFTS + SHIFTS,
+                "the last entry has as many that follow"
+            )
+        };
+        if self.len > BUFFER - 64 {
+            self.flush();
+        }
+        while hits != 0 {
+            let hit = hits.trailing_zeros() as usize % 64;
+            hits &= hits - 1;
+            let first = hit / SHIFTS;
+            let other = first + 1 + hit % SHIFTS;
+            self.append(owners[first], owners[other], true);
+        }
+    }
+
+    fn flush(&mut self) {
+        self.pairs.extend_from_slice(&self.buffer[..self.len]);
+        self.len = 0;
+    }
+
+    /// Appends what is left.
+    pub(super) fn finish(mut self) {
+        self.flush();
+    }
+}
