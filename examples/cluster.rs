@@ -7,11 +7,13 @@
 use unisize::rapier3d_027 as ours;
 use unisize_scenes::dim3 as scenes;
 
+#[path = "show/implosion.rs"]
+mod implosion;
 #[path = "show/mod.rs"]
 mod show;
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    show::run::<scenes::Implosion>()
+    show::run::<implosion::Implosion>()
 }

@@ -10,11 +10,13 @@
 use unisize::rapier2d_027 as ours;
 use unisize_scenes::dim2 as scenes;
 
+#[path = "show/gorge.rs"]
+mod gorge;
 #[path = "show/mod.rs"]
 mod show;
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    show::run::<scenes::Gorge>()
+    show::run::<gorge::Gorge>()
 }

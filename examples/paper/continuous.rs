@@ -1,18 +1,12 @@
-//! The last open question: boxes that move during a frame.
+//! Boxes that move during a frame.
 //!
 //! A *swept* box contains a box at the beginning of a frame and at its end. Boxes that meet during the frame have overlapping
 //! swept boxes, so the kernels need no change, only other boxes. Rapier's soft CCD does the same.
 
-mod bullets;
-
-use crate::method;
-use crate::page::Page;
-use crate::progress::progress_bar;
 use crate::race::{race, unit_boxes};
-use crate::table::{Table, digits};
+use crate::{Run, method};
 use anyhow::Result;
 use unisize::Aabb;
-use unisize_charts::{Axis, Chart, Panel, Series, color};
 use unisize_scenes::DriftingBoxes;
 
 /// The way of the fastest squares in a frame, in sizes.
@@ -28,61 +22,34 @@ const COUNT: usize = 1 << 17;
 const FOLLOWED: usize = 1 << 12;
 const FRAMES: usize = 5;
 
-const QUICK_COUNT: usize = 1 << 10;
-
-pub(crate) fn run(page: &Page, quick: bool) -> Result<()> {
-    let (n, followed, frames) = if quick {
-        (QUICK_COUNT, QUICK_COUNT, 2)
-    } else {
-        (COUNT, FOLLOWED, FRAMES)
-    };
-    let bar = progress_bar(SPEEDS.len() as u64 + 1);
-    bar.set_message("continuous motion");
-    let mut table = Table::new([
-        "speed, sizes a frame",
-        "of all that meet, found at the end of the frame",
-        "found by swept boxes",
-        "of the pairs of swept boxes, meet",
-        "RankSweep, ms",
-        "swept, ms",
-        "GridSweep, ms",
-        "swept, ms ",
-    ]);
-    let mut lines = [const { Vec::new() }; 2];
+pub(crate) fn measure(run: &mut Run) -> Result<()> {
+    let (n, followed) = run.choose((1 << 10, 1 << 9), (COUNT, FOLLOWED));
     for speed in SPEEDS {
-        let meetings = Meetings::count(&Frame::new(followed, speed));
-        let [rank, grid] = times(n, speed, frames, false)?;
-        let [swept_rank, swept_grid] = times(n, speed, frames, true)?;
-        let percent =
-            |part: usize, all: usize| format!("{:.1} %", 100.0 * part as f64 / all as f64);
-        let mut row = vec![
-            speed.to_string(),
-            percent(meetings.at_the_end, meetings.all),
-            percent(meetings.swept_and_meet, meetings.all),
-            percent(meetings.swept_and_meet, meetings.swept),
-        ];
-        row.extend([rank, swept_rank, grid, swept_grid].map(digits));
-        table.push(row);
-        for (points, ms) in lines.iter_mut().zip([swept_rank, swept_grid]) {
-            points.push((f64::from(speed), ms));
+        let mut drifting = DriftingBoxes::<2>::new(followed, DENSITY, 7);
+        let meetings = Meetings::count(&Frame::next(&mut drifting, speed));
+        let share = |part: usize, all: usize| 100.0 * part as f64 / all as f64;
+        let row = format!("{speed} sizes a frame");
+        let mut add = |column: String, value| run.table.add("continuous", &row, column, value);
+        let found = share(meetings.at_the_end, meetings.all);
+        add(
+            "of all that meet, % found at the end of the frame".to_owned(),
+            found,
+        );
+        let found = share(meetings.swept_and_meet, meetings.all);
+        add("% found by swept boxes".to_owned(), found);
+        let meet = share(meetings.swept_and_meet, meetings.swept);
+        add("of the pairs of swept boxes, % meet".to_owned(), meet);
+
+        let mut drifting = DriftingBoxes::<2>::new(n, DENSITY, 7);
+        let mut methods = method::all().split_off(5);
+        let next = |boxes: &mut Vec<_>| *boxes = Frame::next(&mut drifting, speed).swept();
+        let outcome = race(&mut methods, run.choose(2, FRAMES), next)?;
+        for (method, times) in methods.iter().zip(outcome.times) {
+            let column = format!("{}, swept boxes, ms", method.name);
+            run.table.add("continuous", &row, column, times.median());
         }
-        bar.inc(1);
     }
-    page.put("continuous", &table)?;
-    page.put("continuous-rapier", &bullets::table(quick))?;
-    bar.finish_and_clear();
-    let [rank, grid] = lines;
-    let panel = Panel::new(
-        "",
-        Axis::linear("speed of the fastest, in sizes per frame"),
-        Axis::linear("milliseconds"),
-        [
-            Series::new("GridSweep, swept boxes", color::RED, grid),
-            Series::new("RankSweep, swept boxes", color::SALMON, rank),
-        ],
-    );
-    let title = format!("Swept boxes of {n} squares");
-    Chart::new(title, [panel]).write_svg(&page.picture("continuous.svg"))
+    Ok(())
 }
 
 /// Squares at the beginning of a frame and at its end.
@@ -92,37 +59,29 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(count: usize, speed: f32) -> Self {
-        let mut drifting = DriftingBoxes::<2>::new(count, DENSITY, 7);
-        let mut frame = Self {
-            before: Vec::new(),
-            after: Vec::new(),
-        };
-        frame.advance(&mut drifting, speed);
-        frame
-    }
-
-    /// On to the next frame. Squares go further than the generator moves them, straight through the borders.
-    fn advance(&mut self, drifting: &mut DriftingBoxes<2>, speed: f32) {
-        self.before.clear();
-        self.before.extend(drifting.mins());
+    /// The next frame. Squares go further than the generator moves them, straight through the borders.
+    fn next(drifting: &mut DriftingBoxes<2>, speed: f32) -> Self {
+        let before = drifting.mins().to_vec();
         drifting.advance();
         let factor = speed / MADE_SPEED;
-        let ways = self.before.iter().zip(drifting.mins());
-        self.after.clear();
-        self.after.extend(ways.map(|(before, after)| {
+        let ways = before.iter().zip(drifting.mins());
+        let after = ways.map(|(before, after)| {
             std::array::from_fn(|axis| before[axis] + (after[axis] - before[axis]) * factor)
-        }));
+        });
+        Self {
+            after: after.collect(),
+            before,
+        }
     }
 
-    fn swept(&self, boxes: &mut Vec<Aabb<f32, 2>>) {
-        boxes.clear();
+    fn swept(&self) -> Vec<Aabb<f32, 2>> {
         let ways = self.before.iter().zip(&self.after);
-        boxes.extend(ways.map(|(a, b)| {
+        let swept = ways.map(|(a, b)| {
             let mins = std::array::from_fn(|axis| a[axis].min(b[axis]));
             let maxs = std::array::from_fn(|axis| a[axis].max(b[axis]) + 1.0);
             Aabb::new(mins, maxs)
-        }));
+        });
+        swept.collect()
     }
 }
 
@@ -141,9 +100,8 @@ struct Meetings {
 impl Meetings {
     /// Examines every pair of squares. **O(n²)**.
     fn count(frame: &Frame) -> Self {
-        let (mut at_end, mut swept) = (Vec::new(), Vec::new());
+        let (mut at_end, swept) = (Vec::new(), frame.swept());
         unit_boxes(&frame.after, &mut at_end);
-        frame.swept(&mut swept);
         let mut meetings = Self::default();
         for i in 0..at_end.len() {
             for j in 0..i {
@@ -180,26 +138,6 @@ fn meet(frame: &Frame, i: usize, j: usize) -> bool {
     first <= last
 }
 
-/// The milliseconds of RankSweep and of GridSweep.
-fn times(n: usize, speed: f32, frames: usize, swept: bool) -> Result<[f64; 2]> {
-    let mut drifting = DriftingBoxes::<2>::new(n, DENSITY, 7);
-    let mut frame = Frame {
-        before: Vec::new(),
-        after: Vec::new(),
-    };
-    let mut methods = vec![method::rank_sweep(), method::grid_sweep()];
-    let next = |boxes: &mut Vec<_>| {
-        frame.advance(&mut drifting, speed);
-        if swept {
-            frame.swept(boxes);
-        } else {
-            unit_boxes(&frame.after, boxes);
-        }
-    };
-    let outcome = race(&mut methods, frames, next, |_| {})?;
-    Ok([0, 1].map(|i| outcome.times[i].median()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -222,7 +160,8 @@ mod tests {
     #[test]
     fn what_meets_has_swept_boxes_that_overlap() {
         for speed in [0.0, 0.5, 3.0] {
-            let meetings = Meetings::count(&Frame::new(600, speed));
+            let mut drifting = DriftingBoxes::<2>::new(600, DENSITY, 7);
+            let meetings = Meetings::count(&Frame::next(&mut drifting, speed));
             assert!(meetings.all > 50, "{meetings:?}");
             assert_eq!(meetings.swept_and_meet, meetings.all, "{meetings:?}");
         }

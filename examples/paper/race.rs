@@ -1,22 +1,17 @@
 //! A race: all methods on the same frames, in turns.
 
 use crate::method::Method;
-use anyhow::{Result, ensure};
-use std::time::Duration;
+use anyhow::{Context, Result, ensure};
+use std::time::{Duration, Instant};
 use unisize::Aabb;
 
-/// The times of one method.
+/// Milliseconds, frame by frame.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Times(Vec<f64>);
+pub(crate) struct Times(pub(crate) Vec<f64>);
 
 impl Times {
     pub(crate) fn push(&mut self, time: Duration) {
         self.0.push(time.as_secs_f64() * 1e3);
-    }
-
-    /// Milliseconds, frame by frame.
-    pub(crate) fn frames(&self) -> &[f64] {
-        &self.0
     }
 
     pub(crate) fn mean(&self) -> f64 {
@@ -37,57 +32,45 @@ impl Times {
 /// The outcome of a race, with times in the order of the methods.
 pub(crate) struct Outcome {
     pub(crate) times: Vec<Times>,
-    /// The pairs of every frame, by the last method.
+    /// The number of pairs of every frame.
     pub(crate) pairs: Vec<usize>,
-}
-
-impl Outcome {
-    pub(crate) fn mean_pairs(&self) -> f64 {
-        self.pairs.iter().sum::<usize>() as f64 / self.pairs.len() as f64
-    }
 }
 
 /// Lets every method find the pairs of every frame. The first frame, which allocates memory, is not timed.
 ///
-/// `next` replaces the boxes by those of the next frame. All methods with exact pairs must agree.
+/// `next` replaces the boxes by those of the next frame. All methods must agree.
 pub(crate) fn race<const D: usize>(
-    methods: &mut [Box<dyn Method<D>>],
+    methods: &mut [Method<D>],
     frames: usize,
     mut next: impl FnMut(&mut Vec<Aabb<f32, D>>),
-    mut on_frame: impl FnMut(usize),
 ) -> Result<Outcome> {
-    let mut boxes = Vec::new();
+    let (mut boxes, mut found) = (Vec::new(), Vec::new());
     let mut times = vec![Times::default(); methods.len()];
     let mut pairs = Vec::new();
     for frame in 0..=frames {
         next(&mut boxes);
         let mut expected = None;
         for (method, times) in methods.iter_mut().zip(&mut times) {
-            let time = method.run(&boxes)?;
+            let start = Instant::now();
+            let result = method.finder.find_pairs(&boxes, &mut found);
+            let time = start.elapsed();
+            result.context(method.name)?;
+            let hash = fingerprint(&found);
+            let is_equal = *expected.get_or_insert(hash) == hash;
+            ensure!(is_equal, "frame {frame}: {} differs", method.name);
             if frame > 0 {
                 times.push(time);
             }
-            let Some(found) = method.exact_pairs() else {
-                continue;
-            };
-            let found = fingerprint(found);
-            let (first, expected) = expected.get_or_insert((method.name(), found));
-            ensure!(
-                found == *expected,
-                "frame {frame}: {} and {first} find different pairs",
-                method.name()
-            );
         }
         if frame > 0 {
-            pairs.push(methods.last().map_or(0, |method| method.pair_count()));
+            pairs.push(found.len());
         }
-        on_frame(frame);
     }
     Ok(Outcome { times, pairs })
 }
 
 /// A hash of a set of pairs, whatever their order.
-fn fingerprint(pairs: &[[u32; 2]]) -> (usize, u64) {
+fn fingerprint(pairs: &[[u32; 2]]) -> u64 {
     let mix = |&[a, b]: &[u32; 2]| {
         // The finalizer of SplitMix64.
         let mut x = u64::from(a) << 32 | u64::from(b);
@@ -95,8 +78,8 @@ fn fingerprint(pairs: &[[u32; 2]]) -> (usize, u64) {
         x = (x ^ x >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
         x ^ x >> 31
     };
-    let sum = pairs.iter().map(mix).fold(0, u64::wrapping_add);
-    (pairs.len(), sum)
+    let count = pairs.len() as u64;
+    pairs.iter().map(mix).fold(count, u64::wrapping_add)
 }
 
 /// Replaces boxes by those of side 1 at these lower corners.
@@ -115,23 +98,19 @@ mod tests {
     #[test]
     fn all_methods_find_the_same() {
         let mut drifting = DriftingBoxes::<3>::new(500, 0.5, 7);
-        let mut methods = method::all();
-        let count = methods.len();
         let next = |boxes: &mut Vec<_>| {
             drifting.advance();
             unit_boxes(drifting.mins(), boxes);
         };
-        let outcome = race(&mut methods, 3, next, |_| {}).unwrap();
-        assert_eq!(outcome.times.len(), count);
-        assert!(outcome.times.iter().all(|times| times.frames().len() == 3));
-        assert!(outcome.mean_pairs() > 100.0);
+        let outcome = race(&mut method::all(), 3, next).unwrap();
+        assert!(outcome.times.iter().all(|times| times.0.len() == 3));
+        assert!(outcome.pairs.iter().all(|&pairs| pairs > 100));
     }
 
     #[test]
     fn fingerprints_tell_sets_apart_and_not_orders() {
         let pairs = [[1, 2], [3, 4], [1, 4]];
-        let other_order = [[1, 4], [1, 2], [3, 4]];
-        assert_eq!(fingerprint(&pairs), fingerprint(&other_order));
+        assert_eq!(fingerprint(&pairs), fingerprint(&[[1, 4], [1, 2], [3, 4]]));
         assert_ne!(fingerprint(&pairs), fingerprint(&[[1, 2], [3, 4], [2, 4]]));
         assert_ne!(fingerprint(&pairs), fingerprint(&pairs[..2]));
     }

@@ -1,39 +1,153 @@
-//! Tables in Markdown.
+//! All figures, in one table: a part of the page, a row, a column, and a number or a verdict.
 
+use anyhow::{Context, Result};
+use serde::Serialize;
 use std::fmt::{self, Display};
+use std::fs;
+use std::path::Path;
 
-/// A table; the first column is left-aligned, all others are right-aligned.
-#[derive(Clone, Debug)]
-pub(crate) struct Table {
-    head: Vec<String>,
-    rows: Vec<Vec<String>>,
+/// One figure.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Figure {
+    /// The table that it belongs to.
+    part: &'static str,
+    row: String,
+    column: String,
+    value: Value,
 }
 
+/// What is in a cell.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Value {
+    Number(f64),
+    Text(&'static str),
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<usize> for Value {
+    fn from(number: usize) -> Self {
+        Self::Number(number as f64)
+    }
+}
+
+impl From<&'static str> for Value {
+    fn from(text: &'static str) -> Self {
+        Self::Text(text)
+    }
+}
+
+/// All figures, in the order in which they were found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Table(Vec<Figure>);
+
 impl Table {
-    pub(crate) fn new(head: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        Self {
-            head: head.into_iter().map(Into::into).collect(),
-            rows: Vec::new(),
+    pub(crate) fn add(
+        &mut self,
+        part: &'static str,
+        row: impl Into<String>,
+        column: impl Into<String>,
+        value: impl Into<Value>,
+    ) {
+        self.0.push(Figure {
+            part,
+            row: row.into(),
+            column: column.into(),
+            value: value.into(),
+        });
+    }
+
+    /// The number in a cell, if there is one.
+    pub(crate) fn number(&self, part: &str, row: &str, column: &str) -> Option<f64> {
+        let is_it = |f: &&Figure| f.part == part && f.row == row && f.column == column;
+        match self.0.iter().find(is_it)?.value {
+            Value::Number(number) => Some(number),
+            Value::Text(_) => None,
         }
     }
 
-    pub(crate) fn push(&mut self, row: impl IntoIterator<Item = impl Into<String>>) {
-        self.rows.push(row.into_iter().map(Into::into).collect());
+    /// The names of the tables.
+    fn parts(&self) -> Vec<&'static str> {
+        different(self.0.iter().map(|figure| figure.part))
+    }
+
+    /// One table in Markdown.
+    fn markdown(&self, part: &str) -> String {
+        let figures: Vec<_> = self.0.iter().filter(|f| f.part == part).collect();
+        let columns = different(figures.iter().map(|f| &f.column[..]));
+        let mut text = format!(
+            "| | {} |\n|---|{}\n",
+            columns.join(" | "),
+            "--:|".repeat(columns.len())
+        );
+        for row in different(figures.iter().map(|f| &f.row[..])) {
+            text += &format!("| {row} |");
+            for &column in &columns {
+                let cell = figures.iter().find(|f| f.row == row && f.column == column);
+                text += &match cell.map(|f| &f.value) {
+                    Some(Value::Number(number)) => format!(" {} |", digits(*number)),
+                    Some(Value::Text(words)) => format!(" {words} |"),
+                    None => " |".to_owned(),
+                };
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    /// Prints a line for each figure.
+    pub(crate) fn print_json(&self) -> Result<()> {
+        for figure in &self.0 {
+            println!("{}", serde_json::to_string(figure)?);
+        }
+        Ok(())
+    }
+
+    /// Replaces the tables of a page by these.
+    pub(crate) fn write_into(&self, page: &Path) -> Result<()> {
+        let cannot = || format!("cannot change {}", page.display());
+        let mut text = fs::read_to_string(page).with_context(cannot)?;
+        for part in self.parts() {
+            text = replaced(&text, part, &self.markdown(part)).with_context(cannot)?;
+        }
+        fs::write(page, text).with_context(cannot)
     }
 }
 
 impl Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let line =
-            |f: &mut fmt::Formatter<'_>, cells: &[String]| writeln!(f, "| {} |", cells.join(" | "));
-        line(f, &self.head)?;
-        let rule = ["|---|", &"--:|".repeat(self.head.len() - 1)].concat();
-        writeln!(f, "{rule}")?;
-        self.rows.iter().try_for_each(|row| line(f, row))
+        let parts = self.parts();
+        let mut tables = parts.iter().map(|part| (part, self.markdown(part)));
+        tables.try_for_each(|(part, table)| writeln!(f, "{part}\n\n{table}"))
     }
 }
 
-/// A number with three significant digits.
+/// The different ones, in the order in which they come.
+fn different<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut different = Vec::new();
+    for name in names {
+        if !different.contains(&name) {
+            different.push(name);
+        }
+    }
+    different
+}
+
+/// The text with another block between the two comments of this name.
+fn replaced(text: &str, name: &str, block: &str) -> Result<String> {
+    let [begin, end] = ["begin", "end"].map(|which| format!("<!-- {which} {name} -->\n"));
+    let no_place = || format!("there is no place for {name}");
+    let (before, rest) = text.split_once(&begin).with_context(no_place)?;
+    let (_, after) = rest.split_once(&end).with_context(no_place)?;
+    Ok([before, &begin, block, &end, after].concat())
+}
+
+/// A number with three significant digits, or a whole one with more.
 pub(crate) fn digits(x: f64) -> String {
     if !x.is_finite() {
         return "–".to_owned();
@@ -51,13 +165,10 @@ pub(crate) fn digits(x: f64) -> String {
 
 /// A power of two as such, any other number in full.
 pub(crate) fn count(n: usize) -> String {
-    const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if !n.is_power_of_two() || n < 1024 {
         return n.to_string();
     }
-    let exponent = n.ilog2().to_string();
-    let digit = |c: char| SUPERSCRIPTS[c as usize - '0' as usize];
-    format!("2{}", exponent.chars().map(digit).collect::<String>())
+    format!("2<sup>{}</sup>", n.ilog2())
 }
 
 #[cfg(test)]
@@ -65,10 +176,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_has_a_line_for_each_row() {
-        let mut table = Table::new(["n", "ms"]);
-        table.push(["1", "2"]);
-        assert_eq!(table.to_string(), "| n | ms |\n|---|--:|\n| 1 | 2 |\n");
+    fn a_part_is_a_table() {
+        let mut table = Table::default();
+        table.add("a", "first", "ms", 2.0);
+        table.add("b", "other", "ms", 9.0);
+        table.add("a", "second", "pairs", 1234_usize);
+        table.add("a", "first", "verdict", "yes");
+        let expected = "| | ms | pairs | verdict |\n|---|--:|--:|--:|\n\
+            | first | 2.00 | | yes |\n| second | | 1234 | |\n";
+        assert_eq!(table.markdown("a"), expected);
+        assert_eq!(table.number("a", "first", "ms"), Some(2.0));
+        assert_eq!(table.number("a", "first", "verdict"), None);
     }
 
     #[test]
@@ -78,7 +196,15 @@ mod tests {
         for (x, text) in numbers.iter().zip(expected) {
             assert_eq!(digits(*x), text);
         }
-        assert_eq!(count(1 << 20), "2²⁰");
+        assert_eq!(count(1 << 20), "2<sup>20</sup>");
         assert_eq!(count(100_000), "100000");
+    }
+
+    #[test]
+    fn a_block_replaces_what_was_there() {
+        let text = "a\n<!-- begin x -->\nold\n<!-- end x -->\nb\n";
+        let new = replaced(text, "x", "new\n").unwrap();
+        assert_eq!(new, "a\n<!-- begin x -->\nnew\n<!-- end x -->\nb\n");
+        assert!(replaced(text, "y", "").is_err());
     }
 }

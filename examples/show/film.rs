@@ -2,19 +2,12 @@
 
 use super::options::Options;
 use super::rivals::Rivals;
-use super::scenes::{HeldPairs, Show};
-use std::error::Error;
+use super::{HeldPairs, Show};
+use anyhow::{Context, Result, bail};
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
-use unisize_pictures::{Animation, Drawing, Legend, Picture, PictureError, thousands};
-
-/// The frame rate of an animation.
-const FRAMES_PER_SECOND: u32 = 20;
-
-/// How many seconds its last frame stays, and in how many frames it fades into the first.
-const HOLD: f32 = 0.8;
-const FADE: usize = 5;
+use unisize_pictures::{Animation, Drawing, Legend, Picture, thousands};
 
 /// Where frames go.
 pub(super) struct Film {
@@ -31,22 +24,18 @@ enum Format {
 }
 
 impl Film {
-    pub(super) fn new<S: Show>(options: &Options) -> Result<Self, Box<dyn Error>> {
+    pub(super) fn new<S: Show>(options: &Options) -> Result<Self> {
         let format = match &options.out {
             None => Format::Nothing,
             Some(path) => match path.extension().and_then(|extension| extension.to_str()) {
                 Some("gif") => {
                     // Opened before the long run, which would be lost if this failed.
-                    let file = File::create(path)
-                        .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-                    let animation = Animation::new(FRAMES_PER_SECOND).hold(HOLD);
-                    Format::Gif(
-                        animation.colors(S::COLORS).tolerance(S::TOLERANCE),
-                        BufWriter::new(file),
-                    )
+                    let cannot = || format!("cannot write {}", path.display());
+                    let file = BufWriter::new(File::create(path).with_context(cannot)?);
+                    Format::Gif(Animation::new(S::COLORS, S::TOLERANCE), file)
                 }
                 Some("png") => Format::Pngs(path.clone(), 0),
-                _ => return Err(format!("{} ends in neither .gif nor .png", path.display()).into()),
+                _ => bail!("{} ends in neither .gif nor .png", path.display()),
             },
         };
         Ok(Self {
@@ -70,7 +59,7 @@ impl Film {
         show: &impl Show,
         broad_phase: &Rivals,
         milliseconds: f64,
-    ) -> Result<(), PictureError> {
+    ) -> Result<()> {
         let mut drawing = Drawing::new();
         show.draw(&mut drawing, broad_phase);
         let mut picture = drawing.picture(&show.camera(), self.size)?;
@@ -82,7 +71,7 @@ impl Film {
         );
         match &mut self.format {
             Format::Nothing => Ok(()),
-            Format::Gif(animation, _) => animation.push(picture),
+            Format::Gif(animation, _) => animation.push(&picture),
             Format::Pngs(path, number) => {
                 *number += 1;
                 picture.write_png(&Picture::numbered(path, *number))
@@ -91,9 +80,9 @@ impl Film {
     }
 
     /// Writes the animation, if there is one.
-    pub(super) fn finish(self) -> Result<(), Box<dyn Error>> {
+    pub(super) fn finish(self) -> Result<()> {
         if let Format::Gif(mut animation, mut file) = self.format {
-            animation.fade_to_start(FADE);
+            animation.fade_to_start();
             animation.write_gif_to(&mut file)?;
             file.flush()?;
         }

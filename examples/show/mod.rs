@@ -12,8 +12,10 @@ mod options;
 mod progress;
 mod rivals;
 mod run;
+mod world;
 
 pub(crate) use run::run;
+pub(crate) use world::{HeldPairs, Show};
 
-use crate::{ours, scenes};
+use crate::{ours, scenes, show};
 use scenes::rapier;

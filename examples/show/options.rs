@@ -1,7 +1,7 @@
 //! The command line.
 
+use super::Show;
 use super::choice::Choice;
-use super::scenes::Show;
 use clap::builder::RangedU64ValueParser;
 use clap::{CommandFactory, FromArgMatches, Parser};
 use std::path::PathBuf;

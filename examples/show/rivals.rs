@@ -3,7 +3,8 @@
 use super::choice::Choice;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use super::scenes::{HeldPairs, Observed};
+use super::scenes::Observed;
+use super::show::HeldPairs;
 use std::time::Duration;
 
 /// One of the two broad phases, or both.

@@ -6,8 +6,9 @@ use super::options::Options;
 use super::ours::UnisizeBroadPhase;
 use super::progress::progress_bar;
 use super::rivals::Rivals;
-use super::scenes::{HeldPairs, Observed, Show};
-use std::error::Error;
+use super::scenes::Observed;
+use super::{HeldPairs, Show};
+use anyhow::Result;
 use std::process::ExitCode;
 
 /// The milliseconds in a legend are the mean of this many steps.
@@ -24,14 +25,14 @@ pub(crate) fn run<S: Show>() -> ExitCode {
             ExitCode::FAILURE
         }
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("error: {error:#}");
             ExitCode::from(2)
         }
     }
 }
 
 /// Simulates until the end or until pairs differ, and returns the difference.
-fn simulate<S: Show>(options: &Options) -> Result<Option<String>, Box<dyn Error>> {
+fn simulate<S: Show>(options: &Options) -> Result<Option<String>> {
     let mut film = Film::new::<S>(options)?;
     let steps = options.steps::<S>();
     let mut show = S::build(options.bodies::<S>());

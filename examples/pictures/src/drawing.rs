@@ -1,15 +1,13 @@
 //! A drawing, and how a picture is made of it.
 
-use crate::band::{Band, NOTHING, covers};
-use crate::camera::{Camera, Lens, Raster, View};
-use crate::figure::Figure;
+use crate::camera::Camera;
 use crate::ground::Ground;
 use crate::light::Light;
-use crate::line::Line;
-use crate::shape::{Ray, Shape};
-use crate::{Color, Picture, PictureError, palette};
+use crate::raster::{Lens, Raster, View};
+use crate::shape::{Figure, Ray, Shape, Solid};
+use crate::{Color, Picture, palette};
+use anyhow::Result;
 use glam::{Mat3, Quat, Vec3};
-use rayon::prelude::*;
 
 /// Samples along each side of a pixel.
 const SAMPLES: usize = 3;
@@ -17,28 +15,17 @@ const SAMPLES: usize = 3;
 /// Rows of pixels that are made at once.
 const ROWS: usize = 16;
 
-/// A scene to be pictured: bodies in space, figures in the plane, lines on top of them, and a ground below.
+/// A scene to be pictured: bodies in space, figures in the plane, and a ground below.
 ///
 /// Bodies in space are lit, and cast shadows. Figures in the plane have their colour as it is: they lie on the plane of the
 /// first two axes, the later on top of the earlier, and are best seen with [`Camera::top_down`].
-///
-/// What is not finite or has no size is not drawn but [counted](Self::skipped).
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    bodies: Vec<Body>,
-    lines: Vec<Line>,
-    ground: Option<(f32, f32)>,
-    /// The light of the upper and of the lower edge.
-    background: [Vec3; 2],
-    skipped: usize,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Body {
-    shape: Shape,
-    /// How much light of each colour it reflects.
-    color: Vec3,
-    is_lit: bool,
+    figures: Vec<Figure>,
+    /// Its height, and the distance between the lines of its grid.
+    ground: Option<[f32; 2]>,
+    /// Of the upper and of the lower edge.
+    background: [Color; 2],
 }
 
 impl Default for Drawing {
@@ -51,235 +38,150 @@ impl Drawing {
     /// An empty drawing with a dark background.
     pub fn new() -> Self {
         Self {
-            bodies: Vec::new(),
-            lines: Vec::new(),
+            figures: Vec::new(),
             ground: None,
-            background: [palette::SKY, palette::HORIZON].map(Color::light),
-            skipped: 0,
+            background: [palette::SKY, palette::HORIZON],
         }
     }
 
     /// Sets the colours of the background, at the upper and at the lower edge.
     pub fn background(&mut self, upper: Color, lower: Color) {
-        self.background = [upper, lower].map(Color::light);
+        self.background = [upper, lower];
     }
 
     /// Adds a ground at this height with a grid of lines one unit of length apart. There is one ground at most.
     pub fn ground(&mut self, height: f32) {
-        self.ground_with_grid(height, 1.0);
-    }
-
-    /// Adds a ground at this height with a grid of lines `pitch` apart.
-    pub fn ground_with_grid(&mut self, height: f32, pitch: f32) {
-        if height.is_finite() && pitch.is_finite() && pitch > 0.0 {
-            self.ground = Some((height, pitch));
-        } else {
-            self.skipped += 1;
-        }
+        self.ground = Some([height, 1.0]);
     }
 
     /// Adds a sphere.
     pub fn sphere(&mut self, center: [f32; 3], radius: f32, color: Color) {
-        let center = Vec3::from(center);
-        self.add(Shape::Sphere { center, radius }, color, true);
+        self.add(Solid::Sphere { center, radius }, color, true);
     }
 
     /// Adds a capsule: all within `radius` of the line between two ends.
     pub fn capsule(&mut self, ends: [[f32; 3]; 2], radius: f32, color: Color) {
-        let [start, end] = ends.map(Vec3::from);
-        let half = start.distance(end) / 2.0;
-        let shape = Shape::Capsule {
-            center: start.midpoint(end),
-            axis: (end - start).try_normalize().unwrap_or(Vec3::Y),
-            half,
-            radius,
-        };
-        self.add(shape, color, true);
+        self.add(Solid::Capsule { ends, radius }, color, true);
     }
 
     /// Adds a box of these half extents, turned by a quaternion with the real part last.
     pub fn cuboid(&mut self, center: [f32; 3], half: [f32; 3], rotation: [f32; 4], color: Color) {
-        let shape = Shape::Cuboid {
-            center: Vec3::from(center),
-            axes: Mat3::from_quat(Quat::from_array(rotation).normalize()),
-            half: Vec3::from(half),
-        };
-        self.add(shape, color, true);
+        let axes = Mat3::from_quat(Quat::from_array(rotation).normalize());
+        let half_edges = [0, 1, 2].map(|axis| (axes.col(axis) * half[axis]).into());
+        self.add(Solid::Cuboid { center, half_edges }, color, true);
     }
 
     /// Adds a disc in the plane.
     pub fn disc(&mut self, center: [f32; 2], radius: f32, color: Color) {
-        let shape = Shape::Disc {
-            center: Vec3::new(center[0], center[1], 0.0),
-            normal: Vec3::Z,
-            radius,
-        };
-        self.add(shape, color, false);
+        self.add(Solid::Disc { center, radius }, color, false);
     }
 
     /// Adds a rectangle of these half extents in the plane, turned by an angle in radians.
-    pub fn rectangle(&mut self, center: [f32; 2], half: [f32; 2], angle: f32, color: Color) {
-        let shape = Shape::Cuboid {
-            center: Vec3::new(center[0], center[1], 0.0),
-            axes: Mat3::from_rotation_z(angle),
-            half: Vec3::new(half[0], half[1], 0.0),
+    pub fn rectangle(&mut self, [x, y]: [f32; 2], half: [f32; 2], angle: f32, color: Color) {
+        let (sine, cosine) = angle.sin_cos();
+        let solid = Solid::Cuboid {
+            center: [x, y, 0.0],
+            half_edges: [
+                [half[0] * cosine, half[0] * sine, 0.0],
+                [-half[1] * sine, half[1] * cosine, 0.0],
+                [0.0; 3],
+            ],
         };
-        self.add(shape, color, false);
+        self.add(solid, color, false);
     }
 
-    /// Adds a line on top of all bodies, `width` pixels wide and of an opacity of 0 to 1. One that begins or ends behind
-    /// the camera is not seen.
-    pub fn line(&mut self, ends: [[f32; 3]; 2], width: f32, color: Color, opacity: f32) {
-        let ends = ends.map(Vec3::from);
-        if ends.iter().all(|end| end.is_finite()) && width > 0.0 && opacity > 0.0 {
-            self.lines.push(Line {
-                ends,
-                width,
-                color,
-                opacity,
-            });
-        } else {
-            self.skipped += 1;
-        }
+    fn add(&mut self, solid: Solid, color: Color, is_lit: bool) {
+        self.figures.push(Figure {
+            solid,
+            color,
+            is_lit,
+        });
     }
 
-    /// How many bodies, lines and grounds were left out because their numbers are not finite or not positive.
-    pub fn skipped(&self) -> usize {
-        self.skipped
-    }
-
-    /// The bodies, in the order in which they were added; those that were skipped are not among them.
+    /// The bodies, in the order in which they were added.
     pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
-        self.bodies.iter().map(|body| Figure {
-            solid: body.shape.into(),
-            color: Color::from_light(body.color),
-            is_lit: body.is_lit,
-        })
+        self.figures.iter().copied()
     }
 
     /// The height of the ground and the distance between the lines of its grid, if there is one.
     pub fn ground_and_pitch(&self) -> Option<[f32; 2]> {
-        self.ground.map(Into::into)
+        self.ground
     }
 
     /// The colours of the background, at the upper and at the lower edge.
     pub fn background_colors(&self) -> [Color; 2] {
-        self.background.map(Color::from_light)
-    }
-
-    fn add(&mut self, shape: Shape, color: Color, is_lit: bool) {
-        if shape.is_sound() {
-            self.bodies.push(Body {
-                shape,
-                color: color.light(),
-                is_lit,
-            });
-        } else {
-            self.skipped += 1;
-        }
+        self.background
     }
 
     /// Makes a picture of this width and height in pixels. **O(bodies + samples covered)**.
     ///
     /// # Errors
-    /// [`PictureError::Size`] unless both are 1 to [`Picture::MAX_SIDE`].
-    pub fn picture(&self, camera: &Camera, size: [usize; 2]) -> Result<Picture, PictureError> {
-        let mut picture = Picture::new(size)?;
+    /// If there can be no picture of this size.
+    pub fn picture(&self, camera: &Camera, size: [usize; 2]) -> Result<Picture> {
+        Picture::check_size(size)?;
         let view = camera.view();
-        let [width, height] = size.map(|side| side * SAMPLES);
-        let raster = Raster {
-            lens: view.lens,
-            width,
-            height,
-        };
-        let shapes: Vec<_> = self
-            .bodies
-            .par_iter()
-            .map(|body| {
-                let shape = body.shape;
-                shape.moved(|point| view.point(point), |way| view.direction(way))
-            })
-            .collect();
+        let seen = self.figures.iter().filter_map(|figure| {
+            let shape = Shape::seen(figure, &view)?;
+            Some((shape, figure.color.light()))
+        });
+        let (shapes, colors) = seen.unzip();
+        let lit = || self.figures.iter().filter(|figure| figure.is_lit);
+        let is_lit = self.ground.is_some() || lit().next().is_some();
         let scene = Scene {
-            drawing: self,
-            shapes: &shapes,
+            colors,
             view,
-            raster,
-            light: self.light(camera, size),
-            ground: self
-                .ground
-                .map(|(height, pitch)| Ground::new(height, pitch, camera)),
+            raster: Raster {
+                lens: view.lens,
+                width: size[0] * SAMPLES,
+                height: size[1] * SAMPLES,
+            },
+            background: self.background.map(Color::light),
+            light: is_lit.then(|| Light::new(lit(), camera, size)),
+            ground: self.ground.map(|ground| Ground::new(ground, camera)),
+            shapes,
         };
-        let bands = covers(&raster, &shapes, ROWS * SAMPLES);
-        picture
-            .pixels
-            .par_chunks_mut(size[0] * ROWS)
-            .zip(bands)
-            .enumerate()
-            .for_each(|(band, (pixels, covers))| {
-                let first_row = band * ROWS * SAMPLES;
-                let rows = first_row..(first_row + ROWS * SAMPLES).min(height);
-                let samples = Band::see(&raster, &shapes, &covers, rows);
-                scene.shade(&samples, first_row, pixels);
+        let pixels = scene
+            .raster
+            .see(&scene.shapes, ROWS * SAMPLES, |first, samples| {
+                scene.shade(first, samples)
             });
-
-        let raster = Raster {
-            lens: view.lens,
-            width: size[0],
-            height: size[1],
-        };
-        for line in &self.lines {
-            let [Some(start), Some(end)] = line.ends.map(|end| raster.place(view.point(end)))
-            else {
-                continue;
-            };
-            line.draw([start, end], &mut picture);
-        }
-        Ok(picture)
-    }
-
-    /// The light, if any body is lit.
-    fn light(&self, camera: &Camera, size: [usize; 2]) -> Option<Light> {
-        let lit: Vec<_> = self
-            .bodies
-            .iter()
-            .filter(|body| body.is_lit)
-            .map(|body| body.shape)
-            .collect();
-        let is_of_use = self.ground.is_some() || !lit.is_empty();
-        is_of_use.then(|| Light::new(&lit, camera.target(), camera.reach(), size))
+        Ok(Picture::new(size, pixels.concat()))
     }
 }
 
 /// A drawing as a camera sees it.
-struct Scene<'a> {
-    drawing: &'a Drawing,
-    shapes: &'a [Shape],
+struct Scene {
+    shapes: Vec<Shape>,
+    /// How much light of each colour each shape reflects.
+    colors: Vec<Vec3>,
     view: View,
     raster: Raster,
+    background: [Vec3; 2],
     light: Option<Light>,
     ground: Option<Ground>,
 }
 
-impl Scene<'_> {
+impl Scene {
     /// Turns the samples of a band into pixels, the means of their light.
-    fn shade(&self, samples: &Band, first_row: usize, pixels: &mut [Vec3]) {
+    fn shade(&self, first_row: usize, samples: &[(f32, Option<u32>)]) -> Vec<Vec3> {
         let width = self.raster.width;
-        for (index, (&depth, &body)) in samples.depths.iter().zip(&samples.bodies).enumerate() {
+        let mut pixels = vec![Vec3::ZERO; samples.len() / (SAMPLES * SAMPLES)];
+        for (index, &(depth, body)) in samples.iter().enumerate() {
             let (row, column) = (index / width, index % width);
             let place = [column as f32 + 0.5, (first_row + row) as f32 + 0.5];
             let pixel = row / SAMPLES * (width / SAMPLES) + column / SAMPLES;
             pixels[pixel] += self.sample(place, depth, body) / (SAMPLES * SAMPLES) as f32;
         }
+        pixels
     }
 
     /// The light that comes from a sample.
-    fn sample(&self, place: [f32; 2], depth: f32, body: u32) -> Vec3 {
+    fn sample(&self, place: [f32; 2], depth: f32, body: Option<u32>) -> Vec3 {
         let ray = self.raster.ray(place[0], place[1]);
-        let behind = if body == NOTHING {
-            self.background(place[1])
-        } else {
-            self.body_light(&ray, body as usize)
+        let [upper, lower] = self.background;
+        let behind = match body {
+            None => upper.lerp(lower, place[1] / self.raster.height as f32),
+            Some(body) => self.body_light(&ray, body as usize),
         };
         match self.ground_light(&ray) {
             Some((ground_depth, light, opacity)) if ground_depth < depth => {
@@ -289,19 +191,14 @@ impl Scene<'_> {
         }
     }
 
-    fn background(&self, row: f32) -> Vec3 {
-        let [upper, lower] = self.drawing.background;
-        upper.lerp(lower, row / self.raster.height as f32)
-    }
-
-    fn body_light(&self, ray: &Ray, index: usize) -> Vec3 {
-        let body = &self.drawing.bodies[index];
-        match (&self.light, self.shapes[index].hit(ray)) {
-            (Some(light), Some(hit)) if body.is_lit => {
-                let point = self.view.world_point(ray.at(hit.depth));
-                body.color * light.at(point, self.view.world_direction(hit.normal))
+    fn body_light(&self, ray: &Ray, body: usize) -> Vec3 {
+        let shape = &self.shapes[body];
+        match (&self.light, shape.hit(ray)) {
+            (Some(light), Some((depth, normal))) if !shape.is_flat => {
+                let point = self.view.world_point(ray.at(depth));
+                self.colors[body] * light.at(point, self.view.world_direction(normal))
             }
-            _ => body.color,
+            _ => self.colors[body],
         }
     }
 

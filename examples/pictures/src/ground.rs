@@ -31,7 +31,8 @@ pub(crate) struct Patch {
 }
 
 impl Ground {
-    pub(crate) fn new(height: f32, pitch: f32, camera: &Camera) -> Self {
+    /// A ground at this height, with lines this far apart.
+    pub(crate) fn new([height, pitch]: [f32; 2], camera: &Camera) -> Self {
         Self {
             height,
             pitch,

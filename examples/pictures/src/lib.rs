@@ -1,13 +1,13 @@
-//! Pictures of spheres, capsules and boxes, without a window: PNG frames and looping GIFs for documentation.
+//! Pictures of spheres, capsules and boxes, without a window: PNG files and looping GIFs for documentation.
 //!
-//! A [`Drawing`] of bodies, seen from a [`Camera`], becomes a [`Picture`], which can be written on, saved, or added to an
-//! [`Animation`]. Everything is given as plain numbers; the crate knows no engine.
+//! A [`Drawing`] of bodies, seen from a [`Camera`], becomes a [`Picture`], which is saved or added to an [`Animation`].
+//! Everything is given as plain numbers; the crate knows no engine.
 //!
 //! ```
 //! use unisize_pictures::{Animation, Camera, Drawing, Legend, palette};
 //!
 //! let camera = Camera::orbit([0.0, 0.5, 0.0], 6.0).turned(0.7).raised(0.4);
-//! let mut animation = Animation::new(25);
+//! let mut animation = Animation::new(255, 6);
 //! for step in 0..3 {
 //!     let height = 2.0 - 0.4 * step as f32;
 //!     let mut drawing = Drawing::new();
@@ -18,49 +18,32 @@
 //!
 //!     let mut picture = drawing.picture(&camera, [160, 90])?;
 //!     picture.legend(&Legend::new("unisize").fact("bodies", 3));
-//!     animation.push(picture)?;
+//!     animation.push(&picture)?;
 //! }
 //! let mut gif = Vec::new();
 //! animation.write_gif_to(&mut gif)?;
 //! assert!(gif.starts_with(b"GIF89a"));
-//! # Ok::<(), unisize_pictures::PictureError>(())
+//! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
-//! # How it is drawn
-//!
 //! Each body is intersected exactly with the rays through the samples of the rectangle that it may cover. Every sample has
-//! a depth, so bodies may pierce each other in any way. Shadows come from the same method, seen from the sun. A picture takes O(bodies + samples covered) time, and memory for one band of rows at a time.
-//!
-//! Nothing panics, whatever the numbers are: bodies that are not finite, or that are inside out, are skipped and
-//! [counted](Drawing::skipped).
+//! a depth, so bodies may pierce each other in any way. Shadows come from the same method, seen from the sun. Bodies that
+//! are not finite, or that have no size, are not drawn.
 
 mod animation;
-mod band;
 mod camera;
 mod color;
 mod drawing;
-mod error;
-mod figure;
 mod ground;
-mod legend;
 mod light;
-mod line;
 pub mod palette;
 mod picture;
+mod raster;
 mod shape;
-mod text;
 
 pub use animation::Animation;
 pub use camera::{Camera, Sight};
 pub use color::Color;
 pub use drawing::Drawing;
-pub use error::PictureError;
-pub use figure::{Figure, Solid};
-pub use legend::{Legend, thousands};
-pub use picture::Picture;
-pub use text::Weight;
-
-/// The example of the README, compiled and run.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+pub use picture::{Legend, Picture, thousands};
+pub use shape::{Figure, Solid};

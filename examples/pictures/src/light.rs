@@ -1,10 +1,9 @@
 //! The sun, with the shadows that it casts, and the light of the sky.
 
-use crate::band::{Band, covers};
-use crate::camera::{Lens, Raster, View};
-use crate::shape::Shape;
+use crate::Camera;
+use crate::raster::{Lens, Raster, View};
+use crate::shape::{Figure, Shape};
 use glam::Vec3;
-use rayon::prelude::*;
 
 /// Samples of the sun's view, in width and height, per pixel of the longer side of the picture,
 const SIDE: usize = 2;
@@ -37,32 +36,28 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// Light with the shadows of these bodies within `reach` of a point, for a picture of this size.
-    pub(crate) fn new(bodies: &[Shape], middle: Vec3, reach: f32, size: [usize; 2]) -> Self {
+    /// Light with the shadows of these bodies, for a picture of this size.
+    pub(crate) fn new<'a>(
+        bodies: impl Iterator<Item = &'a Figure>,
+        camera: &Camera,
+        size: [usize; 2],
+    ) -> Self {
         let side = (SIDE * size[0].max(size[1])).clamp(SIDES[0], SIDES[1]);
-        let view = View::new(middle, -SUN.normalize(), Lens::Parallel(reach));
+        let reach = camera.reach();
+        let view = View::new(camera.target(), -SUN.normalize(), Lens::Parallel(reach));
         let raster = Raster {
             lens: view.lens,
             width: side,
             height: side,
         };
-        let shapes: Vec<_> = bodies
-            .par_iter()
-            .map(|body| body.moved(|point| view.point(point), |way| view.direction(way)))
-            .collect();
-        let bands = covers(&raster, &shapes, ROWS);
-        let depths = bands
-            .par_iter()
-            .enumerate()
-            .flat_map_iter(|(band, covers)| {
-                let rows = band * ROWS..((band + 1) * ROWS).min(side);
-                Band::see(&raster, &shapes, covers, rows).depths
-            })
-            .collect();
+        let shapes: Vec<_> = bodies.filter_map(|body| Shape::seen(body, &view)).collect();
+        let depths = raster.see(&shapes, ROWS, |_, samples| {
+            samples.iter().map(|&(depth, _)| depth).collect::<Vec<_>>()
+        });
         Self {
             view,
             raster,
-            depths,
+            depths: depths.concat(),
             pitch: 2.0 * reach / side as f32,
         }
     }
@@ -94,47 +89,8 @@ impl Light {
                 && inside.contains(&column)
                 && self.depths[row as usize * side + column as usize] < seen.z - 0.5 * blur
         };
-        // Most places are all in the light or all in the shadow.
-        let corners = [
-            [0, 0],
-            [-BLUR, -BLUR],
-            [-BLUR, BLUR],
-            [BLUR, -BLUR],
-            [BLUR, BLUR],
-        ];
-        match corners
-            .into_iter()
-            .filter(|&corner| is_dark(corner))
-            .count()
-        {
-            0 => return 1.0,
-            5 => return 0.0,
-            _ => {}
-        }
         let window = (-BLUR..=BLUR).flat_map(|down| (-BLUR..=BLUR).map(move |right| [right, down]));
         let dark = window.filter(|&place| is_dark(place)).count();
         1.0 - dark as f32 / (2 * BLUR + 1).pow(2) as f32
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Light;
-    use crate::shape::Shape;
-    use glam::Vec3;
-
-    #[test]
-    fn a_body_casts_a_shadow_away_from_the_sun() {
-        let ball = Shape::Sphere {
-            center: Vec3::new(0.0, 2.0, 0.0),
-            radius: 0.5,
-        };
-        let light = Light::new(&[ball], Vec3::ZERO, 5.0, [640, 360]);
-        let ground = |x: f32, z: f32| light.at(Vec3::new(x, 0.0, z), Vec3::Y).y;
-        let shadow = ground(0.9, -0.93);
-        let lit = ground(-0.9, 0.93);
-        assert!(shadow < 0.6 * lit, "{shadow} {lit}");
-        assert_eq!(ground(30.0, 30.0), lit, "outside of what the sun sees");
-        assert!(light.at(Vec3::ZERO, -Vec3::Y).y < shadow, "below");
     }
 }

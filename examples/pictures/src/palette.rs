@@ -19,9 +19,6 @@ pub const GRID: Color = Color([0x7e, 0x8b, 0x9e]);
 /// Fixed bodies: walls, obstacles, containers.
 pub const FIXED: Color = Color([0x93, 0x9d, 0xab]);
 
-/// Lines and other marks on top of bodies.
-pub const MARK: Color = Color([0xff, 0xf1, 0xd0]);
-
 /// Text.
 pub const TEXT: Color = Color([0xf2, 0xf4, 0xf7]);
 

@@ -1,46 +1,37 @@
-//! Pictures of a few bodies, pixel by pixel.
+//! Pictures of a few bodies, pixel by pixel, and an animation that is read back.
 
-use unisize_pictures::{Camera, Color, Drawing, Picture, PictureError, palette};
+use gif::{ColorOutput, DecodeOptions};
+use unisize_pictures::{Animation, Camera, Color, Drawing, Legend, Picture};
 
 const SIZE: [usize; 2] = [64, 48];
 const RED: Color = Color([220, 30, 30]);
 const BLUE: Color = Color([30, 30, 220]);
+const UPRIGHT: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 
-fn camera() -> Camera {
+fn picture(camera: Camera, draw: impl FnOnce(&mut Drawing)) -> Picture {
+    let mut drawing = Drawing::new();
+    draw(&mut drawing);
+    drawing.picture(&camera, SIZE).unwrap()
+}
+
+fn in_front() -> Camera {
     Camera::orbit([0.0; 3], 10.0)
 }
 
-fn picture(draw: impl FnOnce(&mut Drawing)) -> Picture {
-    let mut drawing = Drawing::new();
-    draw(&mut drawing);
-    drawing.picture(&camera(), SIZE).unwrap()
+fn brightness(picture: &Picture, [column, row]: [usize; 2]) -> u32 {
+    let Color(channels) = picture.pixel(column, row).unwrap();
+    channels.into_iter().map(u32::from).sum()
 }
 
-fn pixels(picture: &Picture) -> Vec<Color> {
-    let [width, height] = picture.size();
-    let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
-    places
-        .map(|(column, row)| picture.pixel(column, row).unwrap())
-        .collect()
-}
-
-fn middle(picture: &Picture) -> Color {
-    let [width, height] = picture.size();
-    picture.pixel(width / 2, height / 2).unwrap()
-}
-
-fn is_reddish(Color([red, _, blue]): Color) -> bool {
-    red > 2 * blue
-}
-
-fn is_bluish(Color([red, _, blue]): Color) -> bool {
-    blue > 2 * red
+fn is_reddish(picture: &Picture, [column, row]: [usize; 2]) -> bool {
+    let Color([red, _, blue]) = picture.pixel(column, row).unwrap();
+    u16::from(red) > 2 * u16::from(blue)
 }
 
 #[test]
 fn what_is_in_front_hides_what_is_behind() {
     for front_first in [true, false] {
-        let picture = picture(|drawing| {
+        let picture = picture(in_front(), |drawing| {
             let mut spheres = [(2.0, 0.8, RED), (-2.0, 2.0, BLUE)];
             if !front_first {
                 spheres.reverse();
@@ -49,193 +40,124 @@ fn what_is_in_front_hides_what_is_behind() {
                 drawing.sphere([0.0, 0.0, z], radius, color);
             }
         });
-        assert!(is_reddish(middle(&picture)));
+        assert!(is_reddish(&picture, [32, 24]));
         // The larger one behind looks out at the side.
-        assert!(is_bluish(picture.pixel(32 + 9, 24).unwrap()));
+        assert!(!is_reddish(&picture, [32 + 9, 24]));
     }
 }
 
 #[test]
-fn bodies_pierce_each_other() {
-    let picture = picture(|drawing| {
-        drawing.cuboid([0.0; 3], [3.0, 0.5, 0.5], [0.0, 0.0, 0.0, 1.0], BLUE);
-        drawing.capsule([[0.0, -2.0, 0.0], [0.0, 2.0, 0.0]], 0.8, RED);
-    });
-    assert!(is_reddish(middle(&picture)));
-    assert!(is_reddish(picture.pixel(32, 12).unwrap()));
-    assert!(is_bluish(picture.pixel(32 + 14, 24).unwrap()));
-    assert!(is_bluish(picture.pixel(32 - 14, 24).unwrap()));
+fn bodies_reach_as_far_as_they_should() {
+    // A unit of length in the middle is this many pixels.
+    let scale = 24.0 / 0.35_f32.tan() / 10.0;
+    let column = |x: f32| (32.0 + x * scale) as usize;
+    type Draw = fn(&mut Drawing);
+    let bodies: [(Draw, f32); 3] = [
+        (|drawing| drawing.sphere([0.0; 3], 1.5, RED), 1.5),
+        (
+            |drawing| drawing.capsule([[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 0.5, RED),
+            2.5,
+        ),
+        (
+            |drawing| drawing.cuboid([0.0; 3], [2.0, 1.0, 0.1], UPRIGHT, RED),
+            2.0,
+        ),
+    ];
+    for (draw, reach) in bodies {
+        let picture = picture(in_front(), draw);
+        assert!(is_reddish(&picture, [column(reach - 0.2), 24]), "{reach}");
+        assert!(is_reddish(&picture, [column(0.2 - reach), 24]), "{reach}");
+        assert!(!is_reddish(&picture, [column(reach + 0.3), 24]), "{reach}");
+    }
 }
 
 #[test]
-fn what_is_behind_the_camera_is_not_seen() {
-    let empty = picture(|_| {});
-    let behind = picture(|drawing| {
-        // The camera is inside of this one.
-        drawing.sphere([0.0, 0.0, 10.0], 1.0, RED);
-        drawing.sphere([0.0, 0.0, 12.0], 1.0, RED);
-        drawing.capsule([[-1.0, 0.0, 13.0], [1.0, 0.0, 13.0]], 1.0, RED);
-        drawing.cuboid([0.0, 0.0, 14.0], [1.0; 3], [0.0, 0.0, 0.0, 1.0], RED);
-        drawing.line([[-1.0, 0.0, 12.0], [1.0, 0.0, 12.0]], 3.0, RED, 1.0);
+fn in_the_plane_the_later_is_on_top() {
+    let camera = Camera::top_down([0.0; 2], 4.8);
+    let picture = picture(camera, |drawing| {
+        drawing.disc([0.0; 2], 2.0, BLUE);
+        drawing.rectangle([0.0; 2], [1.0, 0.2], std::f32::consts::FRAC_PI_2, RED);
     });
-    assert_eq!(pixels(&behind), pixels(&empty));
-    let in_front = picture(|drawing| drawing.sphere([0.0; 3], 1.0, RED));
-    assert_ne!(pixels(&in_front), pixels(&empty));
+    assert_eq!(picture.pixel(32, 24), Some(RED));
+    assert_eq!(picture.pixel(32, 24 + 8), Some(RED), "it is upright");
+    assert_eq!(picture.pixel(32 + 8, 24), Some(BLUE));
 }
 
 #[test]
-fn what_is_not_finite_is_skipped_and_counted() {
-    let mut drawing = Drawing::new();
-    drawing.sphere([0.0; 3], 1.0, RED);
-    let alone = drawing.picture(&camera(), SIZE).unwrap();
-    let (nan, infinite) = (f32::NAN, f32::INFINITY);
-    drawing.sphere([nan, 0.0, 0.0], 1.0, BLUE);
-    drawing.sphere([0.0; 3], infinite, BLUE);
-    drawing.capsule([[0.0, nan, 0.0], [0.0; 3]], 1.0, BLUE);
-    drawing.capsule([[-3e38, 0.0, 0.0], [3e38, 0.0, 0.0]], 1.0, BLUE);
-    drawing.cuboid([0.0; 3], [1.0, -1.0, 1.0], [0.0, 0.0, 0.0, 1.0], BLUE);
-    drawing.cuboid([0.0; 3], [1.0; 3], [0.0; 4], BLUE);
-    drawing.disc([0.0, infinite], 1.0, BLUE);
-    drawing.rectangle([0.0, 0.0], [1.0, 1.0], nan, BLUE);
-    drawing.line([[nan; 3], [0.0; 3]], 1.0, BLUE, 1.0);
-    drawing.ground(nan);
-    assert_eq!(drawing.skipped(), 10);
-    assert_eq!(
-        pixels(&drawing.picture(&camera(), SIZE).unwrap()),
-        pixels(&alone)
+fn a_body_casts_a_shadow_away_from_the_sun() {
+    let camera = in_front().raised(1.0);
+    let [lit, shaded] = [false, true].map(|has_ball| {
+        picture(camera, |drawing| {
+            drawing.ground(0.0);
+            if has_ball {
+                drawing.sphere([0.0, 2.0, 0.0], 0.5, RED);
+            }
+        })
+    });
+    // The shadow of the ball's middle is at (0.9, 0, -0.93).
+    let darker = |place| brightness(&shaded, place) * 10 < brightness(&lit, place) * 9;
+    let places = || (0..SIZE[1]).flat_map(|row| (0..SIZE[0]).map(move |column| [column, row]));
+    assert!(places().any(|place| place[0] > 34 && darker(place) && !is_reddish(&shaded, place)));
+    assert!(!places().any(|place| place[0] < 26 && darker(place)));
+}
+
+#[test]
+fn nothing_panics() {
+    let numbers = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e30];
+    let picture = picture(in_front(), |drawing| {
+        for x in numbers {
+            drawing.sphere([x, 0.0, 0.0], x, RED);
+            drawing.capsule([[x; 3], [0.0; 3]], x, RED);
+            drawing.cuboid([x, 0.0, 90.0], [x; 3], [x; 4], RED);
+            drawing.rectangle([x; 2], [x; 2], x, RED);
+        }
+    });
+    assert_eq!(picture.size(), SIZE);
+    for size in [[0, 9], [9, 0], [9, 100_000]] {
+        assert!(Drawing::new().picture(&in_front(), size).is_err());
+    }
+}
+
+#[test]
+fn an_animation_shows_its_frames() {
+    let frame = |x: f32| {
+        let mut frame = picture(in_front(), |drawing| {
+            drawing.sphere([x, 0.0, 0.0], 1.0, RED)
+        });
+        frame.legend(&Legend::new("a").fact("longer than the picture is wide", 1234));
+        frame
+    };
+    let frames = [-1.0, 0.0, 0.0, 2.0].map(frame);
+    let mut animation = Animation::new(255, 6);
+    assert!(
+        animation.write_gif_to(Vec::new()).is_err(),
+        "there are no frames"
     );
-}
+    frames
+        .iter()
+        .for_each(|frame| animation.push(frame).unwrap());
+    let mut file = Vec::new();
+    animation.write_gif_to(&mut file).unwrap();
 
-#[test]
-fn no_number_is_too_much() {
-    let (nan, infinite) = (f32::NAN, f32::INFINITY);
-    let numbers = [0.0, -1.0, 1e-40, 1e20, 3e38, infinite, nan];
-    let mut drawing = Drawing::new();
-    for x in numbers {
-        for y in numbers {
-            drawing.sphere([x, y, 0.0], y, RED);
-            drawing.capsule([[x, y, x], [y, x, 1.0]], y, RED);
-            drawing.cuboid([y, x, 0.0], [x, y, 1.0], [x, y, 1.0, 0.0], RED);
-            drawing.disc([x, y], x, RED);
-            drawing.rectangle([x, 0.0], [x, y], y, RED);
-            drawing.line([[x, y, 0.0], [y, x, 0.0]], x, RED, y);
-        }
-    }
-    drawing.ground_with_grid(-1.0, 1e-3);
-    for number in numbers {
-        for camera in [
-            Camera::orbit([number, 0.0, 0.0], 10.0).turned(number),
-            Camera::orbit([0.0; 3], number).raised(number),
-            Camera::top_down([number, 0.0], 5.0).field_of_view(number),
-            Camera::top_down([0.0; 2], number),
-        ] {
-            drawing.picture(&camera, [16, 9]).unwrap();
-        }
-    }
-}
-
-#[test]
-fn any_size_is_a_picture_or_an_error() {
-    let mut drawing = Drawing::new();
-    drawing.ground(0.0);
-    drawing.sphere([0.0; 3], 1.0, RED);
-    for size in [[1, 1], [1, 300], [300, 1], [17, 33]] {
-        assert_eq!(drawing.picture(&camera(), size).unwrap().size(), size);
-    }
-    for size in [[0, 5], [5, 0], [usize::MAX, 1], [5, Picture::MAX_SIDE + 1]] {
-        let error = drawing.picture(&camera(), size).unwrap_err();
-        assert!(matches!(error, PictureError::Size { .. }), "{error}");
-    }
-}
-
-#[test]
-fn later_figures_lie_on_earlier_ones() {
-    let camera = Camera::top_down([0.0; 2], 4.0);
-    for colors in [[RED, BLUE], [BLUE, RED]] {
-        let mut drawing = Drawing::new();
-        drawing.disc([0.0; 2], 1.5, colors[0]);
-        drawing.rectangle([0.0; 2], [0.5; 2], 0.0, colors[1]);
-        let picture = drawing.picture(&camera, SIZE).unwrap();
-        assert_eq!(middle(&picture), colors[1]);
-        assert_eq!(picture.pixel(32, 24 + 12).unwrap(), colors[0]);
-    }
-}
-
-#[test]
-fn figures_are_where_they_belong() {
-    // Twelve pixels to a unit of length.
-    let camera = Camera::top_down([0.0; 2], 4.0);
-    let mut drawing = Drawing::new();
-    drawing.background(BLUE, BLUE);
-    drawing.disc([1.0, 1.0], 0.5, RED);
-    let picture = drawing.picture(&camera, SIZE).unwrap();
-    for column in 0..SIZE[0] {
-        for row in 0..SIZE[1] {
-            let (x, y) = (column as f32 + 0.5 - 44.0, row as f32 + 0.5 - 12.0);
-            let color = picture.pixel(column, row).unwrap();
-            match x.hypot(y) {
-                ..5.0 => assert_eq!(color, RED, "{column} {row}"),
-                7.0.. => assert_eq!(color, BLUE, "{column} {row}"),
-                _ => {}
+    let mut options = DecodeOptions::new();
+    options.set_color_output(ColorOutput::RGBA);
+    let mut decoder = options.read_info(&file[..]).unwrap();
+    let mut shown = vec![[0; 3]; SIZE[0] * SIZE[1]];
+    for frame in &frames {
+        let part = decoder.read_next_frame().unwrap().unwrap();
+        for (at, pixel) in part.buffer.chunks_exact(4).enumerate() {
+            let (column, row) = (at % part.width as usize, at / part.width as usize);
+            let place = (part.top as usize + row) * SIZE[0] + part.left as usize + column;
+            if pixel[3] != 0 {
+                shown[place] = [pixel[0], pixel[1], pixel[2]];
             }
         }
+        let differences = shown.iter().enumerate().flat_map(|(at, shown)| {
+            let Color(expected) = frame.pixel(at % SIZE[0], at / SIZE[0]).unwrap();
+            [0, 1, 2].map(|channel| f64::from(shown[channel].abs_diff(expected[channel])))
+        });
+        let mean = differences.sum::<f64>() / (3 * shown.len()) as f64;
+        assert!(mean < 3.0, "{mean}");
     }
-}
-
-#[test]
-fn a_body_darkens_the_ground() {
-    let camera = camera().raised(1.0);
-    let mut drawing = Drawing::new();
-    drawing.ground_with_grid(0.0, 1e6);
-    let bare = drawing.picture(&camera, SIZE).unwrap();
-    // Above the picture, with its shadow in it.
-    drawing.sphere([-3.0, 7.0, 3.0], 1.0, palette::FIXED);
-    let shaded = drawing.picture(&camera, SIZE).unwrap();
-    let sum = |picture: &Picture| -> u32 {
-        let bytes = pixels(picture).into_iter().flat_map(|color| color.0);
-        bytes.map(u32::from).sum()
-    };
-    assert!(sum(&shaded) < sum(&bare));
-}
-
-#[test]
-fn a_line_goes_from_end_to_end() {
-    let camera = Camera::top_down([0.0; 2], 4.0);
-    let mut drawing = Drawing::new();
-    drawing.background(BLUE, BLUE);
-    drawing.line([[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], 2.0, RED, 1.0);
-    let picture = drawing.picture(&camera, SIZE).unwrap();
-    for column in 22..42 {
-        assert_eq!(picture.pixel(column, 24), Some(RED), "{column}");
-    }
-    for (column, row) in [(18, 24), (46, 24), (32, 21), (32, 27)] {
-        assert_eq!(picture.pixel(column, row), Some(BLUE));
-    }
-}
-
-#[test]
-fn a_png_file_holds_the_pixels() {
-    let picture = picture(|drawing| drawing.sphere([0.0; 3], 2.0, RED));
-    let mut file = Vec::new();
-    picture.write_png_to(&mut file).unwrap();
-    let mut reader = png::Decoder::new(std::io::Cursor::new(file))
-        .read_info()
-        .unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    let info = reader.next_frame(&mut bytes).unwrap();
-    assert_eq!([info.width as usize, info.height as usize], SIZE);
-    let expected: Vec<u8> = pixels(&picture)
-        .into_iter()
-        .flat_map(|color| color.0)
-        .collect();
-    assert_eq!(bytes, expected);
-}
-
-#[test]
-fn a_file_that_cannot_be_written_is_named() {
-    let path = std::env::temp_dir().join("no such folder").join("x.png");
-    let error = picture(|_| {}).write_png(&path).unwrap_err();
-    assert!(error.to_string().contains("no such folder"), "{error}");
-    let frame = Picture::numbered("a/pour.png".as_ref(), 7);
-    assert_eq!(frame, std::path::Path::new("a/pour-0007.png"));
+    assert!(decoder.read_next_frame().unwrap().is_none());
 }

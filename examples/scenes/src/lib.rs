@@ -20,13 +20,10 @@
 //! # }
 //! ```
 //!
-//! Worlds to look at, such as `dim3::Ropes` and `dim2::Gorge`, implement `Show`: they also know how they are drawn.
-//!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
 //! its versions in `version/`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Backbone`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
-mod backbone;
 mod converging;
 mod hard_boxes;
 mod hard_motions;
@@ -36,7 +33,6 @@ mod stampede;
 
 pub mod boxes;
 
-pub use backbone::Backbone;
 pub use boxes::DriftingBoxes;
 pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
@@ -53,17 +49,12 @@ pub mod dim2 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
-    mod gorge;
-    #[path = "../show.rs"]
-    mod show;
     mod vehicle;
     #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
-    pub use gorge::Gorge;
-    pub use show::{HeldPairs, Show};
-    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+    pub use version::*;
 }
 
 #[cfg(feature = "rapier3d-027")]
@@ -75,22 +66,12 @@ pub mod dim3 {
     #[path = "../engine/mod.rs"]
     mod engine;
     mod flavour;
-    mod implosion;
-    mod pour;
-    mod ropes;
-    #[path = "../show.rs"]
-    mod show;
-    mod solids;
     mod vehicle;
     #[path = "../version/rapier_027.rs"]
     mod version;
 
     pub use engine::*;
-    pub use implosion::Implosion;
-    pub use pour::Pour;
-    pub use ropes::Ropes;
-    pub use show::{HeldPairs, Show};
-    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+    pub use version::*;
 }
 
 #[cfg(feature = "rapier2d-f64-027")]
@@ -108,7 +89,7 @@ pub mod dim2_f64 {
     mod version;
 
     pub use engine::*;
-    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+    pub use version::*;
 }
 
 #[cfg(feature = "rapier3d-f64-027")]
@@ -126,7 +107,7 @@ pub mod dim3_f64 {
     mod version;
 
     pub use engine::*;
-    pub use version::{AnyBroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install};
+    pub use version::*;
 }
 
 #[cfg(all(feature = "rapier2d-036", opened_rapier2d))]
@@ -145,9 +126,7 @@ pub mod dim2_036 {
     mod version;
 
     pub use engine::*;
-    pub use version::{
-        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
-    };
+    pub use version::*;
 }
 
 #[cfg(all(feature = "rapier3d-036", opened_rapier3d))]
@@ -166,9 +145,7 @@ pub mod dim3_036 {
     mod version;
 
     pub use engine::*;
-    pub use version::{
-        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
-    };
+    pub use version::*;
 }
 
 #[cfg(all(feature = "rapier2d-f64-036", opened_rapier2d_f64))]
@@ -187,9 +164,7 @@ pub mod dim2_f64_036 {
     mod version;
 
     pub use engine::*;
-    pub use version::{
-        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
-    };
+    pub use version::*;
 }
 
 #[cfg(all(feature = "rapier3d-f64-036", opened_rapier3d_f64))]
@@ -208,7 +183,5 @@ pub mod dim3_f64_036 {
     mod version;
 
     pub use engine::*;
-    pub use version::{
-        AnyBroadPhase, BroadPhase, Installed, OwnBroadPhase, Steppable, access_to_own, install,
-    };
+    pub use version::*;
 }

@@ -29,10 +29,15 @@ mod dim2 {
     use unisize::rapier2d_027 as ours;
     use unisize_scenes::dim2 as scenes;
 
+    #[path = "../../../show/gorge.rs"]
+    mod gorge;
     mod live;
     #[path = "../../../show/rivals.rs"]
     mod rivals;
+    #[path = "../../../show/world.rs"]
+    mod show;
     mod watched;
+    pub(crate) use gorge::Gorge;
     pub(crate) use live::Live;
 }
 
@@ -44,13 +49,24 @@ mod dim3 {
     use unisize::rapier3d_027 as ours;
     use unisize_scenes::dim3 as scenes;
 
+    #[path = "../../../show/implosion.rs"]
+    mod implosion;
     mod live;
+    #[path = "../../../show/pour.rs"]
+    mod pour;
     #[path = "../../../show/rivals.rs"]
     mod rivals;
+    #[path = "../../../show/ropes.rs"]
+    mod ropes;
+    #[path = "../../../show/world.rs"]
+    mod show;
     #[cfg(test)]
     mod tests;
     mod watched;
+    pub(crate) use implosion::Implosion;
     pub(crate) use live::Live;
+    pub(crate) use pour::Pour;
+    pub(crate) use ropes::Ropes;
 }
 
 use clap::Parser;

@@ -6,8 +6,6 @@ use crate::setup::Setup;
 use crate::{dim2, dim3};
 use clap::ValueEnum;
 use unisize_pictures::{Camera, Drawing};
-use unisize_scenes::dim2::Gorge;
-use unisize_scenes::dim3::{Implosion, Pour, Ropes};
 
 /// A simulated world with its broad phases.
 pub(crate) trait Stage {
@@ -105,10 +103,10 @@ impl Scene {
     /// Puts the scene on stage with about this many bodies.
     pub(crate) fn open(self, bodies: usize, setup: &Setup) -> Box<dyn Stage> {
         match self {
-            Self::Rope3d => Box::new(dim3::Live::<Ropes>::new(bodies, setup)),
-            Self::Particles3d => Box::new(dim3::Live::<Pour>::new(bodies, setup)),
-            Self::Crowd2d => Box::new(dim2::Live::<Gorge>::new(bodies, setup)),
-            Self::Cluster => Box::new(dim3::Live::<Implosion>::new(bodies, setup)),
+            Self::Rope3d => Box::new(dim3::Live::<dim3::Ropes>::new(bodies, setup)),
+            Self::Particles3d => Box::new(dim3::Live::<dim3::Pour>::new(bodies, setup)),
+            Self::Crowd2d => Box::new(dim2::Live::<dim2::Gorge>::new(bodies, setup)),
+            Self::Cluster => Box::new(dim3::Live::<dim3::Implosion>::new(bodies, setup)),
         }
     }
 }

@@ -11,8 +11,6 @@ use std::time::Instant;
 mod event;
 mod held;
 mod tee;
-#[cfg(test)]
-mod tests;
 mod timing;
 
 pub use event::PairEvent;

@@ -2,7 +2,7 @@
 
 use super::rapier::math::DIM;
 use super::rapier::prelude::*;
-use super::scenes::{HeldPairs, Show};
+use super::show::{HeldPairs, Show};
 use super::watched::Watched;
 use crate::choice::Choice;
 use crate::history::Sample;

@@ -3,7 +3,8 @@
 use super::Live;
 use super::live::list_all;
 use super::rapier::prelude::ContactPair;
-use super::scenes::{HeldPairs, Pour, Ropes, Show};
+use super::show::{HeldPairs, Show};
+use super::{Pour, Ropes};
 use super::watched::Watched;
 use crate::choice::Choice;
 use crate::setup::{KernelName, RAPIERS_MARGIN, Setup};

@@ -3,7 +3,8 @@
 use super::ours::{Kernel, Settings, Stats, UnisizeBroadPhase};
 use super::rapier::prelude::*;
 use super::rivals::{Rivals, key};
-use super::scenes::{HeldPairs, Observed};
+use super::scenes::Observed;
+use super::show::HeldPairs;
 use crate::choice::Choice;
 use crate::setup::{KernelName, Setup};
 use std::collections::BTreeSet;

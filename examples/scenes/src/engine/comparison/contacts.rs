@@ -112,11 +112,6 @@ pub(super) struct ContactCheck {
 }
 
 impl ContactCheck {
-    /// What the narrow phase of this side has found last.
-    pub(super) fn touching(&self, side: Side) -> Touching {
-        Touching::of(&self.narrow_phases[side])
-    }
-
     /// Brings both narrow phases up to date, and says how their results differ, if they do, with the colliders as they are or as they
     /// were placed.
     pub(super) fn check(
@@ -155,7 +150,7 @@ impl ContactCheck {
             );
             journal.clear();
         }
-        let touching = Both::of(|side| self.touching(side));
+        let touching = Both::of(|side| Touching::of(&self.narrow_phases[side]));
         let contacts = Both::of(|side| touching[side].contacts.as_slice());
         let intersections = Both::of(|side| touching[side].intersections.as_slice());
         difference("touch", contacts, world)

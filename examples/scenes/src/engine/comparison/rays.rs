@@ -216,15 +216,4 @@ mod tests {
         assert!(difference.starts_with("step "), "{difference}");
         assert!(difference.contains("by the candidate"), "{difference}");
     }
-
-    #[test]
-    fn nobody_casts_rays_where_one_cannot_be_asked() {
-        let candidate = Candidate::new(OwnBroadPhase::new);
-        let outcome = comparison(SceneKind::Player).run(&candidate, |_| {});
-        assert!(outcome.is_equal());
-        assert_eq!(outcome.rays, RayCount::default());
-        for runs in &outcome.independent {
-            assert_eq!(runs.default.casting, Duration::ZERO);
-        }
-    }
 }

@@ -1,8 +1,8 @@
 //! A container with glass walls, filled by a jet of grains that circles above it.
 
-use super::rapier::prelude::*;
-use super::solids;
-use super::{HeldPairs, Show, World};
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use super::show::{HeldPairs, Show};
 use std::f32::consts::TAU;
 use unisize_pictures::{Camera, Color, Drawing, palette};
 
@@ -29,7 +29,7 @@ const HALF_WALL: Real = 0.5;
 const HALF_BAR: Real = 0.05;
 
 /// Grains that are poured into a container.
-pub struct Pour {
+pub(crate) struct Pour {
     world: World,
     grains: Vec<ColliderHandle>,
     /// How many grains there will be.
@@ -169,7 +169,8 @@ impl Show for Pour {
             }
         }
         for (index, &grain) in self.grains.iter().enumerate() {
-            solids::draw(drawing, &self.world.colliders[grain], self.color(index));
+            let center = *self.world.colliders[grain].translation();
+            drawing.sphere(center.into(), RADIUS, self.color(index));
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Layers of ropes, each across the one below and turning against it, fall over bars.
 
-use super::rapier::prelude::*;
-use super::solids;
-use super::{HeldPairs, Show, World};
-use unisize_pictures::{Camera, Drawing, palette};
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use super::show::{HeldPairs, Show};
+use unisize_pictures::{Camera, Color, Drawing, palette};
 
 /// Capsules per rope.
 const SEGMENTS: usize = 40;
@@ -22,7 +22,7 @@ const HEIGHT: Real = 2.9;
 const SPIN: Real = 1.4;
 
 /// Ropes that fall over bars.
-pub struct Ropes {
+pub(crate) struct Ropes {
     world: World,
     /// The capsules, rope after rope.
     segments: Vec<ColliderHandle>,
@@ -133,11 +133,19 @@ impl Show for Ropes {
     fn draw(&self, drawing: &mut Drawing, _: &dyn HeldPairs) {
         drawing.ground(0.0);
         for &bar in &self.bars {
-            solids::draw(drawing, &self.world.colliders[bar], palette::FIXED);
+            draw_capsule(drawing, &self.world.colliders[bar], palette::FIXED);
         }
         for (index, &segment) in self.segments.iter().enumerate() {
             let color = palette::by_index(index / SEGMENTS);
-            solids::draw(drawing, &self.world.colliders[segment], color);
+            draw_capsule(drawing, &self.world.colliders[segment], color);
         }
+    }
+}
+
+fn draw_capsule(drawing: &mut Drawing, collider: &Collider, color: Color) {
+    if let Some(capsule) = collider.shape().as_capsule() {
+        let place = |point: Point<Real>| (collider.position() * point).coords.into();
+        let ends = [capsule.segment.a, capsule.segment.b].map(place);
+        drawing.capsule(ends, capsule.radius, color);
     }
 }

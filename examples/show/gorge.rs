@@ -1,7 +1,8 @@
 //! A stampede: animals run through a gorge with rocks in it, avoid each other, and start again at its beginning.
 
-use super::rapier::prelude::*;
-use super::{HeldPairs, Show, World};
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use super::show::{HeldPairs, Show};
 use unisize_pictures::{Camera, Color, Drawing, palette};
 
 /// Half the length and half the width of an animal.
@@ -31,7 +32,7 @@ const ROOM: Real = 0.55;
 const ASPECT: Real = 2.0;
 
 /// The animals, and the rocks between which they run.
-pub struct Gorge {
+pub(crate) struct Gorge {
     world: World,
     animals: Vec<Animal>,
     rocks: Vec<Rock>,

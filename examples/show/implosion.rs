@@ -1,10 +1,11 @@
 //! Boxes of one size start evenly spread over a square, fly through its centre and through each other: first a cluster, then
 //! a ring.
 
-use super::rapier::prelude::*;
-use super::{HeldPairs, Show, World};
-use crate::ConvergingBoxes;
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use super::show::{HeldPairs, Show};
 use unisize_pictures::{Camera, Drawing, palette};
+use unisize_scenes::ConvergingBoxes;
 
 /// Half the side of a box.
 const HALF: Real = 0.5;
@@ -16,7 +17,7 @@ const MANY: f32 = 120.0;
 const ALONE: f32 = 0.28;
 
 /// Boxes that fly through the centre of a square.
-pub struct Implosion {
+pub(crate) struct Implosion {
     world: World,
     boxes: Vec<ColliderHandle>,
     /// Half the side of the square.

@@ -1,17 +1,17 @@
-//! A world that is worth looking at: what the examples film and the viewer shows live. One source for both dimensions.
+//! A world that is worth looking at: what the examples film. One source for both dimensions.
 
-use super::World;
-use super::rapier::prelude::ColliderPair;
+use super::scenes::World;
+use super::scenes::rapier::prelude::ColliderPair;
 use unisize_pictures::{Camera, Drawing};
 
 /// A broad phase that knows which pairs it holds.
-pub trait HeldPairs {
+pub(crate) trait HeldPairs {
     /// The pairs, in the same order in every run.
     fn pairs(&self) -> Vec<ColliderPair>;
 }
 
 /// A world that is worth looking at.
-pub trait Show {
+pub(crate) trait Show {
     /// The name of the example.
     const NAME: &'static str;
     /// A sentence for the help text.
