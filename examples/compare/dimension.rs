@@ -2,7 +2,7 @@
 
 use super::{DIM, ours, scenes};
 use crate::case::Case;
-use crate::options::{Kernel, Options};
+use crate::options::{Kernel, Options, name};
 use crate::row::{End, Limit, Rays, Repeat, Row, Sides, Times, Total, WholeSteps};
 use crate::spread::Spread;
 use ours::{Settings, UnisizeBroadPhase};
@@ -36,13 +36,16 @@ pub(crate) fn compare(case: Case, options: &Options, mut on_step: impl FnMut(usi
         _ => comparison.run(&candidate(options, filter), on_step),
     };
     Row {
+        rapier: crate::RAPIER,
         scene: case.name(),
         dim: DIM,
         steps: outcome.steps,
         bodies: outcome.bodies,
         colliders: outcome.colliders,
         seed: options.seed,
-        kernel: options.kernel.name(),
+        kernel: name(options.kernel),
+        filter: name(options.filter),
+        threads: options.threads,
         equal: outcome.is_equal(),
         ratio: outcome.ratio(),
         pairs: sides(&outcome.pairs, |&count| count),
@@ -51,6 +54,7 @@ pub(crate) fn compare(case: Case, options: &Options, mut on_step: impl FnMut(usi
         intersections: total(outcome.intersections),
         contact_checks: outcome.contact_checks,
         rays: Rays {
+            a_step: options.rays,
             cast: outcome.rays.cast,
             hits: outcome.rays.hits,
         },

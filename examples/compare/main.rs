@@ -11,6 +11,8 @@
 //! with 2 on a usage error.
 
 mod case;
+#[path = "../../benches/common/json_lines.rs"]
+mod json_lines;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;

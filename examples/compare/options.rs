@@ -65,7 +65,7 @@ pub(super) struct Options {
     /// The seed of the scenes' randomness; repeats count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,
-    /// Write the results to this file as well
+    /// Append the results to this file, a JSON object a line
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,
     /// Few bodies and steps, for a check of a minute
@@ -168,11 +168,10 @@ impl From<Filter> for PairFilter {
     }
 }
 
-impl Kernel {
-    pub(super) fn name(self) -> String {
-        let value = self.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
-    }
+/// What a value is called on the command line.
+pub(super) fn name(value: impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 fn between(low: u64, high: u64) -> RangedU64ValueParser<usize> {

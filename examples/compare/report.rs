@@ -1,10 +1,9 @@
 //! All results of a run.
 
 use crate::row::Row;
-use serde::Serialize;
 
 /// All results of a run, in the order of the tables.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Report {
     pub(super) rows: Vec<Row>,
 }

@@ -6,6 +6,8 @@ use serde::Serialize;
 /// The result of comparing on one scene in one dimension.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Row {
+    /// The version.
+    pub(super) rapier: &'static str,
     pub(super) scene: String,
     pub(super) dim: u8,
     pub(super) steps: usize,
@@ -13,6 +15,8 @@ pub(super) struct Row {
     pub(super) colliders: usize,
     pub(super) seed: u64,
     pub(super) kernel: String,
+    pub(super) filter: String,
+    pub(super) threads: usize,
     pub(super) equal: bool,
     pub(super) first_difference: Option<String>,
     /// The default's broad-phase time over ours.
@@ -65,6 +69,8 @@ pub(super) struct Repeat {
 /// The rays whose answers were compared.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Rays {
+    /// Cast after each step, beside those of the scene itself.
+    pub(super) a_step: usize,
     pub(super) cast: usize,
     pub(super) hits: usize,
 }

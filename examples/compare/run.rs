@@ -1,18 +1,18 @@
 //! The whole run: every scene in each dimension, the tables, and the exit code.
 
+use crate::json_lines::JsonLines;
 use crate::options::Options;
 use crate::progress::progress_bar;
 use crate::report::Report;
 use crate::{dim2, dim3, table};
 use clap::Parser;
-use std::fs::File;
 use std::process::ExitCode;
 
 /// Compares as the command line says.
 pub(super) fn run() -> ExitCode {
     let options = Options::parse();
     // Opened before the long run, which would be lost if this failed.
-    let json = match options.json.as_ref().map(File::create).transpose() {
+    let mut json = match JsonLines::append(options.json.as_deref()) {
         Ok(json) => json,
         Err(error) => {
             let path = options.json.as_deref().unwrap_or("".as_ref());
@@ -37,17 +37,15 @@ pub(super) fn run() -> ExitCode {
                 _ => dim3::compare(case, &options, on_step),
             };
             table::print_row(&bar, &row);
+            if let Err(error) = json.write(&row) {
+                eprintln!("error: cannot write the results: {error}");
+                return ExitCode::from(2);
+            }
             report.rows.push(row);
         }
         table::print_footer(&bar, report.of_dim(dim));
     }
     bar.finish_and_clear();
-    if let Some(json) = json {
-        if let Err(error) = serde_json::to_writer_pretty(json, &report) {
-            eprintln!("error: cannot write the results: {error}");
-            return ExitCode::from(2);
-        }
-    }
     if report.is_equal() {
         println!("Equal in all {} comparisons.", report.rows.len());
         ExitCode::SUCCESS

@@ -12,6 +12,8 @@
 
 #[path = "../../../examples/compare/case.rs"]
 mod case;
+#[path = "../../../benches/common/json_lines.rs"]
+mod json_lines;
 #[path = "../../../examples/compare/options.rs"]
 mod options;
 #[path = "../../../examples/progress/bar.rs"]

@@ -7,8 +7,10 @@
 //! Each scene is stepped on unisize at each level, step by step in turns. A set of axes that unisize does not have is a sieve behind
 //! the level `Groups`, whose own time does not count. Draws `docs/figures/levels.svg`.
 
+use crate::report::Report;
 use crate::{Test, dim2, dim3};
 use anyhow::Result;
+use std::io;
 use std::path::Path;
 use std::time::Duration;
 use unisize::PairFilter;
@@ -112,51 +114,47 @@ fn mean(scenes: &[Vec<Row>], level: usize) -> Row {
     })
 }
 
-fn print(scene: &str, level: &Level, row: Row) {
-    let cells = row.map(|x| {
-        if x.is_finite() {
-            format!("{x:.3}")
-        } else {
-            "-".into()
-        }
-    });
-    println!("| {scene} | {} | {} |", level.name, cells.join(" | "));
+/// Reports the row of a level; the mean of scenes has times over those of the first level.
+fn tell(dim: u8, scene: &str, level: &Level, row: Row, report: &mut Report) -> io::Result<()> {
+    let names = match scene {
+        MEAN => ["pairs_per_contact", "broad", "rest", "step"],
+        _ => ["pairs_per_contact", "broad_ms", "rest_ms", "step_ms"],
+    };
+    let mut fields = vec![
+        ("scene", scene.into()),
+        ("dim", dim.into()),
+        ("level", level.name.into()),
+    ];
+    fields.extend(names.into_iter().zip(row.map(Into::into)));
+    report.row(&fields)
 }
 
-const HEAD: &str = "| pairs per contact | broad phase | rest of the step | whole step |\n|---|---|---:|---:|---:|---:|";
+/// The scene of the means.
+const MEAN: &str = "mean";
 
 /// Runs a scene at these levels.
 type Race = fn(SceneKind, usize, &[Level]) -> Vec<Figures>;
 
-pub(crate) fn run() -> Result<()> {
-    println!("## Each scene, ms\n\n| scene | level {HEAD}");
-    let means = [(2, dim2::race as Race), (3, dim3::race)].map(|(dim, race)| {
+pub(crate) fn run(report: &mut Report) -> Result<()> {
+    let mut means = Vec::new();
+    for (dim, race) in [(2, dim2::race as Race), (3, dim3::race)] {
         let levels = levels(dim);
-        let rows = SCENES.map(|(kind, bodies)| {
+        let mut rows = Vec::new();
+        for (kind, bodies) in SCENES {
             let races: Vec<_> = (0..ROUNDS).map(|_| race(kind, bodies, &levels)).collect();
             let of = |i| row(&races.iter().map(|race| race[i]).collect::<Vec<_>>());
-            let rows: Vec<_> = (0..levels.len()).map(of).collect();
-            let scene = format!("{} {dim}D", kind.name());
-            levels
-                .iter()
-                .zip(&rows)
-                .for_each(|(level, row)| print(&scene, level, *row));
-            rows
-        });
-        let means = (0..levels.len()).map(|i| mean(&rows, i));
-        (
-            format!("{dim}D"),
-            levels
-                .into_iter()
-                .zip(means.collect::<Vec<_>>())
-                .collect::<Vec<_>>(),
-        )
-    });
-    println!("\n## Levels and sets of axes\n\n| | level {HEAD}");
-    for (dim, means) in &means {
-        means
-            .iter()
-            .for_each(|(level, row)| print(dim, level, *row));
+            let of_scene: Vec<_> = (0..levels.len()).map(of).collect();
+            for (level, row) in levels.iter().zip(&of_scene) {
+                tell(dim, kind.name(), level, *row, report)?;
+            }
+            rows.push(of_scene);
+        }
+        let of_dim: Vec<_> = (0..levels.len()).map(|i| mean(&rows, i)).collect();
+        for (level, row) in levels.iter().zip(&of_dim) {
+            tell(dim, MEAN, level, *row, report)?;
+        }
+        let of_dim: Vec<_> = levels.into_iter().zip(of_dim).collect();
+        means.push((format!("{dim}D"), of_dim));
     }
     let panels = means.iter().flat_map(|(dim, means)| {
         // Of the broad phase only that of the levels would be told.

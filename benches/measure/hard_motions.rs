@@ -1,0 +1,141 @@
+//! Motions on which broad phases break down: how update time and memory grow, for Rapier's own broad phase, for unisize, and for
+//! unisize with the kernel of the paper. One source, compiled once for each engine and dimension.
+//!
+//! Times are for one update: the mean and the worst of 60, or of as many as fit in four seconds. *Work* is the mean number of cubes,
+//! held pairs and events together, the least that a broad phase has to process. *Times easiest* is the time per unit of work,
+//! relative to drifting cubes.
+
+use super::engine::{self, Driven};
+use super::frames::{Changes, World};
+use super::ours::{Kernel, Settings, UnisizeBroadPhase};
+use super::rapier::prelude::*;
+use crate::growth::{Figures, Growth};
+use crate::report::Report;
+use crate::{bytes_held, clock_for};
+use std::collections::HashSet;
+use std::io;
+use std::time::Duration;
+use unisize_scenes::{HardFrames, HardMotion};
+
+/// Numbers of cubes.
+const COUNTS: [usize; 3] = [1 << 12, 1 << 14, 1 << 16];
+
+const FRAMES: u32 = 60;
+
+/// A case stops after this time, whatever its number of frames, and is not tried with more cubes.
+const LONG: Duration = Duration::from_secs(4);
+
+/// Measures this engine in this dimension.
+pub(crate) fn measure(
+    motions: &[HardMotion],
+    is_small: bool,
+    report: &mut Report,
+) -> io::Result<()> {
+    let counts = if is_small { &[1 << 8][..] } else { &COUNTS };
+    let mut growths: [Growth; 3] = Default::default();
+    for &motion in motions {
+        let case = |who: &str, kernel: &str| {
+            let method = format!("{who} {}{kernel}", engine::RAPIER);
+            let motion = motion.name().into();
+            [
+                ("dim", DIM.into()),
+                ("motion", motion),
+                ("method", method.into()),
+            ]
+        };
+        let [default, ours, paper] = &mut growths;
+        let run = |count| follow(motion, count, DefaultBroadPhase::new());
+        default.report(&case("Rapier", ""), counts, run, report)?;
+        let run = |count| follow(motion, count, UnisizeBroadPhase::new());
+        ours.report(&case("unisize for", ""), counts, run, report)?;
+        // One version tells what the kernel does.
+        if engine::RAPIER == "0.27" {
+            let settings = Settings::default().with_kernel(Kernel::RankSweep);
+            let run = |count| follow(motion, count, UnisizeBroadPhase::with_settings(settings));
+            paper.report(&case("unisize for", ", RankSweep"), counts, run, report)?;
+        }
+    }
+    Ok(())
+}
+
+/// Measures one broad phase on one motion.
+fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Option<Figures> {
+    let mut frames = HardFrames::<DIM>::new(motion, count, 7);
+    let mut world = World::new(clock_for(count));
+    let mut islands = IslandManager::new();
+    let insert = |&mins: &_| world.colliders.insert(cube(mins));
+    let mut handles: Vec<_> = frames.mins().iter().map(insert).collect();
+    let first = Changes {
+        inserted: &handles,
+        ..Changes::default()
+    };
+    broad_phase.follow(&mut world, first);
+    let (mut held, mut updates, mut events) = (HashSet::new(), 0, 0);
+    let (mut all, mut worst) = (Duration::ZERO, Duration::ZERO);
+    note(&world.events, &mut held);
+    while updates < FRAMES && all < LONG {
+        updates += 1;
+        frames.advance();
+        let mut moved = Vec::new();
+        for &i in frames.moved() {
+            world.colliders[handles[i]].set_translation(Vector::from(frames.mins()[i]));
+            moved.push(handles[i]);
+        }
+        let removed: Vec<_> = frames.replaced().iter().map(|&i| handles[i]).collect();
+        for &handle in &removed {
+            engine::remove(handle, &mut islands, &mut world);
+        }
+        let mut inserted = Vec::new();
+        for &i in frames.replaced() {
+            handles[i] = world.colliders.insert(cube(frames.mins()[i]));
+            inserted.push(handles[i]);
+        }
+        world.events.clear();
+        let changes = Changes {
+            inserted: &inserted,
+            moved: &moved,
+            removed: &removed,
+        };
+        let time = broad_phase.follow(&mut world, changes);
+        all += time;
+        worst = worst.max(time);
+        events += world.events.len();
+        note(&world.events, &mut held);
+    }
+    // Pairs of a removed collider end without an event.
+    let is_there = |collider| world.colliders.contains(collider);
+    held.retain(|pair| is_there(pair.collider1) && is_there(pair.collider2));
+    let seconds = all.as_secs_f64() / f64::from(updates);
+    let events = events as f64 / f64::from(updates);
+    Some(Figures {
+        count,
+        work: (count + held.len()) as f64 + events,
+        seconds,
+        bytes: bytes_held(broad_phase) as f64,
+        is_long: all >= LONG,
+        others: vec![
+            ("updates", updates.into()),
+            ("pairs", held.len().into()),
+            ("events", events.into()),
+            ("mean_ms", (seconds * 1e3).into()),
+            ("worst_ms", (worst.as_secs_f64() * 1e3).into()),
+        ],
+    })
+}
+
+fn note(events: &[BroadPhasePairEvent], held: &mut HashSet<ColliderPair>) {
+    for event in events {
+        match event {
+            BroadPhasePairEvent::AddPair(pair) => held.insert(*pair),
+            BroadPhasePairEvent::DeletePair(pair) => held.remove(pair),
+        };
+    }
+}
+
+fn cube(mins: [Real; DIM]) -> Collider {
+    let half = SharedShape::new(Cuboid::new(Vector::from([0.5; DIM])));
+    ColliderBuilder::new(half)
+        .active_collision_types(ActiveCollisionTypes::all())
+        .translation(Vector::from(mins))
+        .build()
+}

@@ -1,0 +1,177 @@
+//! What a query costs when a step has one: the kept tree brought up to date, and its quality once it has aged. One source, compiled
+//! once in each dimension.
+//!
+//! Balls fly about in a container, all of them or a part, and there is one ray in every step. The *first ray* is timed with all that
+//! it takes to bring the tree up to date, at the beginning and at the end. A *further ray* is the mean of rays through the tree as it
+//! is at the end, and *new tree* that of the same rays through one that is just built. Rapier's own broad phase keeps its tree up to
+//! date in every update, so its rays are all further ones.
+
+use crate::report::Report;
+use std::io;
+use std::time::{Duration, Instant};
+
+use super::ours::UnisizeBroadPhase;
+use super::rapier::parry::query::DefaultQueryDispatcher;
+use super::rapier::prelude::*;
+
+/// The part of the container that the balls fill.
+const DENSITY: f64 = 0.2;
+
+/// Radii a step.
+const SPEED: Real = 0.2;
+
+/// Rays of one measurement.
+const RAYS: usize = 2000;
+
+/// Balls that fly straight and turn at the walls of their container.
+struct Flight {
+    params: IntegrationParameters,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    /// Those that move, and how far in a step.
+    movers: Vec<(ColliderHandle, Vector<Real>)>,
+    side: Real,
+    random: oorandom::Rand32,
+}
+
+impl Flight {
+    fn new(count: usize, one_in: usize) -> Self {
+        let side = (count as f64 / DENSITY).powf(1.0 / DIM as f64) as Real;
+        let mut flight = Self {
+            params: IntegrationParameters::default(),
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            movers: Vec::new(),
+            side,
+            random: oorandom::Rand32::new(7),
+        };
+        for i in 0..count {
+            let place = flight.any() * side;
+            let ball = ColliderBuilder::ball(0.5).translation(place);
+            let handle = flight.colliders.insert(ball);
+            let velocity = (flight.any() - Vector::repeat(0.5)) * SPEED;
+            if i % one_in == 0 {
+                flight.movers.push((handle, velocity));
+            }
+        }
+        flight
+    }
+
+    /// Any point of the unit cube.
+    fn any(&mut self) -> Vector<Real> {
+        Vector::from_fn(|_, _| self.random.rand_float())
+    }
+
+    /// All of them, and those that move.
+    fn handles(&self) -> [Vec<ColliderHandle>; 2] {
+        let all = self.colliders.iter().map(|(handle, _)| handle);
+        [
+            all.collect(),
+            self.movers.iter().map(|&(handle, _)| handle).collect(),
+        ]
+    }
+
+    fn advance(&mut self) {
+        for (handle, velocity) in &mut self.movers {
+            let ball = &mut self.colliders[*handle];
+            let place = ball.translation() + *velocity;
+            for k in 0..DIM {
+                if !(0.0..self.side).contains(&place[k]) {
+                    velocity[k] = (self.side / 2.0 - place[k]).signum() * velocity[k].abs();
+                }
+            }
+            ball.set_translation(place);
+        }
+    }
+
+    /// A ray into the container from one side.
+    fn ray(&mut self) -> Ray {
+        let mut from = self.any() * self.side;
+        from[0] = -1.0;
+        Ray::new(from.into(), Vector::x())
+    }
+
+    fn update(&self, broad_phase: &mut impl BroadPhase, listed: &[ColliderHandle]) {
+        let (colliders, bodies) = (&self.colliders, &self.bodies);
+        broad_phase.update(
+            &self.params,
+            colliders,
+            bodies,
+            listed,
+            &[],
+            &mut Vec::new(),
+        );
+    }
+
+    /// The time of rays, each.
+    fn time(&self, scene: &QueryPipeline<'_>, rays: &[Ray]) -> Duration {
+        let start = Instant::now();
+        for ray in rays {
+            std::hint::black_box(scene.cast_ray(ray, Real::MAX, true));
+        }
+        start.elapsed() / rays.len() as u32
+    }
+}
+
+/// Measures one case: balls, of which one in so many moves.
+pub(crate) fn measure(
+    count: usize,
+    one_in: usize,
+    steps: usize,
+    report: &mut Report,
+) -> io::Result<()> {
+    let mut flight = Flight::new(count, one_in);
+    let [all, movers] = flight.handles();
+    let (mut ours, mut default) = (UnisizeBroadPhase::new(), DefaultBroadPhase::new());
+    flight.update(&mut ours, &all);
+    flight.update(&mut default, &all);
+    let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+    let mut first = Vec::new();
+    for _ in 0..steps {
+        flight.advance();
+        flight.update(&mut ours, &movers);
+        // Its tree ages over the same steps, but it need not be looked at in between.
+        flight.update(&mut default, &movers);
+        let ray = flight.ray();
+        let start = Instant::now();
+        let (bodies, colliders) = (&flight.bodies, &flight.colliders);
+        let scene = ours.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        std::hint::black_box(scene.cast_ray(&ray, Real::MAX, true));
+        first.push(start.elapsed());
+    }
+    let rays: Vec<_> = (0..RAYS).map(|_| flight.ray()).collect();
+    let mut new = UnisizeBroadPhase::new();
+    flight.update(&mut new, &all);
+    let (bodies, colliders) = (&flight.bodies, &flight.colliders);
+    let ours = ours.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    let new = new.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    let default = default.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    // In turns, so that all see the same machine.
+    let mut best = [Duration::MAX; 3];
+    for _ in 0..5 {
+        for (best, scene) in best.iter_mut().zip([&ours, &new, &default]) {
+            *best = flight.time(scene, &rays).min(*best);
+        }
+    }
+    let mean = |times: &[Duration]| micros(times.iter().sum::<Duration>()) / times.len() as f64;
+    let few = steps.min(100);
+    let [kept, new, default] = best.map(micros);
+    report.row(&[
+        ("dim", DIM.into()),
+        ("balls", count.into()),
+        ("moving", movers.len().into()),
+        ("first_ray_us", mean(&first[..few]).into()),
+        (
+            "first_ray_of_last_100_us",
+            mean(&first[steps - few..]).into(),
+        ),
+        ("further_ray_us", kept.into()),
+        ("new_tree_us", new.into()),
+        ("ratio", (kept / new).into()),
+        ("default_ray_us", default.into()),
+    ])
+}
+
+fn micros(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e6
+}
