@@ -14,15 +14,7 @@ pub(crate) struct Ensembles {
     pub(crate) methods: Vec<Method>,
     /// Steps per simulated second.
     pub(crate) frequencies: Vec<u32>,
-    ensembles: Vec<Ensemble>,
-}
-
-/// The runs of one method with one time step, by seed.
-#[derive(Clone, Debug)]
-struct Ensemble {
-    method: Method,
-    frequency: u32,
-    runs: Vec<Run>,
+    runs: Vec<(Method, u32, Run)>,
 }
 
 impl Ensembles {
@@ -35,7 +27,7 @@ impl Ensembles {
             seconds,
             methods: Method::all(),
             frequencies: super::FREQUENCIES.to_vec(),
-            ensembles: Vec::new(),
+            runs: Vec::new(),
         }
     }
 
@@ -46,38 +38,25 @@ impl Ensembles {
 
     /// Adds the run of the next seed.
     pub(crate) fn push(&mut self, method: Method, frequency: u32, run: Run) {
-        let mut ensembles = self.ensembles.iter_mut();
-        match ensembles.find(|of| of.method == method && of.frequency == frequency) {
-            Some(ensemble) => ensemble.runs.push(run),
-            None => self.ensembles.push(Ensemble {
-                method,
-                frequency,
-                runs: vec![run],
-            }),
-        }
+        self.runs.push((method, frequency, run));
     }
 
-    fn runs(&self, method: Method, frequency: u32) -> &[Run] {
-        let mut ensembles = self.ensembles.iter();
-        let found =
-            ensembles.find(|ensemble| ensemble.method == method && ensemble.frequency == frequency);
-        found.map_or(&[], |ensemble| &ensemble.runs)
+    fn runs(&self, method: Method, frequency: u32) -> impl Iterator<Item = &Run> {
+        let runs = self.runs.iter();
+        let runs = runs.filter(move |of| (of.0, of.1) == (method, frequency));
+        runs.map(|of| &of.2)
     }
 
     /// The names of the errors, the most telling one first.
     pub(crate) fn errors(&self) -> Vec<&'static str> {
-        let first = self
-            .ensembles
-            .iter()
-            .find_map(|ensemble| ensemble.runs.first());
-        first.map_or(Vec::new(), |run| {
-            run.errors.iter().map(|error| error.name).collect()
-        })
+        let errors = self.runs.first().map(|of| &of.2.errors);
+        let names = errors.into_iter().flatten().map(|error| error.name);
+        names.collect()
     }
 
     /// An error by seed.
     fn sample(&self, method: Method, frequency: u32, error: usize) -> Vec<f64> {
-        let runs = self.runs(method, frequency).iter();
+        let runs = self.runs(method, frequency);
         runs.map(|run| run.errors[error].value).collect()
     }
 
@@ -96,29 +75,21 @@ impl Ensembles {
 
     /// The median of the milliseconds for one simulated second.
     pub(crate) fn milliseconds(&self, method: Method, frequency: u32) -> Median {
-        Median::of(
-            self.runs(method, frequency)
-                .iter()
-                .map(|run| run.milliseconds),
-        )
+        let runs = self.runs(method, frequency);
+        Median::of(runs.map(|run| run.milliseconds))
     }
 
     /// How many pairs a method found in all its runs, and how many of them it lost.
     pub(crate) fn pairs(&self, method: Method) -> [usize; 2] {
-        let ensembles = self.ensembles.iter().filter(|of| of.method == method);
-        let pairs = ensembles
-            .flat_map(|of| &of.runs)
-            .filter_map(|run| run.pairs);
+        let runs = self.runs.iter().filter(|of| of.0 == method);
+        let pairs = runs.filter_map(|of| of.2.pairs);
         pairs.fold([0; 2], |sum, pairs| [sum[0] + pairs[0], sum[1] + pairs[1]])
     }
 
     /// Whether all errors of what misses nothing are numbers, as they are unless a simulation has exploded.
     pub(crate) fn is_finite(&self) -> bool {
-        let exact = self.ensembles.iter();
-        let runs = exact
-            .filter(|of| of.method.finder.is_exact())
-            .flat_map(|of| &of.runs);
-        let mut errors = runs.flat_map(|run| &run.errors);
+        let exact = self.runs.iter().filter(|of| of.0.finder.is_exact());
+        let mut errors = exact.flat_map(|of| &of.2.errors);
         errors.all(|error| error.value.is_finite())
     }
 }

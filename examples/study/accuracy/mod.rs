@@ -28,7 +28,7 @@ use crate::statistics::Median;
 use crate::{FINDERS, SCALARS, simulate};
 use anyhow::Result;
 use case::{Case, Method, Run, Scalar};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use ensembles::Ensembles;
 use indicatif::ProgressBar;
 use scene::Scene;
@@ -57,8 +57,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     common: Common,
     /// A scene; may be given several times [default: all]
-    #[arg(long, value_name = "NAME", value_parser = Scene::groups())]
-    only: Vec<String>,
+    #[arg(long, value_enum, value_name = "SCENE")]
+    only: Vec<Scene>,
 }
 
 impl Arguments {
@@ -66,18 +66,16 @@ impl Arguments {
     pub(crate) fn run(&self) -> Result<bool> {
         let mut output = Output::create("accuracy", &self.common)?;
         let seeds = self.common.seeds(2, 20);
-        let scenes = || {
-            let is_chosen = |scene: &Scene| {
-                self.only.is_empty() || self.only.iter().any(|name| name == scene.group())
-            };
-            Scene::ALL.into_iter().filter(is_chosen)
+        let scenes = match self.only.is_empty() {
+            true => Scene::value_variants(),
+            false => &self.only,
         };
         let runs = Method::all().len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
-        let bar = progress_bar((runs * scenes().count() * self.common.dims().len()) as u64);
+        let bar = progress_bar((runs * scenes.len() * self.common.dims().len()) as u64);
         let mut studies = Vec::new();
         for &dim in self.common.dims() {
-            for scene in scenes() {
-                bar.set_message(format!("{} {dim}D", scene.group()));
+            for &scene in scenes {
+                bar.set_message(format!("{} {dim}D", scene.name()));
                 let mut study = self.ensembles(dim, scene);
                 measure(&mut study, seeds.clone(), &bar, &mut output)?;
                 studies.push(study);
@@ -111,7 +109,6 @@ impl Arguments {
         for comparison in &verdict.comparisons {
             output.row("comparison", &ComparisonRow::of(comparison))?;
         }
-        print_errors(studies);
         print_methods(studies, &verdict);
         print_short(studies, &verdict);
         let is_finite = studies.iter().all(Ensembles::is_finite);
@@ -215,80 +212,50 @@ fn is_same_in_order(study: &Ensembles, scalar: Scalar, seeds: Range<u64>) -> boo
     frequencies.all(|frequency| seeds.clone().all(|seed| is_same(seed, frequency)))
 }
 
-/// Prints all errors and times of every scene: medians over the seeds, with their intervals.
-fn print_errors(studies: &[Ensembles]) {
-    for study in studies {
-        let Ensembles {
-            bodies, seconds, ..
-        } = study;
-        println!(
-            "### {}: {bodies} bodies, {} s\n\n{}\n",
-            study.title(),
-            number(*seconds),
-            study.scene.description()
-        );
-        let mut head = vec!["what".to_owned(), "method".to_owned()];
-        head.extend(FREQUENCIES.map(|frequency| format!("1/{frequency} s")));
-        let mut table = table(head);
-        let mut add = |what: &str, median: &dyn Fn(Method, u32) -> Median| {
-            for &method in &study.methods {
-                let mut row = vec![what.to_owned(), method.name()];
-                row.extend(FREQUENCIES.map(|frequency| {
-                    let Median { value, low, high } = median(method, frequency);
-                    format!("{} ({}–{})", number(value), number(low), number(high))
-                }));
-                table.add_row(row);
-            }
-        };
-        add("ms of whole steps for 1 s", &|method, frequency| {
-            study.milliseconds(method, frequency)
-        });
-        for (index, name) in study.errors().into_iter().enumerate() {
-            add(name, &|method, frequency| {
-                study.error(method, frequency, index)
-            });
-        }
-        println!("{table}\n");
-    }
-}
-
-/// Prints for each method what its whole steps cost, and what it does to the first error of each scene, at 60 steps a second.
+/// Prints for each method what it does to the simulation, at 60 steps a second: the cost of whole steps, and each error.
 fn print_methods(studies: &[Ensembles], verdict: &Verdict) {
     println!(
-        "### What a method does to the simulation\n\nWhole steps over those of unisize, the geometric mean of all scenes, and the first \
-         error of each scene, both at 1/{SHOWN} s. A star where it is told apart from Rapier's own.\n"
+        "### What a method does to the simulation\n\nWhole steps over those of unisize, and the median of each error, both at 1/{SHOWN} s. \
+         A star where it is told apart from Rapier's own.\n"
     );
-    let mut head = vec![
-        "method".to_owned(),
-        "cannot miss".to_owned(),
-        "whole step".to_owned(),
-    ];
-    let first = |study: &Ensembles| study.errors().first().copied().unwrap_or_default();
-    head.extend(
-        studies
-            .iter()
-            .map(|study| format!("{}: {}", study.title(), first(study))),
-    );
+    let mut head = vec!["scene".to_owned(), "what".to_owned()];
+    head.extend(FINDERS.iter().map(|finder| match finder.is_exact() {
+        true => finder.name(),
+        false => format!("{} (can miss)", finder.name()),
+    }));
     let mut table = table(head);
-    for &finder in FINDERS {
-        let method = |finder| Method {
-            finder,
-            scalar: Scalar::F32,
-        };
-        let ms = |study: &Ensembles, finder| study.milliseconds(method(finder), SHOWN).value;
-        let ratios = studies
-            .iter()
-            .map(|study| ms(study, finder) / ms(study, Finder::DEFAULT));
-        let mean = ratios.map(f64::ln).sum::<f64>() / studies.len() as f64;
-        let is_exact = if finder.is_exact() { "yes" } else { "no" };
-        let mut row = vec![finder.name(), is_exact.to_owned(), number(mean.exp())];
-        row.extend(studies.iter().map(|study| {
-            let mut of_scene = verdict.of_scene(study, finder);
-            let is_apart = of_scene.any(|of| of.error == first(study) && of.is_told_apart());
-            let error = study.error(method(finder), SHOWN, 0).value;
-            format!("{}{}", number(error), if is_apart { " *" } else { "" })
-        }));
+    let mut add = |scene: String, what: &str, cell: &dyn Fn(Method) -> String| {
+        let mut row = vec![scene, what.to_owned()];
+        let scalar = Scalar::F32;
+        row.extend(
+            FINDERS
+                .iter()
+                .map(|&finder| cell(Method { finder, scalar })),
+        );
         table.add_row(row);
+    };
+    let ratio = |study: &Ensembles, method: Method| {
+        let ms = |method| study.milliseconds(method, SHOWN).value;
+        let finder = Finder::DEFAULT;
+        ms(method) / ms(Method { finder, ..method })
+    };
+    add("all, geometric mean".to_owned(), "whole step", &|method| {
+        let logarithms = studies.iter().map(|study| ratio(study, method).ln());
+        number((logarithms.sum::<f64>() / studies.len() as f64).exp())
+    });
+    for study in studies {
+        add(study.title(), "whole step", &|method| {
+            number(ratio(study, method))
+        });
+        for (index, name) in study.errors().into_iter().enumerate() {
+            add(study.title(), name, &|method| {
+                let mut of_scene = verdict.of_scene(study, method.finder);
+                let is_apart = of_scene
+                    .any(|of| (of.error, of.method) == (name, method) && of.is_told_apart());
+                let error = number(study.error(method, SHOWN, index).value);
+                format!("{error}{}", if is_apart { " *" } else { "" })
+            });
+        }
     }
     println!("{table}\n");
 }
@@ -324,7 +291,7 @@ fn print_short(studies: &[Ensembles], verdict: &Verdict) {
 #[derive(Serialize)]
 struct RunRow<'a> {
     dimension: u8,
-    scene: &'a str,
+    scene: Scene,
     method: String,
     scalar: Scalar,
     steps_per_second: u32,
@@ -339,7 +306,7 @@ impl<'a> RunRow<'a> {
     fn of(study: &Ensembles, method: Method, case: &Case, run: &'a Run) -> Self {
         Self {
             dimension: study.dim,
-            scene: study.scene.name(),
+            scene: study.scene,
             method: method.finder.name(),
             scalar: method.scalar,
             steps_per_second: case.frequency,
@@ -355,7 +322,7 @@ impl<'a> RunRow<'a> {
 #[derive(Serialize)]
 struct ComparisonRow<'a> {
     dimension: u8,
-    scene: &'a str,
+    scene: Scene,
     error: &'a str,
     method: String,
     scalar: Scalar,
@@ -373,7 +340,7 @@ impl ComparisonRow<'_> {
     fn of(comparison: &Comparison) -> Self {
         Self {
             dimension: comparison.dim,
-            scene: comparison.scene.name(),
+            scene: comparison.scene,
             error: comparison.error,
             method: comparison.method.finder.name(),
             scalar: comparison.method.scalar,

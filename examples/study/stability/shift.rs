@@ -181,7 +181,6 @@ mod tests {
             is_shift: index == 20,
             ms: [0.0, f64::from(index)],
             full_runs: u64::from(index == 30),
-            ..Step::default()
         });
         let shift = Shift {
             scenery: Scenery::ALL[0],

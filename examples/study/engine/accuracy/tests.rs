@@ -4,8 +4,9 @@ use super::scenes::rapier::prelude::*;
 use super::space::{UP, along, distance, place_of, vector};
 use super::{Stage, run, state};
 use crate::accuracy::case::{Case, Run};
-use crate::accuracy::scene::{Continuous, Scene};
+use crate::accuracy::scene::Scene;
 use crate::finder::{Finder, Setting};
+use clap::ValueEnum;
 
 fn case(scene: Scene, frequency: u32) -> Case {
     Case {
@@ -61,9 +62,8 @@ fn towers_stand() {
 
 #[test]
 fn continuous_detection_stops_bullets() {
-    use Continuous::*;
-    let missed = [Discrete, Soft, Ccd].map(|continuous| {
-        let case = case(Scene::Bullets(continuous), 60);
+    let missed = [Scene::Bullets, Scene::BulletsSoftCcd, Scene::BulletsCcd].map(|scene| {
+        let case = case(scene, 60);
         error(&run(&case), "impacts")
     });
     // Rapier 0.36 stops what hits a fixed wall in any case.
@@ -109,7 +109,7 @@ fn the_state_differs_with_the_smallest_bit() {
 
 #[test]
 fn every_scene_has_errors_that_are_numbers() {
-    for scene in Scene::ALL {
+    for &scene in Scene::value_variants() {
         for &finder in crate::FINDERS {
             let case = Case {
                 finder,
@@ -129,7 +129,7 @@ fn every_scene_has_errors_that_are_numbers() {
 
 #[test]
 fn a_seed_gives_the_same_start_and_another_a_little_different_one() {
-    for scene in Scene::ALL {
+    for &scene in Scene::value_variants() {
         let start = |seed: u64| {
             let stage = Stage::build(&Case {
                 seed,

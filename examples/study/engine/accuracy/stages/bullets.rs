@@ -4,7 +4,7 @@ use super::{
     Case, ColliderBuilder, DIM, Jitter, RigidBodyBuilder, Stage, World, along, cuboid, gauge,
     place, plus, vector,
 };
-use crate::accuracy::scene::Continuous;
+use crate::accuracy::scene::Scene;
 
 /// The radius of a bullet.
 const RADIUS: f64 = 0.15;
@@ -27,7 +27,7 @@ const SPEEDS: [f64; 2] = [10.0, 160.0];
 /// The distance ahead at which soft CCD looks for the wall: that of the longest step.
 const SOFT_DISTANCE: f64 = 6.0;
 
-pub(super) fn build(case: &Case, continuous: Continuous, jitter: &mut Jitter) -> Stage {
+pub(super) fn build(case: &Case, jitter: &mut Jitter) -> Stage {
     let columns = match DIM {
         2 => 1,
         _ => (case.bodies as f64).sqrt().ceil() as usize,
@@ -51,10 +51,10 @@ pub(super) fn build(case: &Case, continuous: Continuous, jitter: &mut Jitter) ->
         let bullet = RigidBodyBuilder::dynamic()
             .translation(vector(plus(from, shift)))
             .linvel(vector(along(0, speed)));
-        let bullet = match continuous {
-            Continuous::Discrete => bullet,
-            Continuous::Soft => bullet.soft_ccd_prediction(SOFT_DISTANCE as _),
-            Continuous::Ccd => bullet.ccd_enabled(true),
+        let bullet = match case.scene {
+            Scene::BulletsSoftCcd => bullet.soft_ccd_prediction(SOFT_DISTANCE as _),
+            Scene::BulletsCcd => bullet.ccd_enabled(true),
+            _ => bullet,
         };
         world.insert(bullet, ColliderBuilder::ball(RADIUS as _).density(5.0));
     }

@@ -32,7 +32,9 @@ impl Stage {
             Scene::Pile => pile::build(case, &mut jitter),
             Scene::Hopper => hopper::build(case, &mut jitter),
             Scene::Stack => stack::build(case, &mut jitter),
-            Scene::Bullets(continuous) => bullets::build(case, continuous, &mut jitter),
+            Scene::Bullets | Scene::BulletsSoftCcd | Scene::BulletsCcd => {
+                bullets::build(case, &mut jitter)
+            }
             Scene::Pendulum => pendulum::build(case, &mut jitter),
             Scene::Silo => silo::build(case, &mut jitter),
         }
