@@ -3,28 +3,26 @@
 //! The allocator counts the memory of all threads, so the tests take turns.
 
 mod handles;
-#[path = "../../examples/soak/memory.rs"]
+#[path = "../../examples/study/soak/memory.rs"]
 mod memory;
 mod soak;
 mod trees;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-#[path = "../../examples/soak"]
+#[path = "../../examples/study/engine"]
 mod dim2 {
-    use rapier2d as rapier;
-    use unisize::rapier2d_027::UnisizeBroadPhase;
-    use unisize_scenes::dim2::Observed;
+    use unisize::rapier2d_027 as ours;
+    use unisize_scenes::dim2 as scenes;
 
     mod soak;
     pub(crate) use soak::Soak;
 }
 
-#[path = "../../examples/soak"]
+#[path = "../../examples/study/engine"]
 mod dim3 {
-    use rapier3d as rapier;
-    use unisize::rapier3d_027::UnisizeBroadPhase;
-    use unisize_scenes::dim3::Observed;
+    use unisize::rapier3d_027 as ours;
+    use unisize_scenes::dim3 as scenes;
 
     mod soak;
     pub(crate) use soak::Soak;

@@ -1,6 +1,6 @@
-//! A short run of `examples/soak`: many updates of worlds in which everything changes, in the same memory.
+//! A short run of the study `soak`: many updates of worlds in which everything changes, in the same memory.
 //!
-//! The example makes a million: `cargo run --release --all-features --example soak`.
+//! The study makes a million: `cargo run --release --all-features --example study -- soak`.
 
 use crate::memory::Peaks;
 use crate::{dim2, dim3, turn};

@@ -1,0 +1,119 @@
+//! A broad phase that is updated once in so many steps: in between, it keeps its pairs, and the simulation goes on with them.
+
+use super::scenes::rapier::prelude::*;
+use super::version::{self, BroadPhase};
+
+/// A broad phase that is updated once in so many steps.
+#[derive(Clone)]
+pub(super) struct Seldom<B> {
+    inner: B,
+    interval: usize,
+    /// How many updates there were with something to do.
+    busy: usize,
+    /// What was modified since it was last updated.
+    pending: Vec<ColliderHandle>,
+    /// Whether boxes were handed over since the last update.
+    has_boxes: bool,
+}
+
+impl<B> Seldom<B> {
+    pub(super) fn new(inner: B, interval: usize) -> Self {
+        Self {
+            inner,
+            interval,
+            busy: 0,
+            pending: Vec::new(),
+            has_boxes: false,
+        }
+    }
+}
+
+impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.pending.extend(modified);
+        let is_busy = !modified.is_empty() || std::mem::take(&mut self.has_boxes);
+        let is_due = is_busy && self.busy % self.interval == 0;
+        self.busy += usize::from(is_busy);
+        // Nobody may hold pairs of what is not there.
+        if is_due || !removed.is_empty() {
+            self.pending
+                .sort_unstable_by_key(|handle| handle.into_raw_parts());
+            self.pending.dedup();
+            let pending = std::mem::take(&mut self.pending);
+            self.inner
+                .update(params, colliders, bodies, &pending, removed, events);
+        }
+    }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+            self.has_boxes |= !boxes.is_empty();
+            self.inner.set_aabbs(params, colliders, boxes);
+        }
+
+        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+            self.inner.note_changes(reinserted, unmoved);
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.inner.bvh()
+        }
+
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            Box::new(self.clone())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ours::UnisizeBroadPhase;
+    use super::super::scenes::rapier::prelude::*;
+    use super::super::scenes::{Observed, Steppable, World, install};
+    use super::super::space::{along, place, vector};
+    use super::Seldom;
+
+    /// Of two balls that fly through each other, the pair is held at these steps.
+    fn held(interval: usize) -> Vec<bool> {
+        let mut world = World::new(vector(place(|_| 0.0)));
+        for side in [-1.0, 1.0] {
+            let ball = ColliderBuilder::ball(0.5).sensor(true);
+            let body = RigidBodyBuilder::dynamic()
+                .translation(vector(along(0, 0.9 * side)))
+                .linvel(vector(along(0, -12.0 * side)));
+            world.insert(body, ball);
+        }
+        let seldom = Seldom::new(UnisizeBroadPhase::new(), interval);
+        let mut broad_phase = install(Observed::new(seldom).with_held());
+        let step = |_| {
+            world.step(broad_phase.for_step(), &(), &());
+            !broad_phase.held().is_empty()
+        };
+        (0..12).map(step).collect()
+    }
+
+    #[test]
+    fn pairs_come_late_and_stay_long() {
+        let often = held(1);
+        let first = |held: &[bool]| held.iter().position(|&held| held).expect("they meet");
+        for interval in [2, 3] {
+            let seldom = held(interval);
+            let late = first(&seldom) - first(&often);
+            assert!((0..interval).contains(&late), "{often:?} {seldom:?}");
+            // Two updates in a row are never different.
+            let changes: Vec<_> = (1..12).filter(|&i| seldom[i] != seldom[i - 1]).collect();
+            let apart = changes
+                .windows(2)
+                .all(|pair| (pair[1] - pair[0]) % interval == 0);
+            assert!(apart, "{seldom:?}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
+
+use super::scenes::World;
+use super::scenes::rapier::prelude::*;
+use super::version::BroadPhase;
+use cpu_time::ThreadTime;
+use std::collections::HashSet;
+use std::time::Duration;
+
+/// A broad phase and a narrow phase of its own.
+pub(super) struct Contestant {
+    broad_phase: Clocked,
+    narrow_phase: NarrowPhase,
+    pipeline: CollisionPipeline,
+}
+
+/// How long a step took, in processor time.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Lap {
+    pub(super) broad: Duration,
+    pub(super) both: Duration,
+}
+
+impl Contestant {
+    pub(super) fn new(broad_phase: Box<dyn BroadPhase>) -> Self {
+        Self {
+            broad_phase: Clocked {
+                inner: broad_phase,
+                held: HashSet::new(),
+                last: Duration::ZERO,
+                end: Duration::ZERO,
+            },
+            narrow_phase: NarrowPhase::new(),
+            pipeline: CollisionPipeline::new(),
+        }
+    }
+
+    /// Finds the contacts of a copy of the world in which these colliders have moved.
+    ///
+    /// The time of the narrow phase includes Rapier's handling of changes by the user, which is short: there are none.
+    pub(super) fn step(&mut self, stage: &mut Stage, moved: &[ColliderHandle]) -> Lap {
+        stage.mark(moved);
+        self.pipeline.step(
+            stage.prediction,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut stage.bodies,
+            &mut stage.colliders,
+            &JointFilter(&stage.joints),
+            &(),
+        );
+        let broad = self.broad_phase.last;
+        let narrow = ThreadTime::now().as_duration() - self.broad_phase.end;
+        Lap {
+            broad,
+            both: broad + narrow,
+        }
+    }
+
+    /// How many of these pairs it holds.
+    pub(super) fn found(&self, pairs: &[ColliderPair]) -> usize {
+        let held = &self.broad_phase.held;
+        pairs
+            .iter()
+            .filter(|&&pair| held.contains(&ends(pair)))
+            .count()
+    }
+
+    /// How many pairs it holds.
+    pub(super) fn held(&self) -> usize {
+        self.broad_phase.held.len()
+    }
+}
+
+/// A broad phase whose updates are timed, and the pairs that its events amount to.
+struct Clocked {
+    inner: Box<dyn BroadPhase>,
+    held: HashSet<[(u32, u32); 2]>,
+    /// The processor time of the last update.
+    last: Duration,
+    /// The processor time of the thread when all was over.
+    end: Duration,
+}
+
+impl BroadPhase for Clocked {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let start = ThreadTime::now();
+        self.inner
+            .update(params, colliders, bodies, modified, removed, events);
+        self.last = start.elapsed();
+        for event in events {
+            match event {
+                BroadPhasePairEvent::AddPair(pair) => self.held.insert(ends(*pair)),
+                BroadPhasePairEvent::DeletePair(pair) => self.held.remove(&ends(*pair)),
+            };
+        }
+        self.end = ThreadTime::now().as_duration();
+    }
+}
+
+/// The two ends of a pair, whichever comes first.
+fn ends(pair: ColliderPair) -> [(u32, u32); 2] {
+    let mut ends = [pair.collider1, pair.collider2].map(ColliderHandle::into_raw_parts);
+    ends.sort_unstable();
+    ends
+}
+
+/// A copy of a world at one step, for all contestants.
+pub(super) struct Stage {
+    colliders: ColliderSet,
+    bodies: RigidBodySet,
+    joints: ImpulseJointSet,
+    prediction: Real,
+}
+
+impl Stage {
+    pub(super) fn of(world: &World) -> Self {
+        Self {
+            colliders: world.colliders.clone(),
+            bodies: world.bodies.clone(),
+            joints: world.impulse_joints.clone(),
+            prediction: world.params.prediction_distance(),
+        }
+    }
+
+    /// Marks these colliders, and no others, as moved.
+    fn mark(&mut self, moved: &[ColliderHandle]) {
+        for &handle in moved {
+            if let Some(collider) = self.colliders.get_mut(handle) {
+                let position = *collider.position();
+                collider.set_position(position);
+                if !self.joints.is_empty() {
+                    collider.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS);
+                }
+            }
+        }
+    }
+}
+
+/// Leaves out the contacts that joints disable, as `PhysicsPipeline` does and `CollisionPipeline`, which knows of no
+/// joints, does not.
+struct JointFilter<'a>(&'a ImpulseJointSet);
+
+impl PhysicsHooks for JointFilter<'_> {
+    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
+        let bodies = context.rigid_body1.zip(context.rigid_body2);
+        let is_disabled = bodies.is_some_and(|(first, second)| {
+            let mut joints = self.0.joints_between(first, second);
+            joints.any(|(_, joint)| !joint.data.contacts_enabled)
+        });
+        (!is_disabled).then(SolverFlags::default)
+    }
+}

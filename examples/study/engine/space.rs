@@ -1,0 +1,87 @@
+//! Vectors, spelled alike for every flavour of Rapier, and places in `f64`, which errors are measured in.
+
+use super::scenes::rapier::{math::DIM, prelude::*};
+use super::version::Vector;
+use std::borrow::Borrow;
+
+/// The axis along which gravity acts, downward.
+pub(super) const UP: usize = 1;
+
+/// What gravity adds to a velocity in a second.
+pub(super) const GRAVITY: f64 = 9.81;
+
+/// A place or a difference of two.
+pub(super) type Place = [f64; DIM];
+
+/// The place with these coordinates.
+pub(super) fn place(coordinate: impl FnMut(usize) -> f64) -> Place {
+    std::array::from_fn(coordinate)
+}
+
+/// The place at this distance along one axis.
+pub(super) fn along(axis: usize, distance: f64) -> Place {
+    place(|other| if other == axis { distance } else { 0.0 })
+}
+
+/// The place that is shifted by this much.
+pub(super) fn plus(from: Place, by: Place) -> Place {
+    place(|axis| from[axis] + by[axis])
+}
+
+/// How far two places are from each other.
+pub(super) fn distance(a: Place, b: Place) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}
+
+/// Rapier's vector.
+pub(super) fn vector(place: Place) -> Vector {
+    let mut vector = Vector::default();
+    for axis in 0..DIM {
+        vector[axis] = place[axis] as Real;
+    }
+    vector
+}
+
+/// The components of a vector, which one version of Rapier returns by reference, and another by value.
+pub(super) fn components(vector: impl Borrow<Vector>) -> Place {
+    let vector = vector.borrow();
+    place(|axis| f64::from(vector[axis]))
+}
+
+/// Where a body is.
+pub(super) fn place_of(body: &RigidBody) -> Place {
+    components(body.translation())
+}
+
+/// The axes that gravity does not act along.
+pub(super) fn horizontal() -> impl Iterator<Item = usize> {
+    (0..DIM).filter(|&axis| axis != UP)
+}
+
+/// How far apart the two ends are that a joint of these bodies holds together.
+pub(super) fn gap(
+    bodies: &RigidBodySet,
+    joined: [RigidBodyHandle; 2],
+    joint: &GenericJoint,
+) -> f64 {
+    let [first, second]: [&RigidBody; 2] = joined.map(|body| &bodies[body]);
+    let first = first.position() * joint.local_anchor1();
+    let second = second.position() * joint.local_anchor2();
+    components(second - first)
+        .iter()
+        .map(|x| x * x)
+        .sum::<f64>()
+        .sqrt()
+}
+
+/// The pose and the velocities of a body as text: different numbers are different texts.
+pub(super) fn motion(body: &RigidBody) -> String {
+    let motion = (body.position(), body.linvel(), body.angvel());
+    format!("{motion:?}")
+}
+
+/// Whether no number of a body's [motion] is infinite or NaN.
+pub(super) fn is_finite(motion: &str) -> bool {
+    !motion.contains("NaN") && !motion.contains("inf")
+}
