@@ -1,7 +1,7 @@
 //! Figure 3: the time of the pairing phase for each collision.
 
 use crate::Run;
-use crate::published::{Line, lines};
+use crate::published::{LINES, Line};
 use crate::race::{Times, unit_boxes};
 use crate::table1::row;
 use anyhow::Result;
@@ -23,24 +23,19 @@ const PANELS: [(&str, &str); 3] = [
 ];
 
 pub(crate) fn measure(run: &mut Run) -> Result<()> {
-    let lines: Vec<_> = lines().collect();
     let mut curves = [const { Vec::new() }; PANELS.len()];
-    for (group, color) in lines.chunk_by(|a, b| a.density == b.density).zip(COLORS) {
+    for (group, color) in LINES.chunk_by(|a, b| a.0 == b.0).zip(COLORS) {
         let mut points = [const { Vec::new() }; PANELS.len()];
         for line in group {
-            let n = run.choose(1 << (line.size - 7), 1 << line.size);
+            let n = run.choose(1 << (line.1 - 7), 1 << line.1);
             measure_line(run, line, n)?;
             for (points, (_, column)) in points.iter_mut().zip(PANELS) {
-                let y = run.table.number("figure3", &row(line.density, n), column);
+                let y = run.table.number("figure3", &row(line.0, n), column);
                 points.push((n as f64, y.unwrap_or(f64::NAN)));
             }
         }
         for (curves, points) in curves.iter_mut().zip(points) {
-            curves.push(Series::new(
-                format!("d = {}", group[0].density),
-                color,
-                points,
-            ));
+            curves.push(Series::new(format!("d = {}", group[0].0), color, points));
         }
     }
     let panels = PANELS.into_iter().zip(curves).map(|((title, _), curves)| {
@@ -51,8 +46,9 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
 }
 
 fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
+    let &(density, _, [_, _, theirs], [their_collisions, their_pairing]) = line;
     let frames = run.choose(3, FRAMES);
-    let mut drifting = DriftingBoxes::<2>::new(n, line.density, 7);
+    let mut drifting = DriftingBoxes::<2>::new(n, density, 7);
     let mut rank_sweep = RankSweep::<f32, 2>::default().timed();
     let mut grid_sweep = GridSweep::<f32, 2>::default().timed();
     let (mut boxes, mut pairs) = (Vec::new(), Vec::new());
@@ -70,15 +66,15 @@ fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
     }
     let collisions = collisions as f64 / frames as f64;
     let each = |ms: f64, collisions: f64| ms * 1e6 / collisions;
-    let row = row(line.density, n);
+    let row = row(line.0, n);
     for (column, value) in [
-        ("paper: C / 1000", line.collisions),
+        ("paper: C / 1000", their_collisions),
         ("C / 1000", collisions / 1e3),
-        ("paper: t_p, ms", line.pairing),
+        ("paper: t_p, ms", their_pairing),
         ("t_p, ms", pairing.median()),
-        ("paper: share of t_p", line.pairing / line.rank_sweep),
+        ("paper: share of t_p", their_pairing / theirs),
         ("share of t_p", pairing.median() / all.median()),
-        (PANELS[0].1, each(line.pairing, line.collisions * 1e3)),
+        (PANELS[0].1, each(their_pairing, their_collisions * 1e3)),
         (PANELS[1].1, each(pairing.median(), collisions)),
         (PANELS[2].1, each(sweep.median(), collisions)),
     ] {

@@ -1,21 +1,11 @@
 //! The figures of the paper, as printed there.
 
-/// One line of Table 1, milliseconds a frame on a laptop of 2014, and of the table of Figure 3.
-pub(crate) struct Line {
-    pub(crate) density: f64,
-    /// The logarithm of the number of squares, to base 2.
-    pub(crate) size: u32,
-    pub(crate) sweep_and_prune: f64,
-    pub(crate) cgal: f64,
-    pub(crate) rank_sweep: f64,
-    /// Thousands.
-    pub(crate) collisions: f64,
-    /// Milliseconds of the pairing phase.
-    pub(crate) pairing: f64,
-}
+/// Density and the logarithm of the number of squares; milliseconds a frame of [Bar92], [KMZ13] and theirs on a laptop of 2014; thousands
+/// of collisions, and milliseconds of the pairing phase.
+pub(crate) type Line = (f64, u32, [f64; 3], [f64; 2]);
 
-/// Table 1 and the table of Figure 3, line by line: density and size, [Bar92], [KMZ13] and theirs, collisions and pairing phase.
-const LINES: [(f64, u32, [f64; 3], [f64; 2]); 16] = [
+/// Table 1 and the table of Figure 3, by density and then by size.
+pub(crate) const LINES: [Line; 16] = [
     (0.2, 17, [93.0, 90.0, 17.0], [53.0, 7.0]),
     (0.2, 18, [236.0, 199.0, 35.0], [105.0, 14.0]),
     (0.2, 19, [664.0, 438.0, 90.0], [210.0, 48.0]),
@@ -33,21 +23,6 @@ const LINES: [(f64, u32, [f64; 3], [f64; 2]); 16] = [
     (0.8, 19, [1318.0, 504.0, 87.0], [841.0, 48.0]),
     (0.8, 20, [3747.0, 1093.0, 215.0], [1681.0, 137.0]),
 ];
-
-/// The lines, by density and then by size.
-pub(crate) fn lines() -> impl Iterator<Item = Line> {
-    LINES
-        .into_iter()
-        .map(|(density, size, times, [collisions, pairing])| Line {
-            density,
-            size,
-            sweep_and_prune: times[0],
-            cgal: times[1],
-            rank_sweep: times[2],
-            collisions,
-            pairing,
-        })
-}
 
 /// Worst, average and median milliseconds a frame in Figure 4.
 pub(crate) const CONVERGING: [f64; 3] = [17.5, 13.5, 13.2];

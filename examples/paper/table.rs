@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use serde::Serialize;
+use serde_json::Value;
 use std::fmt::{self, Display};
 use std::fs;
 use std::path::Path;
@@ -13,33 +14,8 @@ pub(crate) struct Figure {
     part: &'static str,
     row: String,
     column: String,
+    /// A number or a verdict.
     value: Value,
-}
-
-/// What is in a cell.
-#[derive(Clone, Debug, Serialize)]
-#[serde(untagged)]
-pub(crate) enum Value {
-    Number(f64),
-    Text(&'static str),
-}
-
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl From<usize> for Value {
-    fn from(number: usize) -> Self {
-        Self::Number(number as f64)
-    }
-}
-
-impl From<&'static str> for Value {
-    fn from(text: &'static str) -> Self {
-        Self::Text(text)
-    }
 }
 
 /// All figures, in the order in which they were found.
@@ -65,10 +41,7 @@ impl Table {
     /// The number in a cell, if there is one.
     pub(crate) fn number(&self, part: &str, row: &str, column: &str) -> Option<f64> {
         let is_it = |f: &&Figure| f.part == part && f.row == row && f.column == column;
-        match self.0.iter().find(is_it)?.value {
-            Value::Number(number) => Some(number),
-            Value::Text(_) => None,
-        }
+        self.0.iter().find(is_it)?.value.as_f64()
     }
 
     /// The names of the tables.
@@ -89,9 +62,9 @@ impl Table {
             text += &format!("| {row} |");
             for &column in &columns {
                 let cell = figures.iter().find(|f| f.row == row && f.column == column);
-                text += &match cell.map(|f| &f.value) {
-                    Some(Value::Number(number)) => format!(" {} |", digits(*number)),
-                    Some(Value::Text(words)) => format!(" {words} |"),
+                text += &match cell.map(|figure| &figure.value) {
+                    Some(Value::String(words)) => format!(" {words} |"),
+                    Some(value) => format!(" {} |", digits(value.as_f64().unwrap_or(f64::NAN))),
                     None => " |".to_owned(),
                 };
             }

@@ -1,6 +1,6 @@
 //! Table 1: drifting squares at several numbers and densities, by all methods.
 
-use crate::published::lines;
+use crate::published::LINES;
 use crate::race::{race, unit_boxes};
 use crate::table::count;
 use crate::{Run, method};
@@ -16,10 +16,10 @@ pub(crate) fn row(density: f64, n: usize) -> String {
 }
 
 pub(crate) fn measure(run: &mut Run) -> Result<()> {
-    for line in lines() {
-        let n = run.choose(1 << (line.size - 7), 1 << line.size);
-        let row = row(line.density, n);
-        let mut drifting = DriftingBoxes::<2>::new(n, line.density, 7);
+    for (density, size, [bar92, kmz13, theirs], _) in LINES {
+        let n = run.choose(1 << (size - 7), 1 << size);
+        let row = row(density, n);
+        let mut drifting = DriftingBoxes::<2>::new(n, density, 7);
         let mut methods = method::all();
         let next = |boxes: &mut Vec<_>| {
             drifting.advance();
@@ -28,9 +28,9 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         let outcome = race(&mut methods, run.choose(2, FRAMES), next)?;
         run.table.add("table1", &row, "pairs", outcome.pairs[0]);
         let mut add = |column: &str, value| run.table.add("table1", &row, column, value);
-        add("paper: Bar92", line.sweep_and_prune);
-        add("paper: KMZ13", line.cgal);
-        add("paper: theirs", line.rank_sweep);
+        add("paper: Bar92", bar92);
+        add("paper: KMZ13", kmz13);
+        add("paper: theirs", theirs);
         for (method, times) in methods.iter().zip(&outcome.times) {
             add(method.name, times.median());
         }

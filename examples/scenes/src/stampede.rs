@@ -94,11 +94,6 @@ impl Stampede {
         &self.velocities
     }
 
-    /// The distance from the centre to the outer edge of the ring.
-    pub fn outer_radius(&self) -> f32 {
-        self.radius + self.half_width
-    }
-
     /// Moves on to the next frame; animals avoid those that they form a pair with. Pairs that are not near have no
     /// effect, and those of animals that do not exist are ignored. **O(n + pairs)**.
     pub fn advance(&mut self, pairs: impl IntoIterator<Item = [u32; 2]>) {
@@ -216,8 +211,9 @@ mod tests {
             herd.advance(seen);
         }
         let inner = herd.radius - herd.half_width;
-        let inside =
-            |&[x, y]: &[f32; 2]| (0.7 * inner..=1.3 * herd.outer_radius()).contains(&x.hypot(y));
+        let inside = |&[x, y]: &[f32; 2]| {
+            (0.7 * inner..=1.3 * (herd.radius + herd.half_width)).contains(&x.hypot(y))
+        };
         assert!(herd.places().iter().all(inside));
         let paces = herd.velocities().iter().map(|[x, y]| x.hypot(*y));
         assert!(paces.sum::<f32>() / 300.0 > 3.0);
