@@ -24,6 +24,14 @@ impl BitSet {
         is_new
     }
 
+    /// Adds these numbers, and makes room for all below `capacity`, as these must be.
+    pub(crate) fn insert_all(&mut self, numbers: &[u32], capacity: usize) {
+        self.resize(capacity);
+        for &i in numbers {
+            self.insert(i as usize);
+        }
+    }
+
     /// Whether a number, which must be below the capacity, is in the set.
     #[inline(always)]
     pub(crate) fn contains(&self, i: usize) -> bool {

@@ -7,31 +7,36 @@
 //!
 //! Boxes come from one of two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that
 //! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles between two updates. Either way
-//! each box gets one [`Verdict`].
+//! nearly all are moves of known proxies, which [follow](crate::pair_tracker::ProxyChunk::follow) them; the rest is
+//! [admitted](ProxyTable::admit).
 
 mod changes;
-mod handing_over;
+mod hand_over;
 mod lists;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 #[cfg(test)]
 mod tests;
-mod verdict;
 
 use std::fmt::Debug;
 
-use crate::pair_tracker::{FilterKey, PairTracker};
+use crate::aabb::Aabb;
+use crate::bit_set::BitSet;
+use crate::kernel::Kernel;
+use crate::pair_filter::PairFilter;
+use crate::pair_tracker::{BoxUpdate, FilterKey, PairTracker};
+use crate::real::Real;
+use crate::settings::Settings;
+use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::volume::Volume;
-use crate::{Aabb, Kernel, PairFilter, Real, Settings, Stats};
 pub(crate) use changes::{Changes, Order};
-use handing_over::Awaited;
+use hand_over::Pending;
 pub(crate) use lists::Lists;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
-use verdict::Verdict;
 
 /// What an engine knows a collider by: a slot, and a generation.
 pub(crate) trait Handle: Copy + Debug + Send + Sync {
@@ -94,12 +99,14 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     known_slots: usize,
     /// What is remembered of the collider in each slot, as many as generations.
     memos: Vec<M>,
-    /// `proxies` and `refused` are current (a known collider without a box is refused); the rest is as of the last update.
+    /// How many colliders are known.
+    known: usize,
+    /// `proxies`, the known colliders that have a box, is current; the rest is as of the last update.
     stats: Stats,
     has_warned: bool,
     gathered: Gathered,
     /// In the order in which their boxes were handed over.
-    awaited: Awaited<R, D>,
+    pending: Pending<R, D>,
     reader: Reader,
 }
 
@@ -135,10 +142,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             generations: Vec::new(),
             known_slots: 0,
             memos: Vec::new(),
+            known: 0,
             stats: Stats::default(),
             has_warned: false,
             gathered: Gathered::default(),
-            awaited: Awaited::new(),
+            pending: Pending::new(),
             reader: Reader::default(),
         }
     }
@@ -146,18 +154,20 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// What it holds, and what the last update did. **O(1)**.
     pub(crate) fn stats(&self) -> Stats {
         let mut stats = self.stats;
+        // What has no box is refused.
+        stats.refused = self.known - stats.proxies;
         self.tracker.describe(&mut stats);
         stats
     }
 
     /// The boxes by slot; invalid where there is none.
     pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
-        self.tracker.boxes()
+        self.tracker.proxies.boxes()
     }
 
     /// The slots whose boxes have been handed over or taken away since the last update; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
-        self.tracker.touched()
+        self.tracker.proxies.touched()
     }
 
     /// The slots whose boxes the last update has renewed or taken away; may repeat.
@@ -177,20 +187,22 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// Calls `visit` with one of these handles and that of a neighbour, for each pair whose boxes overlapped at the end of the last
     /// update, and that only its volumes tell apart. **O(candidates)**.
-    pub(crate) fn near<H: Handle>(&mut self, handles: &[H], mut visit: impl FnMut(H, H)) {
+    pub(crate) fn near<H: Handle>(&self, handles: &[H], mut visit: impl FnMut(H, H)) {
+        if handles.is_empty() || !self.tracker.proxies.volumes().are_used() {
+            return;
+        }
         let slots = handles.iter().filter_map(|&handle| self.slot_of(handle));
-        let mut slots: Vec<_> = slots.collect();
-        slots.sort_unstable();
-        let generations = &self.generations;
-        let is_known = |slot: u32| generations[slot as usize].is_some();
-        self.tracker.near(&slots, |[a, b]| {
+        let mut are_listed = BitSet::default();
+        are_listed.insert_all(&slots.collect::<Vec<_>>(), self.generations.len());
+        for [a, b] in self.tracker.near() {
             for [slot, other] in [[a, b], [b, a]] {
-                if slots.binary_search(&slot).is_ok() && is_known(other) {
-                    let [first, second] = self::handles(generations, [slot, other]);
+                let is_known = || self.generations[other as usize].is_some();
+                if are_listed.contains(slot as usize) && is_known() {
+                    let [first, second] = self.handles([slot, other]);
                     visit(first, second);
                 }
             }
-        });
+        }
     }
 
     /// The slot of a handle, if it is known to have the handle's collider.
@@ -207,12 +219,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let index = slot as usize;
         self.generations[index] = None;
         self.memos[index] = M::default();
-        if self.tracker.get(slot).is_some() {
-            self.stats.proxies -= 1;
-        } else {
-            self.stats.refused -= 1;
-        }
-        self.tracker.remove(slot);
+        self.known -= 1;
+        self.stats.proxies -= usize::from(self.tracker.proxies.get(slot).is_some());
+        self.tracker.proxies.remove(slot);
     }
 
     /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
@@ -228,7 +237,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for &handle in lists.removed {
             self.remove(handle);
         }
-        self.admit_awaited(lists.removed, source, margin);
+        self.admit_pending(lists.removed, source, margin);
         let mut reader = std::mem::take(&mut self.reader);
         reader.read(self, lists.modified, source, margin);
         self.reader = reader;
@@ -244,7 +253,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// Begins an update, if none has begun, or goes on with it.
     fn begin(&mut self, margin: R) {
-        self.tracker.note_margin(margin);
+        self.tracker.proxies.note_margin(margin);
         if !std::mem::replace(&mut self.gathered.is_begun, true) {
             self.tracker.stopwatch.times = PhaseTimes::default();
         }
@@ -255,7 +264,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if slots > self.generations.len() {
             self.generations.resize(slots, None);
             self.memos.resize(slots, M::default());
-            self.tracker.make_room(slots);
+            self.tracker.proxies.make_room(slots);
         }
     }
 
@@ -265,15 +274,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         for &handle in handles {
-            let slot = self.slot_of(handle);
-            let Some(slot) = slot.filter(|&slot| self.tracker.get(slot).is_some()) else {
+            let Some(slot) = self.slot_of(handle) else {
                 continue;
             };
-            let memo = &mut self.memos[slot as usize];
-            let read = source.read(handle, memo);
-            if let Some((aabb, _)) = read.filter(|(aabb, _)| *aabb != self.tracker.slot_box(slot)) {
-                self.tracker.place(slot, aabb);
-                self.gathered.moved += 1;
+            let read = source.read(handle, &mut self.memos[slot as usize]);
+            let held = self.tracker.proxies.get(slot);
+            if let (Some((aabb, _)), Some(held)) = (read, held) {
+                if aabb != *held {
+                    self.tracker.proxies.place(slot, aabb);
+                    self.gathered.moved += 1;
+                }
             }
         }
     }
@@ -283,19 +293,21 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        let are_used = self.tracker.volumes().are_used();
+        let proxies = &mut self.tracker.proxies;
+        let are_used = proxies.volumes().are_used();
         for &handle in handles {
-            let Some(slot) = self.slot_of(handle) else {
+            let (slot, generation) = handle.into_raw_parts();
+            if !is_known(&self.generations, slot, generation) {
                 continue;
-            };
+            }
             let memo = &mut self.memos[slot as usize];
             let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
             else {
                 continue;
             };
-            self.tracker.set_key(slot, key);
-            if are_used && self.tracker.volumes().get(slot).kind != volume.kind {
-                self.tracker.set_volume(slot, &volume, false);
+            proxies.set_key(slot, key);
+            if are_used && proxies.volumes().get(slot).kind != volume.kind {
+                proxies.set_volume(slot, &volume, false);
             }
         }
     }
@@ -308,67 +320,79 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         margin: R,
         read: impl FnOnce(&mut M) -> Option<Reading<R, D, K>>,
     ) {
-        let (slot, generation) = handle.into_raw_parts();
-        let index = slot as usize;
-        let mut memo = match self.slot_of(handle) {
-            Some(_) => std::mem::take(&mut self.memos[index]),
-            None => M::default(),
-        };
-        let Some(Reading { aabb, key, volume }) = read(&mut memo) else {
+        let slot = self.slot_of(handle);
+        let mut memo = slot.map_or_else(M::default, |slot| {
+            std::mem::take(&mut self.memos[slot as usize])
+        });
+        let Some(reading) = read(&mut memo) else {
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
+        let slot = slot.unwrap_or_else(|| self.add(handle));
+        self.memos[slot as usize] = memo;
+        self.renew(handle, reading, margin);
+    }
+
+    /// Adds a collider that is not known, without a box. Returns its slot.
+    #[inline(always)]
+    fn add<H: Handle>(&mut self, handle: H) -> u32 {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
         // Needed even if the box is invalid: updates are planned by the number of slots.
         self.make_room(index + 1);
-        match self.generations[index] {
-            Some(known) if known == generation => {}
-            known => {
-                if let Some(outdated) = known {
-                    // Its removal was not reported.
-                    self.remove(H::from_raw_parts(slot, outdated));
-                }
-                self.generations[index] = Some(generation);
-                self.known_slots = self.known_slots.max(index + 1);
-                // Until its box turns out to be valid.
-                self.stats.refused += 1;
-            }
+        if let Some(outdated) = self.generations[index] {
+            // Its removal was not reported.
+            self.remove(H::from_raw_parts(slot, outdated));
         }
-        self.memos[index] = memo;
-        let renews_box = key.renews_box(self.tracker.key(slot));
-        self.tracker.set_key(slot, key);
-        let held = self.tracker.slot_box(slot);
-        let verdict = match Verdict::of(&held, &aabb, margin) {
-            Verdict::Keep | Verdict::Renew(_) if renews_box => Verdict::Renew(aabb),
-            verdict => verdict,
+        self.generations[index] = Some(generation);
+        self.known_slots = self.known_slots.max(index + 1);
+        self.known += 1;
+        slot
+    }
+
+    /// Brings the proxy of a known collider up to date with what was read.
+    #[inline(always)]
+    fn renew(&mut self, handle: impl Handle, reading: Reading<R, D, K>, margin: R) {
+        let Reading { aabb, key, volume } = reading;
+        let slot = handle.into_raw_parts().0;
+        let proxies = &mut self.tracker.proxies;
+        let renews_box = key.renews_box(proxies.key(slot));
+        proxies.set_key(slot, key);
+        let update = BoxUpdate::of(&proxies.boxes()[slot as usize], &aabb, margin);
+        let renewed = match update {
+            BoxUpdate::Keep if !renews_box => None,
+            BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
+            // A new box gets no margin, as in Rapier: what never moves never needs one.
+            _ => Some(aabb),
         };
-        self.tracker
-            .set_volume(slot, &volume, verdict != Verdict::Keep);
-        match verdict {
-            Verdict::Keep => {}
-            Verdict::Renew(renewed) => {
-                self.tracker.place(slot, renewed);
+        proxies.set_volume(slot, &volume, renewed.is_some());
+        match renewed {
+            None => {}
+            Some(renewed) if renewed.is_valid() => {
+                self.place(slot, renewed);
                 self.gathered.moved += 1;
             }
-            Verdict::Recheck if aabb.is_valid() => {
-                // A new box gets no margin, as in Rapier: what never moves never needs one.
-                self.tracker.place(slot, aabb);
-                self.gathered.moved += 1;
-                self.stats.proxies += 1;
-                self.stats.refused -= 1;
-            }
-            Verdict::Recheck => self.refuse(handle, aabb),
+            Some(_) => self.refuse(handle, aabb),
         }
+    }
+
+    /// Places or moves the proxy of a slot. `aabb` must be valid.
+    #[inline(always)]
+    fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
+        let is_known = self.generations[slot as usize].is_some();
+        let is_new = is_known && self.tracker.proxies.get(slot).is_none();
+        self.stats.proxies += usize::from(is_new);
+        self.tracker.proxies.place(slot, aabb);
     }
 
     /// Leaves a collider out, because its box is not valid.
     #[cold]
     fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;
-        if self.tracker.get(slot).is_some() {
-            self.tracker.refuse(slot);
+        if self.tracker.proxies.get(slot).is_some() {
+            self.tracker.proxies.clear_box(slot);
             self.gathered.moved += 1;
             self.stats.proxies -= 1;
-            self.stats.refused += 1;
         }
         if !self.has_warned {
             self.has_warned = true;
@@ -423,18 +447,17 @@ fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
 impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
-        assert_eq!(self.generations.len(), self.tracker.slots());
+        assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
         let unknown = self.generations.get(self.known_slots..);
         let unknown = unknown.expect("there are at least as many slots as known ones");
         assert!(unknown.iter().all(Option::is_none));
-        let known = self.generations.iter().flatten().count();
-        assert_eq!(self.stats.proxies + self.stats.refused, known);
+        assert_eq!(self.generations.iter().flatten().count(), self.known);
         let mut proxies = 0;
-        for (slot, _) in self.tracker.proxies() {
+        for (slot, _) in self.tracker.proxies.iter() {
             let is_known = self.generations[slot as usize].is_some();
-            let is_awaited = || self.awaited.keys().any(|&(awaited, _)| awaited == slot);
-            assert!(is_known || is_awaited());
+            let is_pending = || self.pending.keys().any(|&(pending, _)| pending == slot);
+            assert!(is_known || is_pending());
             proxies += usize::from(is_known);
         }
         assert_eq!(self.stats.proxies, proxies);

@@ -5,59 +5,34 @@
 //! kept up to date until all candidates are replaced.
 
 mod array;
+mod comparing;
 mod lists;
-mod proxies;
+mod pair_rules;
 mod retired;
 mod state;
 
-use super::policy::{self, Extent};
+use super::policy::{self, CompareMode, ListState};
+use super::proxies::Proxies;
 use super::{FilterKey, PairChange};
+use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
-use crate::slot_set::SlotSet;
-use crate::{Aabb, Real, Work};
+use crate::real::Real;
+use crate::stats::Work;
 use array::CandidateArray;
+use comparing::Comparing;
 use lists::CandidateLists;
-pub(super) use lists::ListState;
-pub(super) use proxies::Proxies;
 
 /// The candidates, and the lists through them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
     array: CandidateArray,
     lists: CandidateLists,
-    /// Scratch: the slots whose candidates are picked, and those candidates.
+    /// Scratch: the slots whose candidates are compared, and those candidates.
     slots: BitSet,
     rows: BitSet,
 }
 
 impl Candidates {
-    /// The held pairs.
-    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.array.held()
-    }
-
-    /// Calls `visit` with each candidate of one of these slots whose boxes overlap, and that is not held. There are `count` slots in
-    /// all.
-    pub(super) fn near_of(&mut self, of: &[u32], count: usize, visit: impl FnMut([u32; 2])) {
-        let Self { array, slots, .. } = self;
-        slots.resize(count);
-        for &slot in of {
-            slots.insert(slot as usize);
-        }
-        let is_one = slots.lookup();
-        let near = array.near().map(|(_, pair)| pair);
-        near.filter(|pair| pair.iter().any(|&slot| is_one(slot as usize)))
-            .for_each(visit);
-        drop(is_one);
-        slots.clear_around(of);
-    }
-
-    /// The candidates whose boxes overlap, and that are not held.
-    #[cfg(feature = "serde-serialize")]
-    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.array.near().map(|(_, pair)| pair)
-    }
-
     /// The candidates that were `found` for boxes that are as large as their fat boxes, of which those in `near` are not held.
     ///
     /// # Errors
@@ -73,13 +48,23 @@ impl Candidates {
         })
     }
 
+    /// The held pairs.
+    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.array.held()
+    }
+
+    /// The candidates whose boxes overlap, and that are not held.
+    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.array.near()
+    }
+
     pub(super) fn held_count(&self) -> usize {
-        self.array.held_count()
+        self.array.held_count
     }
 
     /// How many candidates overlap, held or not.
     pub(super) fn overlapping_count(&self) -> usize {
-        self.array.overlapping_count()
+        self.array.overlapping_count
     }
 
     /// All candidates, held or not.
@@ -109,7 +94,13 @@ impl Candidates {
         report: &mut impl FnMut(PairChange),
     ) {
         self.lists.forget();
-        self.array.replace(found, proxies, report);
+        let array = &mut self.array;
+        let mut comparing = Comparing {
+            array,
+            proxies,
+            report,
+        };
+        comparing.replace(found);
     }
 
     /// Adds candidates.
@@ -119,53 +110,87 @@ impl Candidates {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        let first = self.array.rows();
-        self.array.extend(found, proxies, report);
-        self.lists.extend(&self.array, first, proxies.now.len());
+        let array = &mut self.array;
+        let first = array.rows();
+        let mut comparing = Comparing {
+            array,
+            proxies,
+            report,
+        };
+        comparing.extend(found);
+        self.lists.extend(&self.array, first, proxies.len());
     }
 
-    /// Brings the candidates of the `touched` up to date with the present boxes, and retires those of the `escaped`, which
-    /// must be among the `touched`. Looks at all candidates, or at those of the `touched` only. Returns what it took.
+    /// Brings the candidates of what was touched up to date with the present boxes, and retires those of the leavers. Looks at all
+    /// candidates, or only at these. Returns what it took.
     ///
     /// Picking a few candidates out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are
     /// for very few.
     pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
         &mut self,
-        extent: Extent,
-        touched: &[u32],
-        escaped: &SlotSet,
+        mode: CompareMode,
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) -> Work {
         let mut work = Work::default();
-        match extent {
-            Extent::All => {
-                self.compare_all(escaped, proxies, report);
-                work.compared = self.rows();
+        match mode {
+            CompareMode::All => self.compact(),
+            CompareMode::Listed if !self.lists.state().are_made => {
+                self.compact();
+                self.lists.make(&self.array, proxies.len());
             }
-            Extent::Picked { lists_are_missed } => {
-                work.picked = self.rows();
-                work.compared = self.compare_picked(escaped, touched, proxies, report);
+            _ => {}
+        }
+        let Self {
+            array,
+            lists,
+            slots,
+            rows,
+        } = self;
+        let touched = proxies.touched();
+        let mut comparing = Comparing {
+            array,
+            proxies,
+            report,
+        };
+        match mode {
+            CompareMode::All => {
+                if comparing.compare_all(rows) {
+                    lists.forget();
+                }
+                work.compared = array.rows();
+            }
+            CompareMode::Picked { lists_are_missed } => {
+                work.picked = comparing.array.rows();
+                slots.insert_all(touched, proxies.len());
+                let is_touched = slots.lookup();
+                comparing.array.pick(rows, |slot| is_touched(slot as usize));
+                drop(is_touched);
+                for row in rows.iter() {
+                    work.compared += 1;
+                    comparing.compare_or_retire(row);
+                }
+                slots.clear_around(touched);
                 if lists_are_missed {
-                    self.lists.miss();
+                    lists.miss();
                 }
             }
-            Extent::Listed => {
-                if !self.lists.state().are_made {
-                    self.compact();
-                    self.lists.make(&self.array, proxies.now.len());
+            CompareMode::Listed => {
+                for &slot in proxies.leavers.slots() {
+                    lists.take(slot, |row| comparing.retire(row));
                 }
-                self.compare_listed(touched, escaped, proxies, report);
+                for &slot in touched {
+                    lists.walk(slot, |row| comparing.compare(row));
+                }
                 work.walked = touched.len();
             }
         }
         work
     }
 
-    /// Brings the candidates of the `stirred`, of which no box was renewed, up to date with the present volumes.
-    pub(super) fn compare_stirred<R: Real, const D: usize, K: FilterKey>(
+    /// Brings the candidates of what has another volume in the same box up to date.
+    pub(super) fn compare_volumes<R: Real, const D: usize, K: FilterKey>(
         &mut self,
-        stirred: &[u32],
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
@@ -175,91 +200,22 @@ impl Candidates {
             slots,
             rows,
         } = self;
-        if lists.state().are_made && policy::is_walking_cheaper(stirred.len(), array.rows()) {
-            for &slot in stirred {
-                lists.walk(slot, |row| {
-                    array.compare(row, proxies, report);
-                    array.get(row).is_some()
-                });
+        let revolumed = &proxies.notes.revolumed;
+        let is_walking_cheaper = policy::is_walking_cheaper(revolumed.len(), array.rows());
+        let mut comparing = Comparing {
+            array,
+            proxies,
+            report,
+        };
+        if lists.state().are_made && is_walking_cheaper {
+            for &slot in revolumed {
+                lists.walk(slot, |row| comparing.compare(row));
             }
             return;
         }
-        slots.resize(proxies.now.len());
-        for &slot in stirred {
-            slots.insert(slot as usize);
-        }
-        let is_stirred = slots.lookup();
-        let has_stirred = |[a, b]: [u32; 2]| is_stirred(a as usize) | is_stirred(b as usize);
-        array.compare_near(rows, has_stirred, proxies, report);
-        drop(is_stirred);
-        slots.clear_around(stirred);
-    }
-
-    fn compare_all<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        escaped: &SlotSet,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self { array, rows, .. } = self;
-        let mut is_changed = array.compact();
-        is_changed |= array.compare_all(rows, escaped, proxies, report);
-        if is_changed {
-            self.lists.forget();
-        }
-    }
-
-    /// Returns how many were picked.
-    fn compare_picked<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        escaped: &SlotSet,
-        touched: &[u32],
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) -> usize {
-        let Self {
-            array, slots, rows, ..
-        } = self;
-        slots.resize(proxies.now.len());
-        for &slot in touched {
-            slots.insert(slot as usize);
-        }
-        let is_touched = slots.lookup();
-        array.pick(rows, |slot| is_touched(slot as usize));
-        drop(is_touched);
-        let mut count = 0;
-        for row in rows.iter() {
-            count += 1;
-            if array
-                .get(row)
-                .is_some_and(|pair| pair.iter().any(|&slot| escaped.contains(slot)))
-            {
-                array.retire(row, proxies, report);
-            } else {
-                array.compare(row, proxies, report);
-            }
-        }
-        slots.clear_around(touched);
-        count
-    }
-
-    fn compare_listed<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        touched: &[u32],
-        escaped: &SlotSet,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self { array, lists, .. } = self;
-        for &slot in escaped.slots() {
-            lists.take(slot, |row| array.retire(row, proxies, report));
-        }
-        for &slot in touched {
-            lists.walk(slot, |row| {
-                array.compare(row, proxies, report);
-                array.get(row).is_some()
-            });
-        }
+        slots.insert_all(revolumed, proxies.len());
+        comparing.compare_near(rows, slots.lookup());
+        slots.clear_around(revolumed);
     }
 
     /// Removes the tombstones if they are more than half of all rows.
@@ -286,11 +242,5 @@ impl Candidates {
     ) {
         self.array.validate(now, volumes_meet);
         self.lists.validate(&self.array);
-    }
-
-    /// How many tombstones there are.
-    #[cfg(test)]
-    pub(super) fn tombstones(&self) -> usize {
-        self.array.rows() - self.array.len()
     }
 }

@@ -1,6 +1,6 @@
-//! For how many moves ahead fat boxes are drawn.
+//! For how many moves ahead boxes are inflated.
 //!
-//! The farther ahead, the fewer searches and the more candidates to compare. What pays depends on how far a box gets: fat boxes are drawn
+//! The farther ahead, the fewer searches and the more candidates to compare. What pays depends on how far a box gets: boxes are inflated
 //! for as many moves as take boxes half their size ahead on average, and for no more than [`LONGEST`], for sooner or later things turn. Finding the
 //! best number scene by scene, by what each has cost, was tried and gains nothing on that.
 
@@ -39,7 +39,7 @@ impl Foresight {
         self.is_fixed
     }
 
-    /// The horizon to draw fat boxes by.
+    /// The horizon to inflate boxes by.
     pub(super) fn horizon(self) -> Horizon {
         Horizon::new(self.moves)
     }

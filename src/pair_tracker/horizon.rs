@@ -1,14 +1,15 @@
-//! How far ahead a proxy's fat box is drawn.
+//! How far ahead a proxy's fat box reaches.
 //!
 //! Searching is expensive, and comparing two boxes that are known to be near each other is cheap. So each proxy has a
 //! *fat box* around its box, and the search is for overlapping pairs of fat boxes, the candidates. While boxes stay
 //! inside their fat boxes, only the candidates have to be looked at.
 //!
-//! Things keep going where they went: the fat box is the box, drawn out in the direction of its last move as far as it
+//! Things keep going where they went: the fat box is the box, inflated in the direction of its last move as far as it
 //! will get in a number of further moves, and by a skin to all sides.
 
+use crate::aabb::Aabb;
+use crate::real::Real;
 use crate::tuning::foresight::{SKIN, SPEED_SAMPLE, WIDEST_SKIN};
-use crate::{Aabb, Real};
 
 /// For how many moves ahead a proxy is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! What an update does: a function from what is known to a plan.
+//! What an update does: a function from a few numbers to a plan.
 //!
 //! Comparing boxes that are known to be near each other is cheap. Looking a few boxes up among all others costs more. A
 //! full run, a search for all pairs, costs most, but it postpones the next ones. The costs are in `tuning`.
@@ -6,36 +6,35 @@
 #[cfg(test)]
 mod tests;
 
-use super::candidates::ListState;
 use super::foresight::Foresight;
 use super::layers::AboveBase;
-use crate::Work;
+use crate::stats::Work;
 use crate::tuning::prices::{FOUND, LOOKED_UP, PICKED, SEARCHED, WALKED};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, FULL_RUN_SLACK, LISTS_COST, MOST_CANDIDATES};
 
 /// What decides the plan of an update.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
+pub(super) struct PlanInputs {
     /// Slots there is room for.
     pub(super) slots: usize,
-    /// Slots that were touched: their proxies were placed, refused or removed. A slot may count more than once.
+    /// Slots that were touched: their boxes or keys were written. A slot may count more than once.
     pub(super) touched: usize,
     /// Slots whose volume has changed, and not their box. May count more than once, and may have been touched as well.
-    pub(super) stirred: usize,
-    /// Touched slots whose proxies have left their fat boxes, have none yet, or are gone.
-    pub(super) escaped: usize,
+    pub(super) revolumed: usize,
+    /// Touched slots whose boxes have left their fat boxes, have none yet, or are gone.
+    pub(super) leavers: usize,
     pub(super) candidates: usize,
     /// Rows of the candidates, tombstones included.
     pub(super) rows: usize,
     pub(super) lists: ListState,
-    /// Whether escaped proxies may be looked up.
+    /// Whether leavers may be looked up.
     pub(super) are_layers_used: bool,
     /// What is above the base layer, if the base layer is sorted.
     pub(super) above_base: Option<AboveBase>,
-    /// How far ahead the present fat boxes are drawn.
+    /// How far ahead the present fat boxes reach.
     pub(super) foresight: Foresight,
     /// What searching has cost in all updates since the last full run, that run included.
-    pub(super) spent: Spent,
+    pub(super) cost: Cost,
 }
 
 /// What an update does.
@@ -44,16 +43,16 @@ pub(super) enum Plan {
     /// Nothing was touched.
     Nothing,
     /// Nothing has left its fat box: candidates are compared.
-    Compare(Extent),
+    Compare(CompareMode),
     /// Little has: it is looked up in the layers, then candidates are compared.
-    LookUp(Extent),
-    /// Much has, or is about to: all fat boxes are drawn anew by this foresight, and all pairs searched for.
+    LookUp(CompareMode),
+    /// Much has, or is about to: what has moved is inflated anew with this foresight, and all pairs are searched for.
     FullRun(Foresight),
 }
 
 /// Which candidates are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Extent {
+pub(super) enum CompareMode {
     /// All, in order.
     All,
     /// Those of the touched slots, picked from all. `lists_are_missed` if lists would have been useful.
@@ -62,56 +61,71 @@ pub(super) enum Extent {
     Listed,
 }
 
+/// Whether there are lists of the candidates of each slot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct ListState {
+    pub(super) are_made: bool,
+    /// How often they would have been useful while there were none.
+    pub(super) missed: u32,
+}
+
+impl ListState {
+    /// The most rows that 32-bit links can tell apart.
+    pub(super) const MOST_ROWS: usize = 1 << 30;
+}
+
 impl Plan {
     /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full run.
-    pub(super) fn of(known: &Known, mean_speed: impl FnOnce() -> Option<f64>) -> Self {
-        if known.touched + known.stirred == 0 {
+    pub(super) fn of(inputs: &PlanInputs, mean_speed: impl FnOnce() -> Option<f64>) -> Self {
+        if inputs.touched + inputs.revolumed == 0 {
             return Self::Nothing;
         }
-        if known.is_full_run_due() {
-            return Self::FullRun(known.foresight.renewed(mean_speed));
+        if inputs.is_full_run_due() {
+            return Self::FullRun(inputs.foresight.renewed(mean_speed));
         }
-        let extent = known.extent();
-        match known.escaped {
-            0 => Self::Compare(extent),
-            _ => Self::LookUp(extent),
+        let mode = inputs.compare_mode();
+        match inputs.leavers {
+            0 => Self::Compare(mode),
+            _ => Self::LookUp(mode),
         }
     }
 }
 
-impl Known {
+impl PlanInputs {
     fn is_full_run_due(&self) -> bool {
         let Some(above_base) = self.above_base.filter(|_| self.are_layers_used) else {
-            return self.escaped > 0;
+            return self.leavers > 0;
         };
-        if self.escaped == 0 {
+        if self.leavers == 0 {
             return false;
         }
-        let [escaped, slots, found] = [self.escaped, self.slots, self.candidates].map(to_u64);
+        let [leavers, slots, found] = [self.leavers, self.slots, self.candidates].map(to_u64);
         let full_run = SEARCHED * slots + FOUND * found;
         // Each finds all candidates of its own, which are those of another as well.
-        let found_by_look_ups = found.min(found.saturating_mul(2 * escaped) / slots);
-        let look_ups = LOOKED_UP * escaped
-            + SEARCHED * (to_u64(above_base.recent) + escaped)
+        let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
+        let look_ups = LOOKED_UP * leavers
+            + SEARCHED * (to_u64(above_base.recent) + leavers)
             + FOUND * found_by_look_ups;
-        // As long as an update costs less than the mean since the last full run, that run still pays. Fat boxes that were drawn
+        // As long as an update costs less than the mean since the last full run, that run still pays. Fat boxes made
         // at one time tend to be left at one time; then it no longer does.
-        let mean = self.spent.searching / self.spent.updates.max(1);
-        look_ups > mean.saturating_add(full_run / FULL_RUN_SLACK) || above_base.spent > self.slots
+        let mean = self.cost.searching / self.cost.updates.max(1);
+        look_ups > mean.saturating_add(full_run / FULL_RUN_SLACK) || above_base.cost > self.slots
     }
 
-    fn extent(&self) -> Extent {
+    fn compare_mode(&self) -> CompareMode {
         if are_most_touched(self.touched, self.slots) {
-            return Extent::All;
+            return CompareMode::All;
         }
         let is_cheaper = is_walking_cheaper(self.touched, self.rows);
         let are_few = is_cheaper && self.rows <= ListState::MOST_ROWS;
         match self.lists {
-            _ if !are_few => Extent::Picked {
+            _ if !are_few => CompareMode::Picked {
                 lists_are_missed: false,
             },
-            ListState { are_made, missed } if are_made || missed >= LISTS_COST => Extent::Listed,
-            _ => Extent::Picked {
+            ListState { are_made, missed } if are_made || missed >= LISTS_COST => {
+                CompareMode::Listed
+            }
+            _ => CompareMode::Picked {
                 lists_are_missed: true,
             },
         }
@@ -120,22 +134,22 @@ impl Known {
 
 /// What searching has cost in some updates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Spent {
+pub(super) struct Cost {
     pub(super) updates: u64,
     pub(super) searching: u64,
 }
 
-impl Spent {
+impl Cost {
     /// Adds an update.
     pub(super) fn add(&mut self, work: &Work) {
-        let priced = [
+        let counts = [
             (work.looked_up, LOOKED_UP),
             (work.searched, SEARCHED),
             (work.found, FOUND),
         ];
         self.updates = self.updates.saturating_add(1);
-        for (count, price) in priced {
-            let cost = price.saturating_mul(to_u64(count));
+        for (count, cost) in counts {
+            let cost = cost.saturating_mul(to_u64(count));
             self.searching = self.searching.saturating_add(cost);
         }
     }

@@ -8,10 +8,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::candidates::Candidates;
+use super::validation::{overlapping, set_of};
 use super::volumes::VolumesSnapshot;
-use super::{FilterKey, PairTracker, overlapping};
-use crate::slot_set::SlotSet;
-use crate::{Aabb, Kernel, Real};
+use super::{FilterKey, PairTracker};
+use crate::aabb::Aabb;
+use crate::kernel::Kernel;
+use crate::real::Real;
 
 /// What decides the changes to come.
 #[derive(Serialize, Deserialize)]
@@ -28,7 +30,8 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
     volumes: VolumesSnapshot<R>,
     /// The slots whose volumes have changed since the last `finish`.
-    stirred: Vec<u32>,
+    #[serde(rename = "stirred")]
+    revolumed: Vec<u32>,
     /// The pairs whose boxes overlap and that are not held, by their volumes alone.
     near: Vec<[u32; 2]>,
     full_runs: u64,
@@ -48,26 +51,26 @@ struct Proxy<R, const D: usize, K> {
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
-        debug_assert!(self.former_keys.is_empty(), "an update has begun");
-        let proxies = self.previous.iter().zip(&self.keys);
+        let proxies = &self.proxies;
+        debug_assert!(proxies.former_keys.is_empty(), "an update has begun");
+        let by_slot = || proxies.previous.iter().zip(&proxies.keys);
         let proxy =
             |(&aabb, &key): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, key });
-        let mut near: Vec<_> = self.candidates.near().collect();
-        near.sort_unstable();
-        let other_keys = (0..).zip(self.previous.iter().zip(&self.keys));
-        let other_keys = other_keys
+        let other_keys = (0..)
+            .zip(by_slot())
             .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
             .map(|(slot, (_, &key))| (slot, key));
-        let touched = self
-            .touched
-            .iter()
-            .map(|&slot| (slot, self.get(slot).copied()));
+        let touched = proxies.touched().iter();
+        let mut near: Vec<_> = self.candidates.near().collect();
+        near.sort_unstable();
         TrackerSnapshot {
-            proxies: proxies.map(proxy).collect(),
+            proxies: by_slot().map(proxy).collect(),
             other_keys: other_keys.collect(),
-            touched: touched.collect(),
-            volumes: self.volumes.snapshot(),
-            stirred: self.stirred.clone(),
+            touched: touched
+                .map(|&slot| (slot, proxies.get(slot).copied()))
+                .collect(),
+            volumes: proxies.volumes.snapshot(),
+            revolumed: proxies.notes.revolumed.clone(),
             near,
             full_runs: self.full_runs,
         }
@@ -81,35 +84,25 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         &mut self,
         snapshot: TrackerSnapshot<R, D, K>,
     ) -> Result<(), &'static str> {
-        let TrackerSnapshot {
-            proxies,
-            other_keys,
-            touched,
-            volumes,
-            stirred,
-            near,
-            full_runs,
-        } = snapshot;
-        if u32::try_from(proxies.len()).is_err() {
+        let slots = snapshot.proxies.len();
+        if u32::try_from(slots).is_err() {
             return Err("snapshot: there are more slots than 32-bit indices");
         }
-        for proxy in proxies {
-            let aabb = proxy.as_ref().map(|proxy| proxy.aabb);
-            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
-                return Err("snapshot: a box is not valid");
+        self.full_runs = snapshot.full_runs;
+        let proxies = &mut self.proxies;
+        proxies.make_room(slots);
+        for (slot, proxy) in snapshot.proxies.into_iter().enumerate() {
+            if let Some(Proxy { aabb, key }) = proxy {
+                if !aabb.is_valid() {
+                    return Err("snapshot: a box is not valid");
+                }
+                proxies.previous[slot] = aabb;
+                proxies.keys[slot] = key;
             }
-            self.previous.push(aabb.unwrap_or(Aabb::ABSENT));
-            self.keys
-                .push(proxy.map_or(K::default(), |proxy| proxy.key));
         }
-        // Each fat box is its box, so what moves is searched for at once.
-        self.fat_boxes.clone_from(&self.previous);
-        for (slot, key) in other_keys {
-            match (
-                self.keys.get_mut(slot as usize),
-                self.previous.get(slot as usize),
-            ) {
-                (Some(known), Some(before)) if !before.is_valid() => *known = key,
+        for (slot, key) in snapshot.other_keys {
+            match proxies.previous.get(slot as usize) {
+                Some(before) if !before.is_valid() => proxies.keys[slot as usize] = key,
                 _ => {
                     return Err(
                         "snapshot: a spare filter key names a slot that is out of range or has a proxy",
@@ -117,58 +110,39 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 }
             }
         }
-        self.full_runs = full_runs;
-        self.are_filtered = self.keys.iter().any(|&key| key != K::default());
-        let found = overlapping(Kernel::GridSweep, &self.fat_boxes, &self.keys);
-        self.volumes.restore(volumes, self.previous.len())?;
-        self.candidates = Candidates::restored(found, near)?;
-        self.restore_touched(touched)?;
-        self.restore_stirred(stirred)
-    }
-
-    /// Stirs slots again, as they were stirred since the last `finish`.
-    fn restore_stirred(&mut self, stirred: Vec<u32>) -> Result<(), &'static str> {
-        let slots = self.boxes.len();
-        if stirred.iter().any(|&slot| slot as usize >= slots) {
-            return Err("snapshot: a volume has changed whose slot is out of range");
+        proxies.are_filtered = proxies.keys.iter().any(|&key| key != K::default());
+        proxies.volumes.restore(snapshot.volumes, slots)?;
+        // Each fat box is its box, so what moves is searched for at once.
+        proxies.fat_boxes.clone_from(&proxies.previous);
+        proxies.boxes.clone_from(&proxies.previous);
+        for (slot, aabb) in snapshot.touched {
+            match (aabb, proxies.boxes.get(slot as usize)) {
+                (_, None) => return Err("snapshot: a touched slot is out of range"),
+                (None, _) => proxies.clear_box(slot),
+                (Some(aabb), _) if aabb.is_valid() => proxies.place(slot, aabb),
+                _ => return Err("snapshot: a box that was handed over is not valid"),
+            }
         }
-        if !(stirred.is_empty() || self.volumes.are_used()) {
+        if !(snapshot.revolumed.is_empty() || proxies.volumes.are_used()) {
             return Err("snapshot: a volume has changed where none is in use");
         }
-        self.stirred = stirred;
-        let mut are_pending = SlotSet::default();
-        are_pending.make_room(slots);
-        let pending = self.touched.iter().chain(&self.stirred);
-        pending.for_each(|&slot| are_pending.insert(slot));
-        let is_pending = |pair: [u32; 2]| pair.iter().any(|&slot| are_pending.contains(slot));
+        if snapshot
+            .revolumed
+            .iter()
+            .any(|&slot| slot as usize >= slots)
+        {
+            return Err("snapshot: a volume has changed whose slot is out of range");
+        }
+        proxies.notes.revolumed = snapshot.revolumed;
+        let found = overlapping(Kernel::GridSweep, &proxies.fat_boxes, &proxies.keys);
+        self.candidates = Candidates::restored(found, snapshot.near)?;
+        let notes = &proxies.notes;
+        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
+        let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
         let mut near = self.candidates.near();
-        match near.all(|pair| is_pending(pair) || !self.volumes.meet(pair, R::ZERO)) {
+        match near.all(|pair| is_noted(pair) || !proxies.volumes.meet(pair, R::ZERO)) {
             true => Ok(()),
             false => Err("snapshot: a pair is not held although its volumes meet"),
         }
-    }
-
-    /// Touches slots again, as they were touched since the last `finish`.
-    fn restore_touched(
-        &mut self,
-        touched: Vec<(u32, Option<Aabb<R, D>>)>,
-    ) -> Result<(), &'static str> {
-        self.boxes.clone_from(&self.previous);
-        self.escaped.make_room(self.boxes.len());
-        for (slot, aabb) in touched {
-            let held = self.boxes.get_mut(slot as usize);
-            *held.ok_or("snapshot: a touched slot is out of range")? = aabb.unwrap_or(Aabb::ABSENT);
-            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
-                return Err("snapshot: a box that was handed over is not valid");
-            }
-            self.touched.push(slot);
-        }
-        for &slot in &self.touched {
-            let [aabb, fat] = [&self.boxes, &self.fat_boxes].map(|boxes| &boxes[slot as usize]);
-            if !fat.contains(aabb) {
-                self.escaped.insert(slot);
-            }
-        }
-        Ok(())
     }
 }

@@ -2,74 +2,89 @@
 
 use std::collections::HashSet;
 
-use super::{FilterKey, PairTracker, overlapping};
+use super::layers::{Layers, retain_from};
+use super::{FilterKey, PairTracker};
+use crate::aabb::Aabb;
+use crate::kernel::Kernel;
+use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::{Kernel, Real};
+use crate::stopwatch::Stopwatch;
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full run of a
     /// kernel, and everything else that is kept is consistent.
     pub(crate) fn validate(&self, kernel: Kernel) {
-        let Self {
-            boxes,
-            previous,
-            fat_boxes,
-            keys,
-            ..
-        } = self;
-        assert_eq!(boxes.len(), previous.len());
-        assert_eq!(boxes.len(), fat_boxes.len());
-        assert_eq!(boxes.len(), keys.len());
-        assert!(self.former_keys.is_empty());
-        for (slot, (before, fat)) in previous.iter().zip(fat_boxes).enumerate() {
-            let is_inside = fat.contains(before) || !(before.is_valid() || fat.is_valid());
-            assert!(is_inside, "the box of slot {slot} is not in its fat box");
-        }
-        let mut touched = SlotSet::default();
-        touched.make_room(boxes.len());
-        self.touched.iter().for_each(|&slot| touched.insert(slot));
-        for slot in 0..boxes.len() as u32 {
-            let i = slot as usize;
-            let is_settled =
-                boxes[i] == previous[i] || !(boxes[i].is_valid() || previous[i].is_valid());
+        let proxies = &self.proxies;
+        let slots = proxies.boxes.len();
+        let lengths = [&proxies.previous, &proxies.fat_boxes].map(Vec::len);
+        assert_eq!([lengths[0], lengths[1], proxies.keys.len()], [slots; 3]);
+        assert!(proxies.former_keys.is_empty());
+        let notes = &proxies.notes;
+        let touched = set_of(&notes.touched, slots);
+        let left = set_of(&notes.left, slots);
+        for slot in 0..slots as u32 {
+            let all = [&proxies.boxes, &proxies.previous, &proxies.fat_boxes];
+            let [now, before, fat] = all.map(|boxes| &boxes[slot as usize]);
             assert!(
-                is_settled || touched.contains(slot),
-                "the box of slot {slot} is not settled"
+                fat.contains(before) || !(before.is_valid() || fat.is_valid()),
+                "the box of slot {slot} is not in its fat box"
             );
-            assert!(
-                is_settled || fat_boxes[i].contains(&boxes[i]) || self.escaped.contains(slot),
-                "slot {slot} has escaped unnoticed"
-            );
+            assert!(touched.contains(slot) || !left.contains(slot));
+            if now != before && (now.is_valid() || before.is_valid()) {
+                assert!(touched.contains(slot), "slot {slot} has moved unnoticed");
+                assert!(
+                    fat.contains(now) || left.contains(slot),
+                    "slot {slot} has left its fat box unnoticed"
+                );
+            }
         }
-        let is_touched = |&slot: &u32| touched.contains(slot);
-        assert!(self.escaped.slots().iter().all(is_touched));
         // Volumes that have changed since the last `finish` say nothing about it.
-        let mut are_pending = touched;
-        let stirred = self.stirred.iter();
-        stirred.for_each(|&slot| are_pending.insert(slot));
+        let mut are_noted = touched;
+        notes
+            .revolumed
+            .iter()
+            .for_each(|&slot| are_noted.insert(slot));
         let should_be_held = |pair: [u32; 2], is_held: bool| {
-            let is_pending = pair.iter().any(|&slot| are_pending.contains(slot));
-            match self.volumes.are_used() {
+            let is_noted = pair.iter().any(|&slot| are_noted.contains(slot));
+            match proxies.volumes.are_used() {
                 false => true,
-                true if is_pending => is_held,
-                true => is_held || self.volumes.meet(pair, R::ZERO),
+                true if is_noted => is_held,
+                true => is_held || proxies.volumes.meet(pair, R::ZERO),
             }
         };
-        self.candidates.validate(previous, should_be_held);
-        let check = |kept: Vec<[u32; 2]>, mut expected: Vec<[u32; 2]>, what: &str| {
-            let mut kept = kept;
+        self.candidates.validate(&proxies.previous, should_be_held);
+        let check = |mut kept: Vec<[u32; 2]>, mut expected: Vec<[u32; 2]>, what: &str| {
             kept.sort_unstable();
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
         };
         let held: HashSet<_> = self.pairs().collect();
-        let mut expected = overlapping(kernel, previous, keys);
+        let mut expected = overlapping(kernel, &proxies.previous, &proxies.keys);
         expected.retain(|pair| should_be_held(*pair, held.contains(pair)));
         check(self.pairs().collect(), expected, "the held pairs");
-        check(
-            self.candidates.iter().collect(),
-            overlapping(kernel, fat_boxes, keys),
-            "the candidates",
-        );
+        let expected = overlapping(kernel, &proxies.fat_boxes, &proxies.keys);
+        check(self.candidates.iter().collect(), expected, "the candidates");
     }
+}
+
+/// A set of slots, of so many.
+pub(super) fn set_of(members: &[u32], slots: usize) -> SlotSet {
+    let mut set = SlotSet::default();
+    set.make_room(slots);
+    members.iter().for_each(|&slot| set.insert(slot));
+    set
+}
+
+/// The overlapping pairs among the valid ones of `boxes` that may meet, by a fresh kernel.
+pub(super) fn overlapping<R: Real, const D: usize, K: FilterKey>(
+    kernel: Kernel,
+    boxes: &[Aabb<R, D>],
+    keys: &[K],
+) -> Vec<[u32; 2]> {
+    let mut found = Vec::new();
+    Layers::new(kernel, true).find_all(boxes, &mut found, &mut Stopwatch::default());
+    retain_from(&mut found, 0, |[a, b]| {
+        keys[a as usize].may_meet(keys[b as usize])
+    });
+    found
 }

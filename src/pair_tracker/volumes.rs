@@ -6,8 +6,9 @@
 //!
 //! A ball takes a kind, a centre and a radius; half axes are kept only up to the highest slot that has had some.
 
+use crate::aabb::Aabb;
+use crate::real::Real;
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
-use crate::{Aabb, Real};
 
 /// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
 /// one, more of what settles is compared in each update. Events depend on it.
@@ -37,8 +38,8 @@ pub(crate) struct VolumesSnapshot<R> {
     by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
 }
 
-/// The volumes of a run of slots, whose kinds stay as they are.
-pub(crate) struct VolumesPart<'a, R, const D: usize> {
+/// The volumes of a chunk of slots, whose kinds stay as they are.
+pub(crate) struct VolumesChunk<'a, R, const D: usize> {
     kinds: &'a [VolumeKind],
     balls: &'a mut [Ball<R, D>],
     half_axes: &'a mut [[[R; D]; D]],
@@ -80,20 +81,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// The volume of a slot in this box, if no more than the box is needed to tell.
-    pub(crate) fn by_box(&self, slot: u32, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
-        let index = slot as usize;
-        match self.kinds.get(index)? {
-            VolumeKind::Part => Some(Volume::PART),
-            VolumeKind::Ball => Some(Volume {
-                kind: VolumeKind::Ball,
-                ball: self.balls[index].in_box(aabb),
-                ..Volume::BOX
-            }),
-            _ => None,
-        }
-    }
-
     /// The volume of a slot, for which there must be room.
     #[inline(always)]
     pub(crate) fn get(&self, slot: u32) -> VolumeRef<'_, R, D> {
@@ -117,9 +104,10 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.half_axes
                 .resize(index + 1, Volume::<R, D>::BOX.half_axes);
         }
-        self.part()
-            .set(index, volume, is_renewed | is_of_another_kind)
-            | is_of_another_kind
+        let is_set = self
+            .all()
+            .set(index, volume, is_renewed | is_of_another_kind);
+        is_set == Some(true) || is_of_another_kind
     }
 
     /// All volumes, as they are written.
@@ -169,14 +157,31 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     }
 
     /// All volumes, to move them in place.
-    pub(super) fn part(&mut self) -> VolumesPart<'_, R, D> {
-        VolumesPart {
+    #[inline(always)]
+    pub(super) fn all(&mut self) -> VolumesChunk<'_, R, D> {
+        VolumesChunk {
             kinds: &self.kinds,
             balls: &mut self.balls,
             half_axes: &mut self.half_axes,
             are_slow: &mut self.are_slow,
             margin: self.margin,
         }
+    }
+
+    /// Chunks of this many slots, and then empty ones without end: if volumes are not in use, there are no others.
+    pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
+        let mut kinds = self.kinds.chunks(slots);
+        let mut balls = self.balls.chunks_mut(slots);
+        let mut half_axes = self.half_axes.chunks_mut(slots);
+        let mut are_slow = self.are_slow.chunks_mut(slots);
+        let margin = self.margin;
+        std::iter::repeat_with(move || VolumesChunk {
+            kinds: kinds.next().unwrap_or_default(),
+            balls: balls.next().unwrap_or_default(),
+            half_axes: half_axes.next().unwrap_or_default(),
+            are_slow: are_slow.next().unwrap_or_default(),
+            margin,
+        })
     }
 
     /// Whether two proxies may meet, by their volumes, loosened by half of `slack` each, and by their margins.
@@ -232,65 +237,80 @@ fn volume_of<'a, R: Real, const D: usize>(
     }
 }
 
-impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
-    /// Splits off the first slots, at most this many.
-    pub(crate) fn split_front(&mut self, count: usize) -> Self {
-        let Self {
-            kinds,
-            balls,
-            half_axes,
-            are_slow,
-            margin,
-        } = self;
-        let (front_kinds, rest) = kinds.split_at(count.min(kinds.len()));
-        *kinds = rest;
-        Self {
-            kinds: front_kinds,
-            balls: split_front(balls, count),
-            half_axes: split_front(half_axes, count),
-            are_slow: split_front(are_slow, count),
-            margin: *margin,
+impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
+    #[inline(always)]
+    pub(super) fn are_used(&self) -> bool {
+        !self.kinds.is_empty()
+    }
+
+    /// The volume of the slot `i` of the chunk in this box, if no more than the box is needed to tell.
+    #[inline(always)]
+    pub(super) fn by_box(&self, i: usize, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
+        match self.kinds.get(i)? {
+            VolumeKind::Part => Some(Volume::PART),
+            VolumeKind::Ball => Some(Volume {
+                kind: VolumeKind::Ball,
+                ball: self.balls[i].in_box(aabb),
+                ..Volume::BOX
+            }),
+            _ => None,
         }
     }
 
-    /// The kind of the volume of the slot `i` of the part.
+    /// Moves the volume of the slot `i` of the chunk, or lets it stay, unless its box is renewed. Returns whether pairs have to be
+    /// compared for it; `None`, and changes nothing, if it is of another kind.
     #[inline(always)]
-    pub(crate) fn kind(&self, i: usize) -> VolumeKind {
-        self.kinds[i]
-    }
-
-    /// Moves the volume of the slot `i` of the part, whose kind must be the same as before, or lets it stay, unless the box is
-    /// renewed. Returns whether pairs have to be compared for it.
-    #[inline(always)]
-    pub(crate) fn set(&mut self, i: usize, volume: &Volume<R, D>, is_renewed: bool) -> bool {
-        debug_assert_eq!(volume.kind, self.kinds[i]);
-        if matches!(volume.kind, VolumeKind::Box | VolumeKind::Part) && !is_renewed {
-            return false;
+    pub(crate) fn set(
+        &mut self,
+        i: usize,
+        volume: &Volume<R, D>,
+        is_renewed: bool,
+    ) -> Option<bool> {
+        let kind = volume.kind;
+        if kind != self.kinds[i] {
+            return None;
+        }
+        if matches!(kind, VolumeKind::Box | VolumeKind::Part) && !is_renewed {
+            return Some(false);
         }
         let former = volume_of(self.kinds, self.balls, self.half_axes, i);
         let change = former.change_to(volume.as_ref());
-        if change <= self.margin && !is_renewed {
-            return self.stay(i, change);
+        if self.stays(change, is_renewed) {
+            return Some(self.stay(i, change));
         }
-        self.balls[i] = volume.ball;
-        if volume.kind.axes::<D>() > 0 {
+        if kind.axes::<D>() > 0 {
             self.half_axes[i] = volume.half_axes;
         }
-        self.are_slow[i] &= !is_renewed;
-        true
+        self.set_ball(i, volume.ball, is_renewed);
+        Some(true)
     }
 
-    /// Moves the ball of the slot `i` of the part, which must be one, into a box, like [`Self::set`].
+    /// The same for a ball in this box, and for what no box changes; `None` if it takes more than the box to tell the volume.
     #[inline(always)]
-    pub(crate) fn set_ball_in(&mut self, i: usize, aabb: &Aabb<R, D>, is_renewed: bool) -> bool {
-        let ball = self.balls[i].in_box(aabb);
-        let change = self.balls[i].change_to(&ball);
-        if change <= self.margin && !is_renewed {
-            return self.stay(i, change);
+    pub(crate) fn set_by_box(
+        &mut self,
+        i: usize,
+        aabb: &Aabb<R, D>,
+        is_renewed: bool,
+    ) -> Option<bool> {
+        match self.kinds[i] {
+            VolumeKind::Part => Some(false),
+            VolumeKind::Ball => {
+                let ball = self.balls[i].in_box(aabb);
+                let change = self.balls[i].change_to(&ball);
+                if self.stays(change, is_renewed) {
+                    return Some(self.stay(i, change));
+                }
+                self.set_ball(i, ball, is_renewed);
+                Some(true)
+            }
+            _ => None,
         }
-        self.balls[i] = ball;
-        self.are_slow[i] &= !is_renewed;
-        true
+    }
+
+    #[inline(always)]
+    fn stays(&self, change: R, is_renewed: bool) -> bool {
+        change <= self.margin && !is_renewed
     }
 
     /// Lets the volume of the slot `i` stay, whose collider has changed by this. Returns whether it was exact until now.
@@ -299,12 +319,10 @@ impl<'a, R: Real, const D: usize> VolumesPart<'a, R, D> {
         let is_slow = self.are_slow[i] | (change > R::ZERO);
         is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow)
     }
-}
 
-/// Splits the first items off a slice, at most this many.
-fn split_front<'a, T>(items: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-    let count = count.min(items.len());
-    let (front, rest) = std::mem::take(items).split_at_mut(count);
-    *items = rest;
-    front
+    #[inline(always)]
+    fn set_ball(&mut self, i: usize, ball: Ball<R, D>, is_renewed: bool) {
+        self.balls[i] = ball;
+        self.are_slow[i] &= !is_renewed;
+    }
 }

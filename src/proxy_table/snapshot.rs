@@ -2,13 +2,17 @@
 //!
 //! What the engine wants remembered of its colliders is not written: it is learned anew.
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 
-use super::handing_over::HandedOver;
+use super::hand_over::HandedOver;
 use super::{Gathered, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
-use crate::slot_set::SlotSet;
-use crate::{PhaseTimes, Real, Settings, Stats};
+use crate::real::Real;
+use crate::settings::Settings;
+use crate::stats::Stats;
+use crate::stopwatch::PhaseTimes;
 
 /// What decides the events to come.
 #[derive(Serialize, Deserialize)]
@@ -24,7 +28,8 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     /// What was handed over since the last update.
     gathered: Gathered,
     /// Slot, generation and boxes of each.
-    awaited: Vec<(u32, u32, Option<HandedOver<R, D>>)>,
+    #[serde(rename = "awaited")]
+    pending: Vec<(u32, u32, Option<HandedOver<R, D>>)>,
     tracker: TrackerSnapshot<R, D, K>,
 }
 
@@ -35,13 +40,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Of the last update; what is held is counted again.
             stats: Stats {
                 times: PhaseTimes::default(),
+                refused: self.known - self.stats.proxies,
                 ..self.stats
             },
             has_warned: self.has_warned,
             generations: self.generations[..self.known_slots].to_vec(),
             gathered: self.gathered,
-            awaited: self
-                .awaited
+            pending: self
+                .pending
                 .iter()
                 .map(|(&(slot, generation), &boxes)| (slot, generation, boxes))
                 .collect(),
@@ -62,59 +68,48 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             has_warned,
             mut generations,
             gathered,
-            awaited,
+            pending,
             tracker,
         } = snapshot;
         let mut table = Self::new(settings);
         table.tracker.restore(tracker)?;
-        let known_slots = generations.len();
-        if known_slots > table.tracker.slots() {
+        let (slots, known_slots) = (table.tracker.proxies.len(), generations.len());
+        if known_slots > slots {
             return Err("snapshot: there are more generations than slots");
         }
-        generations.resize(table.tracker.slots(), None);
-        let is_touched = !(awaited.is_empty() && table.tracker.touched().is_empty());
+        generations.resize(slots, None);
+        let is_touched = !(pending.is_empty() && table.tracker.proxies.touched().is_empty());
         if is_touched && !gathered.is_begun {
             return Err("snapshot: boxes were handed over for no update");
         }
         if gathered.listed.max(gathered.moved) > u32::MAX as usize {
             return Err("snapshot: more boxes were handed over than can be counted");
         }
-        let mut is_awaited = SlotSet::default();
-        is_awaited.make_room(generations.len());
-        for &(slot, ..) in &awaited {
-            if (slot as usize) < generations.len() {
-                is_awaited.insert(slot);
-            }
-        }
+        let is_known = |slot: u32| generations[slot as usize].is_some();
+        let are_pending: BTreeSet<_> = pending.iter().map(|&(slot, ..)| slot).collect();
         let mut proxies = 0;
-        for (slot, _) in table.tracker.proxies() {
-            let is_known = generations[slot as usize].is_some();
-            if !is_known && !is_awaited.contains(slot) {
+        for (slot, _) in table.tracker.proxies.iter() {
+            if !is_known(slot) && !are_pending.contains(&slot) {
                 return Err("snapshot: a box has no collider");
             }
-            proxies += usize::from(is_known);
+            proxies += usize::from(is_known(slot));
         }
-        let is_known = |pair: [u32; 2]| {
-            pair.iter()
-                .all(|&slot| generations[slot as usize].is_some())
-        };
-        if !table.tracker.pairs().all(is_known) {
+        if !table.tracker.pairs().flatten().all(is_known) {
             return Err("snapshot: a pair has no colliders");
         }
-        table.stats = Stats {
-            proxies,
-            refused: generations.iter().flatten().count() - proxies,
-            ..stats
-        };
-        table.has_warned = has_warned;
-        table.memos.resize(generations.len(), M::default());
-        table.generations = generations;
-        table.known_slots = known_slots;
-        table.gathered = gathered;
-        table.awaited = awaited
-            .into_iter()
-            .map(|(slot, generation, boxes)| ((slot, generation), boxes))
-            .collect();
-        Ok(table)
+        let pending = pending.into_iter();
+        Ok(Self {
+            known: generations.iter().flatten().count(),
+            stats: Stats { proxies, ..stats },
+            has_warned,
+            memos: vec![M::default(); slots],
+            generations,
+            known_slots,
+            gathered,
+            pending: pending
+                .map(|(slot, generation, boxes)| ((slot, generation), boxes))
+                .collect(),
+            ..table
+        })
     }
 }

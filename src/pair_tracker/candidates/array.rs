@@ -1,32 +1,31 @@
 //! The array of candidates, with a tombstone in place of each that is gone.
 
-use super::proxies::{Proxies, overlap};
+use super::pair_rules::overlap;
 use super::retired::RetiredPairs;
 use super::state::PairState;
+use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
-use crate::pair_tracker::{FilterKey, PairChange};
-use crate::slot_set::SlotSet;
+use crate::real::Real;
 use crate::tuning::update::SPARSE_FROM_ONE_IN;
-use crate::{Aabb, Real};
 
 /// In place of a slot: the candidate is gone.
-const TOMBSTONE: u32 = u32::MAX;
+pub(super) const TOMBSTONE: u32 = u32::MAX;
 
 /// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CandidateArray {
     /// By slots, smaller first; two tombstones where the candidate is gone.
-    pairs: Vec<[u32; 2]>,
+    pub(super) pairs: Vec<[u32; 2]>,
     /// By row.
-    states: Vec<PairState>,
-    held_count: usize,
+    pub(super) states: Vec<PairState>,
+    pub(super) held_count: usize,
     /// Those whose boxes overlap, held or not.
-    overlapping_count: usize,
-    tombstones: usize,
+    pub(super) overlapping_count: usize,
+    pub(super) tombstones: usize,
     /// Held pairs that were retired in this update, if there are volumes.
-    retired: RetiredPairs,
+    pub(super) retired: RetiredPairs,
     /// Scratch: answers about rows, or about what was found.
-    answers: BitSet,
+    pub(super) answers: BitSet,
 }
 
 impl CandidateArray {
@@ -73,14 +72,6 @@ impl CandidateArray {
         self.pairs.len() - self.tombstones
     }
 
-    pub(super) fn held_count(&self) -> usize {
-        self.held_count
-    }
-
-    pub(super) fn overlapping_count(&self) -> usize {
-        self.overlapping_count
-    }
-
     pub(super) fn is_sparse(&self) -> bool {
         self.tombstones > self.pairs.len() / SPARSE_FROM_ONE_IN
     }
@@ -95,102 +86,10 @@ impl CandidateArray {
         all.filter_map(|(&pair, &state)| state.is_held().then_some(pair))
     }
 
-    /// The rows whose boxes overlap and that are not held, with their pairs.
-    pub(super) fn near(&self) -> impl Iterator<Item = (usize, [u32; 2])> + '_ {
-        let all = self.pairs.iter().zip(&self.states).enumerate();
-        all.filter_map(|(row, (&pair, &state))| (state == PairState::Near).then_some((row, pair)))
-    }
-
-    /// Makes `found` the candidates, and leaves the memory of the former ones there.
-    pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        found: &mut Vec<[u32; 2]>,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self {
-            pairs,
-            states,
-            retired,
-            answers,
-            ..
-        } = self;
-        if proxies.has_volumes() {
-            retired.reserve(self.held_count);
-            let rows = pairs.iter().zip(states.iter());
-            let held = rows.filter(|(_, state)| state.is_held());
-            for (&pair, _) in held.filter(|&(&pair, _)| proxies.are_left(pair)) {
-                retired.insert(pair);
-            }
-        } else {
-            answers.ask(pairs.len(), |rows| {
-                let rows = pairs[rows.clone()].iter().zip(&states[rows]);
-                gather(rows, |(&pair, state)| {
-                    state.is_held() && proxies.has_ended(pair)
-                })
-            });
-            let ended = answers.iter();
-            ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
-        }
-        std::mem::swap(pairs, found);
-        states.clear();
-        self.held_count = 0;
-        self.overlapping_count = 0;
-        self.tombstones = 0;
-        let pairs = std::mem::take(pairs);
-        self.hold_new(&pairs, proxies, report);
-        self.retired.free_if_large();
-        self.pairs = pairs;
-    }
-
-    /// Adds candidates.
-    pub(super) fn extend<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        found: &[[u32; 2]],
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        self.hold_new(found, proxies, report);
-        self.pairs.extend_from_slice(found);
-    }
-
-    fn hold_new<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        found: &[[u32; 2]],
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self {
-            states,
-            retired,
-            held_count,
-            overlapping_count,
-            answers,
-            ..
-        } = self;
-        answers.ask(found.len(), |rows| {
-            gather(&found[rows], |&pair| proxies.overlap(pair))
-        });
-        let first = states.len();
-        states.resize(first + found.len(), PairState::Apart);
-        for i in answers.iter() {
-            let pair = found[i];
-            // Most pairs that are held were held before.
-            let was_held = match proxies.has_volumes() {
-                true => retired.take(pair),
-                false => proxies.was_held(pair),
-            };
-            let state = proxies.state_of_overlapping(pair, was_held);
-            states[first + i] = state;
-            *held_count += usize::from(state.is_held());
-            *overlapping_count += 1;
-            match (was_held, state.is_held()) {
-                (false, true) => report(PairChange::Added(pair)),
-                (true, false) => report(PairChange::Deleted(pair)),
-                _ => {}
-            }
-        }
-        retired.drain(|pair| report(PairChange::Deleted(pair)));
+    /// The pairs whose boxes overlap and that are not held.
+    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let all = self.pairs.iter().zip(&self.states);
+        all.filter_map(|(&pair, &state)| (state == PairState::Near).then_some(pair))
     }
 
     /// Makes `rows` the rows with a picked slot, and possibly some tombstones.
@@ -198,138 +97,6 @@ impl CandidateArray {
         rows.ask(self.pairs.len(), |range| {
             gather(&self.pairs[range], |&[a, b]| is_picked(a) | is_picked(b))
         });
-    }
-
-    /// Brings all rows up to date with the present boxes, and removes the rows of the `escaped`. No row may be a tombstone.
-    /// Returns whether rows have moved.
-    pub(super) fn compare_all<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        changed: &mut BitSet,
-        escaped: &SlotSet,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) -> bool {
-        debug_assert_eq!(self.tombstones, 0);
-        let Self { pairs, states, .. } = self;
-        // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has turned.
-        if escaped.len() == 0 {
-            changed.ask(pairs.len(), |rows| {
-                proxies.turned(&pairs[rows.clone()], &states[rows])
-            });
-            for row in changed.iter() {
-                self.set_state(
-                    row,
-                    proxies.state_of(self.pairs[row], self.states[row]),
-                    report,
-                );
-            }
-            return false;
-        }
-        let has_escaped = |&[a, b]: &[u32; 2]| escaped.contains(a) | escaped.contains(b);
-        changed.ask(pairs.len(), |rows| {
-            let (pairs, states) = (&pairs[rows.clone()], &states[rows]);
-            proxies.turned(pairs, states) | gather(pairs, has_escaped)
-        });
-        let rows = pairs.len();
-        for row in changed.iter() {
-            if has_escaped(&self.pairs[row]) {
-                self.retire(row, proxies, report);
-            } else {
-                self.set_state(
-                    row,
-                    proxies.state_of(self.pairs[row], self.states[row]),
-                    report,
-                );
-            }
-        }
-        // Backwards, so that the row `swap_remove` moves in has already been checked.
-        for row in changed.iter_backwards() {
-            if self.pairs[row][0] == TOMBSTONE {
-                self.pairs.swap_remove(row);
-                self.states.swap_remove(row);
-            }
-        }
-        self.tombstones = 0;
-        self.pairs.len() < rows
-    }
-
-    /// Brings a row up to date with the present boxes.
-    #[inline(always)]
-    pub(super) fn compare<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        row: usize,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        if let Some(pair) = self.get(row) {
-            let former = self.states[row];
-            let state = proxies.state_of(pair, former);
-            if state != former {
-                self.set_state(row, state, report);
-            }
-        }
-    }
-
-    /// Brings the rows that are near, and that have one of these slots, up to date with the present volumes.
-    pub(super) fn compare_near<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        changed: &mut BitSet,
-        is_one: impl Fn([u32; 2]) -> bool + Sync + Send,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Self { pairs, states, .. } = self;
-        changed.ask(pairs.len(), |rows| {
-            proxies.turned_near(&pairs[rows.clone()], &states[rows], &is_one)
-        });
-        for row in changed.iter() {
-            self.set_state(row, PairState::Held, report);
-        }
-    }
-
-    #[inline(always)]
-    fn set_state(&mut self, row: usize, state: PairState, report: &mut impl FnMut(PairChange)) {
-        let former = std::mem::replace(&mut self.states[row], state);
-        self.overlapping_count += usize::from(state.overlaps());
-        self.overlapping_count -= usize::from(former.overlaps());
-        match (former.is_held(), state.is_held()) {
-            (false, true) => {
-                report(PairChange::Added(self.pairs[row]));
-                self.held_count += 1;
-            }
-            (true, false) => {
-                report(PairChange::Deleted(self.pairs[row]));
-                self.held_count -= 1;
-            }
-            _ => {}
-        }
-    }
-
-    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
-    #[inline(always)]
-    pub(super) fn retire<R: Real, const D: usize, K: FilterKey>(
-        &mut self,
-        row: usize,
-        proxies: &Proxies<R, D, K>,
-        report: &mut impl FnMut(PairChange),
-    ) {
-        let Some(pair) = self.get(row) else {
-            return;
-        };
-        self.pairs[row] = [TOMBSTONE; 2];
-        self.tombstones += 1;
-        let state = std::mem::take(&mut self.states[row]);
-        self.overlapping_count -= usize::from(state.overlaps());
-        if state.is_held() {
-            self.held_count -= 1;
-            if proxies.has_volumes() {
-                if proxies.are_left(pair) {
-                    self.retired.insert(pair);
-                }
-            } else if proxies.has_ended(pair) {
-                report(PairChange::Deleted(pair));
-            }
-        }
     }
 
     /// Removes the tombstones. Returns whether there were any, so that rows have moved.

@@ -1,22 +1,10 @@
 //! Lists through the array of candidates: for each slot, the rows in which it occurs.
 
 use super::array::CandidateArray;
+use crate::pair_tracker::policy::ListState;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
-
-/// Whether there are lists of the candidates of each slot.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::pair_tracker) struct ListState {
-    pub(in crate::pair_tracker) are_made: bool,
-    /// How often they would have been useful while there were none.
-    pub(in crate::pair_tracker) missed: u32,
-}
-
-impl ListState {
-    /// The most rows that 32-bit links can tell apart.
-    pub(in crate::pair_tracker) const MOST_ROWS: usize = 1 << 30;
-}
 
 /// For each slot a list of its rows.
 ///

@@ -3,331 +3,190 @@
 use super::*;
 
 /// A world of 1000 slots at rest, with lists out of date, and one full run that has cost as much as one does.
-fn world() -> Known {
-    Known {
+fn world() -> PlanInputs {
+    PlanInputs {
         slots: 1000,
         touched: 0,
-        stirred: 0,
-        escaped: 0,
+        revolumed: 0,
+        leavers: 0,
         candidates: 4000,
         rows: 5000,
         lists: ListState::default(),
         are_layers_used: true,
         above_base: Some(AboveBase::default()),
         foresight: Foresight::new(None),
-        spent: Spent {
+        cost: Cost {
             updates: 1,
             searching: FULL_RUN,
         },
     }
 }
 
+/// The world, with this number of leavers.
+fn left(leavers: u64) -> PlanInputs {
+    PlanInputs {
+        touched: 500,
+        leavers: leavers as usize,
+        ..world()
+    }
+}
+
 /// What a full run costs in this world.
 const FULL_RUN: u64 = 1000 * SEARCHED + 4000 * FOUND;
+
+/// The part of it that look-ups may cost beyond the mean.
+const SLACK: u64 = FULL_RUN / FULL_RUN_SLACK;
 
 /// What it costs more to look one up than not to, with none in the upper layers: it finds both ends' share of four
 /// candidates a slot.
 const LOOK_UP: u64 = LOOKED_UP + SEARCHED + 8 * FOUND;
 
-const PICKED_ONLY: Extent = Extent::Picked {
+const PICKED_ONLY: Plan = Plan::Compare(CompareMode::Picked {
     lists_are_missed: false,
-};
-const MISSED: Extent = Extent::Picked {
+});
+const MISSED: Plan = Plan::Compare(CompareMode::Picked {
     lists_are_missed: true,
-};
+});
+const LISTED: Plan = Plan::Compare(CompareMode::Listed);
 
-fn plan(known: Known) -> Plan {
-    Plan::of(&known, || Some(0.1))
+fn plan(inputs: PlanInputs) -> Plan {
+    Plan::of(&inputs, || Some(0.1))
 }
 
-fn is_full_run(known: Known) -> bool {
-    matches!(plan(known), Plan::FullRun(_))
-}
-
-#[test]
-fn nothing_is_done_if_nothing_was_touched() {
-    assert_eq!(plan(world()), Plan::Nothing);
-    let unsorted = Known {
-        above_base: None,
-        ..world()
-    };
-    assert_eq!(plan(unsorted), Plan::Nothing);
+fn is_full_run(inputs: PlanInputs) -> bool {
+    matches!(plan(inputs), Plan::FullRun(_))
 }
 
 #[test]
-fn what_has_another_volume_alone_asks_for_a_comparison_and_changes_no_extent() {
-    for touched in [0, 1, 10, 100, 400] {
-        let known = |stirred| Known {
-            touched,
-            stirred,
-            ..world()
+fn candidates_are_compared_as_far_as_slots_were_touched() {
+    let compared = |touched, rows| {
+        let of = |revolumed| {
+            let inputs = PlanInputs {
+                touched,
+                revolumed,
+                rows,
+                ..world()
+            };
+            plan(inputs)
         };
-        assert_eq!(plan(known(500)), Plan::Compare(known(0).extent()));
-    }
-}
-
-#[test]
-fn candidates_are_compared_to_the_extent_of_what_was_touched() {
-    let extent = |touched| match plan(Known { touched, ..world() }) {
-        Plan::Compare(extent) => extent,
-        other => panic!("{other:?}"),
+        // What has another volume changes nothing about it.
+        assert!(touched == 0 || of(0) == of(500));
+        of(0)
     };
-    assert_eq!(extent(1000), Extent::All);
-    assert_eq!(extent(333), Extent::All);
-    assert_eq!(extent(332), PICKED_ONLY);
-    assert_eq!(extent(1), MISSED);
-}
-
-#[test]
-fn as_many_walks_as_picking_costs_are_still_picked() {
-    // A walk is worth picking from this many rows.
+    assert_eq!(compared(0, 5000), Plan::Nothing);
+    assert_eq!(compared(333, 5000), Plan::Compare(CompareMode::All));
+    assert_eq!(compared(332, 5000), PICKED_ONLY);
+    // Walking is worth picking from this many rows.
     let rows = (100 * WALKED).div_ceil(PICKED) as usize;
-    let extent = |touched, rows| {
-        let known = Known {
-            touched,
-            rows,
-            ..world()
-        };
-        match plan(known) {
-            Plan::Compare(extent) => extent,
-            other => panic!("{other:?}"),
-        }
-    };
-    assert_eq!(extent(100, rows + 1), MISSED);
-    assert_eq!(extent(100, rows - 1), PICKED_ONLY);
-    assert_eq!(extent(101, rows), PICKED_ONLY);
-    assert_eq!(extent(99, rows), MISSED);
-    let equal = Known {
-        touched: PICKED as usize,
-        rows: WALKED as usize,
-        ..world()
-    };
-    assert_eq!(plan(equal), Plan::Compare(PICKED_ONLY));
+    assert_eq!(compared(100, rows + 1), MISSED);
+    assert_eq!(compared(100, rows), PICKED_ONLY);
 }
 
 #[test]
 fn lists_are_made_once_they_were_missed_often_enough() {
-    let extent = |are_made, missed, rows| {
-        let lists = ListState { are_made, missed };
-        plan(Known {
+    let listed = |are_made, missed, rows| {
+        plan(PlanInputs {
             touched: 1,
-            lists,
+            lists: ListState { are_made, missed },
             rows,
             ..world()
         })
     };
-    assert_eq!(extent(false, 7, 5000), Plan::Compare(MISSED));
-    assert_eq!(extent(false, 8, 5000), Plan::Compare(Extent::Listed));
-    assert_eq!(extent(true, 0, 5000), Plan::Compare(Extent::Listed));
-    // One mover is too many for that few candidates.
-    assert_eq!(extent(true, 0, 10), Plan::Compare(PICKED_ONLY));
+    assert_eq!(listed(false, LISTS_COST - 1, 5000), MISSED);
+    assert_eq!(listed(false, LISTS_COST, 5000), LISTED);
+    assert_eq!(listed(true, 0, 5000), LISTED);
     // Links could not tell more apart.
-    let most = ListState::MOST_ROWS;
-    assert_eq!(extent(true, 8, most), Plan::Compare(Extent::Listed));
-    assert_eq!(extent(true, 8, most + 1), Plan::Compare(PICKED_ONLY));
+    assert_eq!(listed(true, 8, ListState::MOST_ROWS), LISTED);
+    assert_eq!(listed(true, 8, ListState::MOST_ROWS + 1), PICKED_ONLY);
 }
 
 #[test]
-fn few_escaped_are_looked_up_and_many_are_a_full_run() {
-    // The update after a full run: up to what that has cost, and a part of it.
-    let most = (FULL_RUN + FULL_RUN / FULL_RUN_SLACK) / LOOK_UP;
-    let known = |escaped: u64| Known {
-        touched: 500,
-        escaped: escaped as usize,
-        ..world()
-    };
-    assert_eq!(plan(known(1)), Plan::LookUp(Extent::All));
-    assert_eq!(plan(known(most)), Plan::LookUp(Extent::All));
-    assert!(is_full_run(known(most + 1)));
-}
-
-#[test]
-fn look_ups_may_cost_as_much_as_the_mean() {
-    let slack = FULL_RUN / FULL_RUN_SLACK;
-    let known = |searching| Known {
-        touched: 500,
-        escaped: 100,
-        spent: Spent {
-            updates: 3,
-            searching,
-        },
-        ..world()
-    };
-    let equal = 3 * (100 * LOOK_UP - slack);
-    assert_eq!(plan(known(equal)), Plan::LookUp(Extent::All));
-    assert!(is_full_run(known(equal - 1)));
-}
-
-#[test]
-fn the_longer_a_full_run_has_paid_the_fewer_end_it() {
-    let known = |updates, recent, escaped: u64| Known {
-        touched: 500,
-        escaped: escaped as usize,
-        above_base: Some(AboveBase { spent: 0, recent }),
-        spent: Spent {
-            updates,
-            ..world().spent
-        },
-        ..world()
-    };
-    let slack = FULL_RUN / FULL_RUN_SLACK;
-    for updates in [2, 10, 1000] {
-        let most = (FULL_RUN / updates + slack) / LOOK_UP;
-        assert_eq!(plan(known(updates, 0, most)), Plan::LookUp(Extent::All));
-        assert!(is_full_run(known(updates, 0, most + 1)));
+fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_run() {
+    for updates in [1, 2, 10, 1000] {
+        let searched = |recent: u64, leavers| PlanInputs {
+            above_base: Some(AboveBase {
+                recent: recent as usize,
+                cost: 0,
+            }),
+            cost: Cost {
+                updates,
+                searching: FULL_RUN,
+            },
+            ..left(leavers)
+        };
         // What is recent is searched as well.
-        let most = (FULL_RUN / updates + slack - 8 * SEARCHED) / LOOK_UP;
-        assert_eq!(plan(known(updates, 8, most)), Plan::LookUp(Extent::All));
-        assert!(is_full_run(known(updates, 8, most + 1)));
-    }
-}
-
-#[test]
-fn a_full_run_that_finds_more_may_be_put_off_for_more() {
-    let known = |candidates, escaped: u64| Known {
-        touched: 500,
-        escaped: escaped as usize,
-        candidates,
-        spent: Spent {
-            searching: 0,
-            ..world().spent
-        },
-        ..world()
-    };
-    for candidates in [0, 2000, 100_000] {
-        let full_run = 1000 * SEARCHED + candidates as u64 * FOUND;
-        let look_up = LOOKED_UP + SEARCHED + candidates as u64 / 500 * FOUND;
-        let most = full_run / FULL_RUN_SLACK / look_up;
-        assert_eq!(plan(known(candidates, most)), Plan::LookUp(Extent::All));
-        assert!(is_full_run(known(candidates, most + 1)));
-    }
-}
-
-#[test]
-fn look_ups_of_all_find_no_more_than_there_is() {
-    let known = |escaped: u64, searching| Known {
-        touched: 1000,
-        escaped: escaped as usize,
-        candidates: 100_000,
-        spent: Spent {
-            searching,
-            ..world().spent
-        },
-        ..world()
-    };
-    let slack = (1000 * SEARCHED + 100_000 * FOUND) / FULL_RUN_SLACK;
-    // From half of all on, each candidate is found; dense worlds are searched in full long before.
-    for escaped in [500, 501, 1000] {
-        let equal = escaped * (LOOKED_UP + SEARCHED) + 100_000 * FOUND - slack;
-        assert_eq!(plan(known(escaped, equal)), Plan::LookUp(Extent::All));
-        assert!(is_full_run(known(escaped, equal - 1)));
+        for recent in [0, 8] {
+            let most = (FULL_RUN / updates + SLACK - recent * SEARCHED) / LOOK_UP;
+            let looked_up = plan(searched(recent, most));
+            assert_eq!(looked_up, Plan::LookUp(CompareMode::All));
+            assert!(is_full_run(searched(recent, most + 1)));
+        }
     }
 }
 
 #[test]
 fn a_full_run_is_due_once_the_layers_have_cost_as_much() {
-    let known = |spent, escaped| Known {
-        touched: 10,
-        escaped,
-        above_base: Some(AboveBase { spent, recent: 0 }),
-        ..world()
+    let above = |cost, leavers| PlanInputs {
+        above_base: Some(AboveBase { cost, recent: 0 }),
+        ..left(leavers)
     };
-    let looked_up = |known| matches!(plan(known), Plan::LookUp(_));
-    assert!(looked_up(known(1000, 1)));
-    assert!(is_full_run(known(1001, 1)));
-    // It can wait until something has escaped.
-    assert!(matches!(plan(known(1001, 0)), Plan::Compare(_)));
-}
-
-#[test]
-fn numbers_beyond_all_measure_are_no_panic() {
-    let known = Known {
-        touched: 500,
-        escaped: 1,
-        spent: Spent {
-            updates: 0,
-            searching: u64::MAX,
-        },
-        ..world()
-    };
-    assert_eq!(plan(known), Plan::LookUp(Extent::All));
+    assert!(!is_full_run(above(1000, 1)) && is_full_run(above(1001, 1)));
+    // It can wait until something has left.
+    assert_eq!(plan(above(1001, 0)), Plan::Compare(CompareMode::All));
 }
 
 #[test]
 fn without_a_sorted_base_layer_every_search_is_a_full_run() {
-    for known in [
-        Known {
+    for leavers in [0, 1] {
+        let unsorted = PlanInputs {
             above_base: None,
-            ..world()
-        },
-        Known {
+            ..left(leavers)
+        };
+        let unused = PlanInputs {
             are_layers_used: false,
-            ..world()
-        },
-    ] {
-        let [still, one] = [0, 1].map(|escaped| Known {
-            touched: 400,
-            escaped,
-            ..known
-        });
-        assert_eq!(plan(still), Plan::Compare(Extent::All));
-        assert!(is_full_run(one));
+            ..left(leavers)
+        };
+        assert_eq!([unsorted, unused].map(is_full_run), [leavers > 0; 2]);
     }
 }
 
 #[test]
 fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
-    let known = Known {
-        touched: 1000,
-        escaped: 1000,
-        ..world()
-    };
-    let fixed = Known {
-        foresight: Foresight::new(Some(5)),
-        ..known
-    };
-    let unasked = || panic!("the speed decides nothing");
-    let Plan::FullRun(foresight) = Plan::of(&fixed, unasked) else {
-        panic!("all have escaped");
-    };
-    assert_eq!(foresight.moves(), 5);
-    let Plan::FullRun(foresight) = plan(known) else {
-        panic!("all have escaped");
-    };
-    assert_eq!(foresight, known.foresight.renewed(|| Some(0.1)));
-    assert_ne!(foresight, known.foresight);
+    for (foresight, moves) in [(Some(7), 7), (None, 5)] {
+        let foresight = Foresight::new(foresight);
+        let Plan::FullRun(renewed) = plan(PlanInputs {
+            foresight,
+            ..left(1000)
+        }) else {
+            panic!("all have left");
+        };
+        assert_eq!(renewed.moves(), moves);
+    }
 }
 
 #[test]
-fn searching_is_priced_by_unit() {
+fn costs_add_up_and_end_at_the_largest_number() {
     let work = Work {
-        compared: 1,
-        picked: 10,
-        walked: 100,
         looked_up: 1000,
         searched: 10_000,
         found: 100_000,
+        ..Work::default()
     };
-    let mut spent = Spent::default();
-    spent.add(&work);
-    spent.add(&Work::default());
+    let mut cost = Cost::default();
+    cost.add(&work);
+    cost.add(&Work::default());
     let searching = 1000 * LOOKED_UP + 10_000 * SEARCHED + 100_000 * FOUND;
     assert_eq!(
-        spent,
-        Spent {
+        cost,
+        Cost {
             updates: 2,
             searching
         }
     );
-    spent.add(&Work {
+    cost.add(&Work {
         found: usize::MAX,
         ..work
     });
-    assert_eq!(spent.searching, u64::MAX);
-}
-
-#[test]
-fn candidates_are_too_many_from_eight_a_slot_and_pair_on() {
-    assert!(!are_too_many(8 * 30 + 7, 10, 20));
-    assert!(are_too_many(8 * 31, 10, 20));
+    assert_eq!(cost.searching, u64::MAX);
+    assert!(!is_full_run(PlanInputs { cost, ..left(1) }));
 }

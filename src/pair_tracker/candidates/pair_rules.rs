@@ -1,31 +1,19 @@
-//! Which pairs of proxies overlap now, and which did before.
+//! Which pairs of proxies are held, by their boxes, filter keys and volumes as they are now, and as they were at the end of the last
+//! update.
 
 use super::array::gather;
 use super::state::{PairState, near_and_held};
-use crate::bit_set::{BitSet, ones};
-use crate::pair_tracker::{FilterKey, Volumes};
-use crate::{Aabb, Real};
+use crate::aabb::Aabb;
+use crate::bit_set::ones;
+use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::proxies::Proxies;
+use crate::real::Real;
 
-/// What decides which candidates are held: boxes and filter keys, as they are now and as they were at the end of the last
-/// update.
-pub(in crate::pair_tracker) struct Proxies<'a, R, const D: usize, K> {
-    pub(in crate::pair_tracker) now: &'a [Aabb<R, D>],
-    pub(in crate::pair_tracker) before: &'a [Aabb<R, D>],
-    pub(in crate::pair_tracker) keys: &'a [K],
-    /// The former keys of slots whose key has changed, ascending.
-    pub(in crate::pair_tracker) former_keys: &'a [(u32, K)],
-    /// The volumes of all slots, which decide if they are in use.
-    pub(in crate::pair_tracker) volumes: &'a Volumes<R, D>,
-    /// The slots with another box than at the end of the last update, if volumes are in use.
-    pub(in crate::pair_tracker) renewed: &'a BitSet,
-    /// How far the volumes of a held pair may be apart.
-    pub(in crate::pair_tracker) slack: R,
-}
-
-impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
+impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
+    /// Whether the boxes of a pair overlap.
     #[inline(always)]
-    pub(super) fn overlap(&self, pair: [u32; 2]) -> bool {
-        overlap(self.now, pair)
+    pub(in crate::pair_tracker) fn overlap(&self, pair: [u32; 2]) -> bool {
+        overlap(&self.boxes, pair)
     }
 
     /// Whether held pairs cannot be told by what there was at the end of the last update.
@@ -74,34 +62,34 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
 
     /// Of up to 64 pairs those whose state is another one now.
     #[inline(always)]
-    pub(super) fn turned(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+    pub(super) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
         if !self.has_volumes() {
             return overlap ^ held;
         }
-        let turned = |i: usize| self.has_turned(pairs[i], held >> i & 1 == 1);
-        let turned = ones(overlap).fold(0, |word, i| word | u64::from(turned(i)) << i);
-        // What overlaps only now has turned in any case.
-        (overlap ^ (near | held)) | turned
+        let has_toggled = |i: usize| self.has_toggled(pairs[i], held >> i & 1 == 1);
+        let toggled = ones(overlap).fold(0, |word, i| word | u64::from(has_toggled(i)) << i);
+        // What overlaps only now has toggled in any case.
+        (overlap ^ (near | held)) | toggled
     }
 
     /// Of up to 64 pairs that are near, and have one of these slots, those whose volumes have met now.
     #[inline(always)]
-    pub(super) fn turned_near(
+    pub(super) fn toggled_near(
         &self,
         pairs: &[[u32; 2]],
         states: &[PairState],
         is_one: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
         let [near, _] = near_and_held(states);
-        let has_turned = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
-        ones(near).fold(0, |turned, i| turned | u64::from(has_turned(i)) << i)
+        let has_toggled = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
+        ones(near).fold(0, |word, i| word | u64::from(has_toggled(i)) << i)
     }
 
     /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.
     #[inline(always)]
-    fn has_turned(&self, pair: [u32; 2], was_held: bool) -> bool {
+    fn has_toggled(&self, pair: [u32; 2], was_held: bool) -> bool {
         // Which balls meet is practically random, so there is no branch on it.
         let slack = if was_held { self.slack } else { R::ZERO };
         if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
@@ -117,7 +105,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     #[inline(always)]
     pub(super) fn are_left(&self, pair: [u32; 2]) -> bool {
         pair.iter()
-            .all(|&slot| self.before[slot as usize].is_valid())
+            .all(|&slot| self.previous[slot as usize].is_valid())
     }
 
     /// Whether a pair that may meet now was held before. It was if and only if its boxes overlapped and it might meet then,
@@ -125,7 +113,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     #[inline(always)]
     pub(super) fn was_held(&self, pair: [u32; 2]) -> bool {
         // Keys hardly ever change, so this branch is predicted well; boxes are compared without one.
-        let overlapped = overlap(self.before, pair);
+        let overlapped = overlap(&self.previous, pair);
         if self.former_keys.is_empty() {
             overlapped
         } else {
@@ -137,7 +125,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
     /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
     #[inline(always)]
     pub(super) fn has_ended(&self, pair: [u32; 2]) -> bool {
-        let overlapped = overlap(self.before, pair);
+        let overlapped = overlap(&self.previous, pair);
         if self.former_keys.is_empty() {
             !self.overlap(pair) & overlapped
         } else {
@@ -145,8 +133,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<'_, R, D, K> {
         }
     }
 
+    /// Whether a pair may meet, by the keys as they are now.
     #[inline]
-    fn may_meet(&self, pair: [u32; 2]) -> bool {
+    pub(in crate::pair_tracker) fn may_meet(&self, pair: [u32; 2]) -> bool {
         let [a, b] = pair.map(|slot| self.keys[slot as usize]);
         a.may_meet(b)
     }

@@ -8,17 +8,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::verdict::Verdict;
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
-use crate::pair_tracker::FilterKey;
+use crate::aabb::Aabb;
+use crate::pair_tracker::{BoxUpdate, FilterKey};
+use crate::real::Real;
 use crate::stopwatch::Phase;
 use crate::tuning::update::ROOM_AHEAD;
-use crate::volume::{Volume, VolumeKind};
-use crate::{Aabb, Real};
+use crate::volume::Volume;
 
 /// What the next update has to look at, if it exists, by slot and generation: with boxes if some were handed over; otherwise it has to be
 /// read.
-pub(super) type Awaited<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedOver<R, D>>>;
+pub(super) type Pending<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedOver<R, D>>>;
 
 /// What boxes were handed over for a collider that is not known.
 #[derive(Clone, Copy, Debug)]
@@ -40,10 +40,10 @@ impl<R: Real, const D: usize> HandedOver<R, D> {
     /// After one more box.
     fn followed_by(former: Option<Self>, aabb: Aabb<R, D>, margin: R) -> Self {
         let held = former.map_or(Aabb::ABSENT, |former| former.held);
-        let held = match Verdict::of(&held, &aabb, margin) {
-            Verdict::Keep => held,
-            Verdict::Renew(renewed) => renewed,
-            Verdict::Recheck => aabb,
+        let held = match BoxUpdate::of(&held, &aabb, margin) {
+            BoxUpdate::Keep => held,
+            BoxUpdate::Renew(renewed) => renewed,
+            BoxUpdate::Recheck => aabb,
         };
         Self { held, last: aabb }
     }
@@ -62,25 +62,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     ) {
         self.begin(margin);
         self.tracker.stopwatch.enter(Phase::Read);
-        self.tracker.forget_repeats();
+        self.tracker.proxies.forget_repeats();
         let mut boxes = boxes.into_iter();
         while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
-            self.gathered.listed += 1;
-            if let Some(slot) = self.slot_of(handle) {
-                let key = self.tracker.key(slot);
-                let volumes = self.tracker.volumes();
-                let (are_used, by_box) = (volumes.are_used(), volumes.by_box(slot, &aabb));
-                self.admit(handle, margin, |memo| {
-                    let volume = match by_box {
-                        _ if !are_used => Volume::BOX,
-                        Some(volume) => volume,
-                        None => volume(handle, memo, &aabb),
-                    };
-                    Some(Reading { aabb, key, volume })
-                });
-            } else {
-                self.await_collider(handle, aabb, margin);
-            }
+            let Some(slot) = self.slot_of(handle) else {
+                self.keep_pending(handle, aabb, margin);
+                continue;
+            };
+            let proxies = &mut self.tracker.proxies;
+            let key = proxies.key(slot);
+            let are_used = proxies.volumes().are_used();
+            let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
+            self.admit(handle, margin, |memo| {
+                let volume = match by_box {
+                    _ if !are_used => Volume::BOX,
+                    Some(volume) => volume,
+                    None => volume(handle, memo, &aabb),
+                };
+                Some(Reading { aabb, key, volume })
+            });
         }
         self.tracker.stopwatch.leave();
     }
@@ -92,99 +92,74 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         margin: R,
         volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) -> Option<(H, Aabb<R, D>)> {
-        let Self {
-            tracker,
-            generations,
-            memos,
-            gathered,
-            ..
-        } = self;
-        let has_volumes = tracker.volumes().are_used();
-        let mut mover = tracker.mover();
-        let (mut listed, mut moved) = (0, 0);
+        let touched = self.tracker.proxies.touched().len();
+        let mut proxies = self.tracker.proxies.all();
+        let (generations, memos) = (&self.generations[..], &mut self.memos[..]);
+        let mut listed = 0;
         let unusual = loop {
             let Some((handle, aabb)) = boxes.next() else {
                 break None;
             };
+            listed += 1;
             let (slot, generation) = handle.into_raw_parts();
-            if !is_known(generations, slot, generation) {
+            let i = slot as usize;
+            let is_moved = is_known(generations, slot, generation)
+                && proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
+                    let by_box = volumes.set_by_box(i, &aabb, is_renewed);
+                    by_box.or_else(|| {
+                        let volume = volume(handle, &mut memos[i], &aabb);
+                        volumes.set(i, &volume, is_renewed)
+                    })
+                });
+            if !is_moved {
                 break Some((handle, aabb));
             }
-            let verdict = Verdict::of(mover.held(slot), &aabb, margin);
-            let is_renewed = match verdict {
-                Verdict::Keep => false,
-                Verdict::Renew(renewed) => {
-                    mover.place(slot, renewed);
-                    moved += 1;
-                    true
-                }
-                Verdict::Recheck => break Some((handle, aabb)),
-            };
-            if has_volumes {
-                let index = slot as usize;
-                match mover.volumes().kind(index) {
-                    VolumeKind::Ball => mover.stir_ball(slot, &aabb, is_renewed),
-                    VolumeKind::Part => {}
-                    kind => {
-                        let volume = volume(handle, &mut memos[index], &aabb);
-                        if volume.kind != kind {
-                            break Some((handle, aabb));
-                        }
-                        mover.stir(slot, &volume, is_renewed);
-                    }
-                }
-            }
-            listed += 1;
         };
-        gathered.listed += listed;
-        gathered.moved += moved;
+        self.gathered.listed += listed;
+        self.gathered.moved += self.tracker.proxies.touched().len() - touched;
         unusual
     }
 
     /// Keeps a box until the next update can look for its collider.
     #[cold]
-    fn await_collider(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
+    fn keep_pending(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
         // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
         if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);
-            if let Some(known) = self.generations[index] {
+            let known = self.generations[index];
+            if let Some(known) = known {
                 // Probably its removal has not been reported yet.
-                self.awaited.insert((slot, known), None);
+                self.pending.insert((slot, known), None);
             }
-            let is_known = self.generations[index].is_some();
             if aabb.is_valid() {
-                if is_known && self.tracker.get(slot).is_none() {
-                    self.stats.proxies += 1;
-                    self.stats.refused -= 1;
-                }
-                self.tracker.place(slot, aabb);
-            } else if !is_known {
-                self.tracker.refuse(slot);
+                self.place(slot, aabb);
+            } else if known.is_none() {
+                self.tracker.proxies.clear_box(slot);
             }
         }
-        let awaited = self.awaited.entry((slot, generation)).or_default();
-        *awaited = Some(HandedOver::followed_by(*awaited, aabb, margin));
+        let pending = self.pending.entry((slot, generation)).or_default();
+        *pending = Some(HandedOver::followed_by(*pending, aabb, margin));
     }
 
-    /// Looks at the awaited colliders, except those that have been removed in the meantime.
-    pub(super) fn admit_awaited<S>(&mut self, removed: &[S::Handle], source: &S, margin: R)
+    /// Looks at the pending colliders, except those that have been removed in the meantime.
+    pub(super) fn admit_pending<S>(&mut self, removed: &[S::Handle], source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        if self.awaited.is_empty() {
+        if self.pending.is_empty() {
             return;
         }
         let removed: BTreeSet<_> = removed
             .iter()
             .map(|handle| handle.into_raw_parts())
             .collect();
-        let are_used = self.tracker.volumes().are_used();
-        for ((slot, generation), boxes) in std::mem::take(&mut self.awaited) {
+        let are_used = self.tracker.proxies.volumes().are_used();
+        for ((slot, generation), boxes) in std::mem::take(&mut self.pending) {
             if self.generations.get(slot as usize) == Some(&None) {
                 // The box was only there for queries.
-                self.tracker.refuse(slot);
+                self.tracker.proxies.clear_box(slot);
             }
             if removed.contains(&(slot, generation)) {
                 continue;

@@ -1,0 +1,83 @@
+//! A chunk of the proxies, to be moved in place: what one thread works on, or all of them.
+
+use super::box_update::BoxUpdate;
+use super::proxies::Notes;
+use super::volumes::VolumesChunk;
+use crate::aabb::Aabb;
+use crate::real::Real;
+use crate::volume::Volume;
+
+/// A run of slots, counted from its first one.
+pub(crate) struct ProxyChunk<'a, R, const D: usize, K> {
+    pub(super) first_slot: usize,
+    pub(super) boxes: &'a mut [Aabb<R, D>],
+    pub(super) fat_boxes: &'a [Aabb<R, D>],
+    pub(super) keys: &'a [K],
+    pub(super) volumes: VolumesChunk<'a, R, D>,
+    pub(super) notes: &'a mut Notes,
+}
+
+impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
+    /// The slot at `i` of the chunk.
+    #[inline(always)]
+    pub(crate) fn slot(&self, i: usize) -> u32 {
+        (self.first_slot + i) as u32
+    }
+
+    /// The filter key of the slot at `i`.
+    #[inline(always)]
+    pub(crate) fn key(&self, i: usize) -> &K {
+        &self.keys[i]
+    }
+
+    /// The volume of the slot at `i` in this box, if no more than the box is needed to tell.
+    #[inline(always)]
+    pub(crate) fn volume_by_box(&self, i: usize, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
+        self.volumes.by_box(i, aabb)
+    }
+
+    /// Places or moves the proxy at `i`. `aabb` must be valid.
+    #[inline(always)]
+    pub(crate) fn place(&mut self, i: usize, aabb: Aabb<R, D>) {
+        debug_assert!(aabb.is_valid());
+        let slot = self.slot(i);
+        self.boxes[i] = aabb;
+        self.notes.touched.push(slot);
+        if !self.fat_boxes[i].contains(&aabb) {
+            self.notes.left.push(slot);
+        }
+    }
+
+    /// Brings the proxy at `i` up to date with the box of its collider. If volumes are in use, `set_volume` is to set its volume, and
+    /// say what [`VolumesChunk::set`] says; it is told whether the box is renewed. Returns false, and changes nothing, if this takes
+    /// more than a move.
+    #[inline(always)]
+    pub(crate) fn follow(
+        &mut self,
+        i: usize,
+        aabb: &Aabb<R, D>,
+        margin: R,
+        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> Option<bool>,
+    ) -> bool {
+        let update = BoxUpdate::of(&self.boxes[i], aabb, margin);
+        if update == BoxUpdate::Recheck {
+            return false;
+        }
+        if self.volumes.are_used() {
+            let is_renewed = update != BoxUpdate::Keep;
+            match set_volume(&mut self.volumes, is_renewed) {
+                None => return false,
+                // What has another box is compared for that.
+                Some(true) if !is_renewed => {
+                    let slot = self.slot(i);
+                    self.notes.revolumed.push(slot);
+                }
+                Some(_) => {}
+            }
+        }
+        if let BoxUpdate::Renew(renewed) = update {
+            self.place(i, renewed);
+        }
+        true
+    }
+}

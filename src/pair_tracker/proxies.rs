@@ -1,0 +1,300 @@
+//! The proxies: one structure of arrays, by slot.
+//!
+//! Between two updates, placing, clearing and removing proxies only writes boxes and notes which slots it has written. Nothing is
+//! searched or compared until the next `finish`, so a proxy may be written any number of times. What works through many slots
+//! borrows all of them as one [`ProxyChunk`], or each of several threads a chunk of its own.
+
+use super::FilterKey;
+use super::chunk::ProxyChunk;
+use super::policy::are_most_touched;
+use super::volumes::Volumes;
+use crate::aabb::Aabb;
+use crate::bit_set::BitSet;
+use crate::parallel;
+use crate::real::Real;
+use crate::slot_set::SlotSet;
+use crate::tuning::update::{MOST_NOTES_A_SLOT, SLOTS_A_TASK, THREADS_FROM};
+use crate::volume::Volume;
+
+/// What is known of each slot, and what has changed since the last `finish`.
+#[derive(Clone, Debug)]
+pub(crate) struct Proxies<R, const D: usize, K> {
+    /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
+    pub(super) boxes: Vec<Aabb<R, D>>,
+    /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
+    pub(super) previous: Vec<Aabb<R, D>>,
+    /// The fat box of each proxy; all NaN where there is none, or none yet.
+    pub(super) fat_boxes: Vec<Aabb<R, D>>,
+    pub(super) keys: Vec<K>,
+    /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then. In a `finish`, ascending.
+    pub(super) former_keys: Vec<(u32, K)>,
+    /// Whether a slot has had another key than the default one, with which all may meet.
+    pub(super) are_filtered: bool,
+    /// The volume of each slot, if pairs are told apart by them.
+    pub(super) volumes: Volumes<R, D>,
+    pub(super) notes: Notes,
+    /// In a `finish`, the slots whose boxes have left their fat boxes, have none yet, or are gone.
+    pub(super) leavers: SlotSet,
+    /// In a `finish`, the slots that have another box than at the end of the last one, if volumes are in use.
+    pub(super) renewed: BitSet,
+    /// In a `finish`, how far the volumes of a held pair may be apart.
+    pub(super) slack: R,
+}
+
+/// Slots that were written since the last `finish`; each may repeat.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Notes {
+    /// Whose boxes or keys were written.
+    pub(super) touched: Vec<u32>,
+    /// Those of them whose boxes have left their fat boxes, or that have to be searched for all the same.
+    pub(super) left: Vec<u32>,
+    /// Whose volumes have changed, but not their boxes at that time.
+    pub(super) revolumed: Vec<u32>,
+}
+
+impl Notes {
+    /// Moves all notes of another one here.
+    fn append(&mut self, other: &mut Self) {
+        self.touched.append(&mut other.touched);
+        self.left.append(&mut other.left);
+        self.revolumed.append(&mut other.revolumed);
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.touched.clear();
+        self.left.clear();
+        self.revolumed.clear();
+    }
+}
+
+impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
+    /// No slots yet. `volumes` says whether volumes are in use.
+    pub(super) fn new(volumes: bool) -> Self {
+        Self {
+            boxes: Vec::new(),
+            previous: Vec::new(),
+            fat_boxes: Vec::new(),
+            keys: Vec::new(),
+            former_keys: Vec::new(),
+            are_filtered: false,
+            volumes: Volumes::new(volumes),
+            notes: Notes::default(),
+            leavers: SlotSet::default(),
+            renewed: BitSet::default(),
+            slack: R::ZERO,
+        }
+    }
+
+    /// The number of slots that there is room for.
+    pub(crate) fn len(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// The boxes by slot; all NaN where there is no proxy.
+    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
+        &self.boxes
+    }
+
+    /// The box under this slot, if there is a proxy.
+    pub(crate) fn get(&self, slot: u32) -> Option<&Aabb<R, D>> {
+        self.boxes.get(slot as usize).filter(|b| b.is_valid())
+    }
+
+    /// The slots that have a proxy, with their boxes.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
+        (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
+    }
+
+    /// The filter key of a slot.
+    pub(crate) fn key(&self, slot: u32) -> K {
+        self.keys[slot as usize]
+    }
+
+    /// The volumes, if pairs are told apart by them.
+    pub(crate) fn volumes(&self) -> &Volumes<R, D> {
+        &self.volumes
+    }
+
+    /// The slots whose boxes or keys were written since the last `finish`; may repeat.
+    pub(crate) fn touched(&self) -> &[u32] {
+        &self.notes.touched
+    }
+
+    /// Makes room for this number of slots, if there is less.
+    #[cold]
+    pub(crate) fn make_room(&mut self, slots: usize) {
+        if slots > self.boxes.len() {
+            for boxes in [&mut self.boxes, &mut self.previous, &mut self.fat_boxes] {
+                boxes.resize(slots, Aabb::ABSENT);
+            }
+            self.keys.resize(slots, K::default());
+            self.volumes.make_room(slots);
+            self.leavers.make_room(slots);
+        }
+    }
+
+    /// All slots, to be written in place.
+    #[inline(always)]
+    pub(crate) fn all(&mut self) -> ProxyChunk<'_, R, D, K> {
+        ProxyChunk {
+            first_slot: 0,
+            boxes: &mut self.boxes,
+            fat_boxes: &self.fat_boxes,
+            keys: &self.keys,
+            volumes: self.volumes.all(),
+            notes: &mut self.notes,
+        }
+    }
+
+    /// Chunks of this many slots, to be written by several threads. What they note is to be [taken in](Self::note).
+    pub(crate) fn chunks<'a>(
+        &'a mut self,
+        slots: usize,
+        notes: impl IntoIterator<Item = &'a mut Notes>,
+    ) -> impl Iterator<Item = ProxyChunk<'a, R, D, K>> {
+        let boxes = self.boxes.chunks_mut(slots).zip(notes);
+        let rest = self.fat_boxes.chunks(slots).zip(self.keys.chunks(slots));
+        let all = boxes.zip(rest).zip(self.volumes.chunks(slots));
+        all.enumerate().map(
+            move |(i, (((boxes, notes), (fat_boxes, keys)), volumes))| ProxyChunk {
+                first_slot: i * slots,
+                boxes,
+                fat_boxes,
+                keys,
+                volumes,
+                notes,
+            },
+        )
+    }
+
+    /// Takes in the notes of a chunk.
+    pub(crate) fn note(&mut self, notes: &mut Notes) {
+        self.notes.append(notes);
+    }
+
+    /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
+    pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
+        self.all().place(slot as usize, aabb);
+    }
+
+    /// Takes the box of a slot away; its pairs end with an event each. Its fat box stays until then, like its candidates.
+    pub(crate) fn clear_box(&mut self, slot: u32) {
+        if let Some(aabb) = self.boxes.get_mut(slot as usize) {
+            *aabb = Aabb::ABSENT;
+            self.search_anew(slot);
+        }
+    }
+
+    /// Removes a proxy; its pairs end without an event.
+    pub(crate) fn remove(&mut self, slot: u32) {
+        if let Some(previous) = self.previous.get_mut(slot as usize) {
+            *previous = Aabb::ABSENT;
+            self.clear_box(slot);
+        }
+    }
+
+    fn search_anew(&mut self, slot: u32) {
+        self.notes.touched.push(slot);
+        self.notes.left.push(slot);
+    }
+
+    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew.
+    pub(crate) fn set_key(&mut self, slot: u32, key: K) {
+        let index = slot as usize;
+        let former = std::mem::replace(&mut self.keys[index], key);
+        if former == key {
+            return;
+        }
+        self.are_filtered = true;
+        if self.previous[index].is_valid() {
+            // If it changes twice in an update, the first one counts: `finish` keeps it.
+            self.former_keys.push((slot, former));
+        }
+        if self.boxes[index].is_valid() {
+            self.search_anew(slot);
+        }
+    }
+
+    /// Sets the volume of a slot, for which there must be room, and whose box `is_renewed` at the same time or not.
+    pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) {
+        if self.volumes.set(slot, volume, is_renewed) && !is_renewed {
+            self.notes.revolumed.push(slot);
+        }
+    }
+
+    /// Takes note of the margin that boxes have from now on.
+    pub(crate) fn note_margin(&mut self, margin: R) {
+        if self.volumes.note_margin(margin) {
+            self.notes.revolumed.extend(0..self.boxes.len() as u32);
+        }
+    }
+
+    /// Forgets what was noted more than once since the last `finish`, if it takes much memory. **O(1)** a note.
+    pub(crate) fn forget_repeats(&mut self) {
+        let Notes {
+            touched,
+            left,
+            revolumed,
+        } = &mut self.notes;
+        for noted in [touched, left, revolumed] {
+            if noted.len() > MOST_NOTES_A_SLOT * self.boxes.len() {
+                noted.sort_unstable();
+                noted.dedup();
+            }
+        }
+    }
+
+    /// Prepares for comparing: makes sets of what was noted.
+    pub(super) fn begin_finish(&mut self, slack: R) {
+        self.slack = slack;
+        for &slot in &self.notes.left {
+            self.leavers.insert(slot);
+        }
+        // Stable: of several keys that a slot has had since the last update, the first one is kept.
+        self.former_keys.sort_by_key(|&(slot, _)| slot);
+        self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
+        if self.volumes.are_used() {
+            self.renewed.resize(self.boxes.len());
+            for &slot in &self.notes.touched {
+                let i = slot as usize;
+                if self.boxes[i] != self.previous[i] {
+                    self.renewed.insert(i);
+                }
+            }
+        }
+    }
+
+    /// Makes the present boxes the previous ones, and forgets the notes, except that it swaps what was touched with
+    /// `last_touched`.
+    pub(super) fn commit(&mut self, last_touched: &mut Vec<u32>) {
+        let touched = &self.notes.touched;
+        if are_most_touched(touched.len(), self.boxes.len()) {
+            let slots = slots_a_task(self.boxes.len());
+            let boxes = self.boxes.chunks(slots);
+            let mut parts: Vec<_> = self.previous.chunks_mut(slots).zip(boxes).collect();
+            parallel::for_each(&mut parts, |(previous, boxes)| {
+                previous.copy_from_slice(boxes);
+            });
+        } else {
+            for &slot in touched {
+                self.previous[slot as usize] = self.boxes[slot as usize];
+            }
+        }
+        if self.volumes.are_used() {
+            self.renewed.clear_around(touched);
+        }
+        std::mem::swap(&mut self.notes.touched, last_touched);
+        self.notes.clear();
+        self.leavers.clear();
+        self.former_keys.clear();
+    }
+}
+
+/// How many of so many slots each of the threads is given at a time: all, if they are not worth a second thread.
+pub(super) fn slots_a_task(slots: usize) -> usize {
+    if slots < THREADS_FROM {
+        THREADS_FROM
+    } else {
+        SLOTS_A_TASK
+    }
+}
