@@ -5,9 +5,10 @@
 //! The tree is copied, and the same is done to the copy. Whether there is anything to do is not to be asked from
 //! outside, so it is decided here as in `broad_phase_bvh/update.rs`.
 
+use super::frames::Frames;
 use super::rapier::parry::partitioning::{Bvh, BvhWorkspace};
+use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use crate::clock::Clock;
 use std::time::Duration;
 
 #[derive(Default)]
@@ -23,15 +24,17 @@ pub(super) struct Deferred {
 }
 
 impl Deferred {
-    /// How long the next update will take for what the last one has deferred. Once after each update, given what had
-    /// moved for it.
-    pub(super) fn time(&mut self, tree: &Bvh, moved: &[ColliderHandle], clock: Clock) -> Duration {
-        if !self.is_due(tree, moved) {
+    /// How long the next update will take for what the last one has deferred. Once after each update.
+    pub(super) fn time(&mut self, broad_phase: &DefaultBroadPhase, frames: &Frames) -> Duration {
+        let (bodies, colliders) = (&frames.world.bodies, &frames.world.colliders);
+        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+        let queries = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        if !self.is_due(queries.bvh, &frames.moving) {
             return Duration::ZERO;
         }
-        let mut copy = tree.clone();
+        let mut copy = queries.bvh.clone();
         let workspace = &mut self.workspace;
-        clock.time(|| {
+        frames.world.clock.time(|| {
             copy.optimize_incremental(workspace);
             copy.refit_without_resolve(workspace);
         })
