@@ -69,9 +69,9 @@ impl Driven for Recorder {
             return Duration::ZERO;
         }
         let (dt, events) = (world.params.dt, &mut world.events);
-        let (inner, moved) = (&mut self.broad_phase, changes.moved);
+        let (inner, moved, removed) = (&mut self.broad_phase, changes.moved, changes.removed);
         world
             .clock
-            .time(|| inner.update(dt, prediction, colliders, bodies, moved, &[], events))
+            .time(|| inner.update(dt, prediction, colliders, bodies, moved, removed, events))
     }
 }
