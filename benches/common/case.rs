@@ -55,7 +55,7 @@ impl Sizes {
                 let hash = (i as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40;
                 1.0 + 3.0 * hash as f32 / (1 << 24) as f32
             }
-            Self::FewLarge if i % 100 == 0 => 100.0,
+            Self::FewLarge if i % 100 < 1 => 100.0,
             Self::One | Self::FewLarge => 1.0,
         };
         (0..count).map(side).collect()

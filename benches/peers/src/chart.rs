@@ -6,16 +6,15 @@ use crate::row::Row;
 use crate::updates::WITHOUT_DEFERRED;
 use anyhow::Result;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use unisize_charts::{Axis, Chart, Panel, Series, color};
 
 /// The reference algorithms appear only in the table: CGAL's is drawn as CGAL. So does what Rapier 0.36 takes without what
 /// it defers.
 const NOT_DRAWN: [&str; 1] = ["unisize StreamedSegmentTree"];
 
-/// Draws a chart of each subject that has rows, and returns the files.
-pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
+/// Draws a chart of each subject that has rows.
+pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<()> {
     let charts = [
         (
             "kernels",
@@ -42,13 +41,11 @@ pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>> {
         }
         let contenders = contenders(&cases);
         let panels = cases.iter().map(|case| panel(case, &contenders));
-        let file = folder.join(name);
         Chart::new(title, panels)
             .columns(columns(&cases))
-            .write_svg(&file)?;
-        files.push(file);
+            .write_svg(&folder.join(name))?;
     }
-    Ok(files)
+    Ok(())
 }
 
 /// The rows of one case, at every number of boxes.
@@ -62,7 +59,7 @@ fn cases<'a>(rows: &'a [&'a Row]) -> Vec<Case<'a>> {
         let counts: BTreeSet<_> = case.iter().map(|row| row.count).collect();
         let is_densest = rows
             .iter()
-            .all(|row| row.dimension != case[0].dimension || row.density <= case[0].density);
+            .all(|row| row.dim != case[0].dim || row.density <= case[0].density);
         is_densest && counts.len() > 2
     };
     cases.filter(is_drawn).collect()
@@ -72,8 +69,8 @@ fn cases<'a>(rows: &'a [&'a Row]) -> Vec<Case<'a>> {
 fn contenders<'a>(cases: &[Case<'a>]) -> Vec<&'a str> {
     let mut contenders = Vec::new();
     for row in cases.iter().copied().flatten() {
-        if !contenders.contains(&&*row.contender) {
-            contenders.push(&*row.contender);
+        if !contenders.contains(&row.contender.as_str()) {
+            contenders.push(row.contender.as_str());
         }
     }
     contenders.sort_by_key(|name| !name.starts_with("unisize"));
@@ -82,7 +79,7 @@ fn contenders<'a>(cases: &[Case<'a>]) -> Vec<&'a str> {
 
 /// One row of panels per dimension, or one row of all panels if each dimension has only one.
 fn columns(cases: &[Case<'_>]) -> usize {
-    let is_of_first = |case: &&Case<'_>| case[0].dimension == cases[0][0].dimension;
+    let is_of_first = |case: &&Case<'_>| case[0].dim == cases[0][0].dim;
     match cases.iter().take_while(is_of_first).count() {
         1 => cases.len(),
         columns => columns,
@@ -102,15 +99,10 @@ fn panel(case: Case<'_>, contenders: &[&str]) -> Panel {
         let series = Series::new(*contender, color, points);
         if index == 0 { series.bold() } else { series }
     });
-    let Row {
-        dimension,
-        density,
-        motion,
-        ..
-    } = case[0];
-    let mut title = format!("{dimension}D, density {density}");
-    if !motion.is_empty() {
-        title = format!("{title}, {motion}");
+    let first = case[0];
+    let mut title = format!("{}D, density {}", first.dim, first.density);
+    if !first.motion.is_empty() {
+        title = format!("{title}, {}", first.motion);
     }
     Panel::new(
         title,

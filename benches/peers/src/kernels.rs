@@ -37,8 +37,9 @@ mod parry3 {
 }
 
 use crate::pair_set::PairSet;
-use crate::progress::Progress;
-use crate::row::{self, Row};
+use crate::progress::progress_bar;
+use crate::report::Report;
+use crate::row::Row;
 use anyhow::{Context, Result};
 use contender::{Contender, Family};
 use frame::Frame;
@@ -76,36 +77,35 @@ const fn effort(count: usize, trial_frames: usize, rounds: usize, frames_a_round
 }
 
 /// Measures every library in two and three dimensions.
-pub(crate) fn measure(quick: bool, progress: &Progress) -> Result<Vec<Row>> {
-    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
-    let mut rows = measure_in(&families_2d(), [0.8, 0.2], efforts, quick, progress)?;
-    rows.extend(measure_in(
-        &families_3d(),
-        [0.4, 0.1],
-        efforts,
-        quick,
-        progress,
-    )?);
+pub(crate) fn measure(quick: bool, report: &mut Report) -> Result<Vec<Row>> {
+    let mut rows = measure_in(&families_2d(), [0.8, 0.2], quick, report)?;
+    rows.extend(measure_in(&families_3d(), [0.4, 0.1], quick, report)?);
     Ok(rows)
 }
 
 fn measure_in<const D: usize>(
     families: &[Family<D>],
     [dense, sparse]: [f64; 2],
-    efforts: &[Effort],
     quick: bool,
-    progress: &Progress,
+    report: &mut Report,
 ) -> Result<Vec<Row>> {
+    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
     let mut cases: Vec<_> = efforts.iter().map(|effort| (dense, effort)).collect();
     if !quick {
         let is_quick_enough = |effort: &&Effort| D == 2 || effort.count <= SPARSE_MAX_COUNT_3D;
         let sparse_efforts = efforts.iter().filter(is_quick_enough);
         cases.extend(sparse_efforts.map(|effort| (sparse, effort)));
     }
-    progress.expect(cases.len());
+    let bar = progress_bar(cases.len() as u64);
     let mut rows = Vec::new();
     for (density, effort) in cases {
-        rows.extend(measure_case(families, density, effort, progress)?);
+        let case = format!("kernels, {D}D, density {density}, n = {}", effort.count);
+        bar.set_message(case.clone());
+        for row in contend(families, density, effort).context(case)? {
+            bar.suspend(|| row.report(report))?;
+            rows.push(row);
+        }
+        bar.inc(1);
     }
     Ok(rows)
 }
@@ -148,19 +148,6 @@ where
     families
 }
 
-fn measure_case<const D: usize>(
-    families: &[Family<D>],
-    density: f64,
-    effort: &Effort,
-    progress: &Progress,
-) -> Result<Vec<Row>> {
-    let case = format!("kernels, {D}D, density {density}, n = {}", effort.count);
-    progress.begin(case.clone());
-    let rows = contend(families, density, effort).context(case)?;
-    progress.end();
-    Ok(rows)
-}
-
 fn contend<const D: usize>(
     families: &[Family<D>],
     density: f64,
@@ -190,7 +177,6 @@ fn contend<const D: usize>(
     for contender in &contenders {
         contender.check_last(&mut frame)?;
     }
-    let mut rows: Vec<_> = contenders.iter().map(|c| c.row(density)).collect();
-    row::set_ratios(&mut rows);
-    Ok(rows)
+    let row = |contender: &Contender<D>| contender.row(density, &contenders[0]);
+    Ok(contenders.iter().map(row).collect())
 }

@@ -1,74 +1,72 @@
-//! Measures unisize against every peer, in one run, and writes a table, a CSV file and charts.
+//! Measures unisize against every peer, in one run: a table, JSON lines and charts.
 //!
 //! ```text
-//! cargo run --release --package unisize-peers
+//! cargo run --release --package unisize-peers -- --json FILE
 //! ```
 //!
 //! [`kernels`] finds the pairs of boxes of one moment, [`updates`] follows them over time, as a broad phase of
 //! Rapier does. Every pair set is compared with that of an oracle before any time of it is reported.
 
+#[path = "../../common/case.rs"]
+mod case;
 mod chart;
 #[path = "../../common/clock.rs"]
 mod clock;
+#[path = "../../common/json_lines.rs"]
+mod json_lines;
 mod kernels;
-mod latency;
-mod machine;
-mod options;
 mod pair_set;
+#[path = "../../../examples/progress/bar.rs"]
 mod progress;
+#[path = "../../common/report.rs"]
+mod report;
 mod row;
-mod table;
 mod times;
 mod updates;
 
-use anyhow::{Context, Result};
-use clap::Parser;
-use options::{Options, Subject};
-use progress::Progress;
-use row::Row;
-use std::path::Path;
+use anyhow::Result;
+use clap::{Parser, ValueEnum};
+use report::Report;
+use std::path::PathBuf;
+
+/// Measures unisize against its peers: a table on the terminal, JSON lines and charts.
+#[derive(Debug, Parser)]
+struct Options {
+    /// Few and small cases, to see that everything runs; its figures are rough, and its charts go to Cargo's target directory
+    #[arg(long)]
+    quick: bool,
+    /// Measure only these
+    #[arg(long, value_name = "WHAT")]
+    only: Option<Subject>,
+    /// Append the results to this file, a JSON object a line
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// What can be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Subject {
+    /// The pairs of boxes of one moment
+    Kernels,
+    /// Broad phases over time
+    Updates,
+}
 
 fn main() -> Result<()> {
     let options = Options::parse();
-    let machine = options.machine();
-    let progress = Progress::new();
-
-    let results = options.out().join("benches/results");
-    let figures = options.out().join("docs/figures");
-    let file = results.join(format!("{machine}.csv"));
-    if options.redraw {
-        let rows =
-            row::read_csv(&file).with_context(|| format!("cannot read {}", file.display()))?;
-        return draw(&rows, &figures);
-    }
-
+    let mut report = Report::new(options.json.as_deref())?;
     let mut rows = Vec::new();
-    if options.covers(Subject::Kernels) {
-        rows.extend(kernels::measure(options.quick, &progress)?);
+    if options.only != Some(Subject::Updates) {
+        rows.extend(kernels::measure(options.quick, &mut report)?);
     }
-    if options.covers(Subject::Updates) {
-        rows.extend(updates::measure(options.quick, &progress)?);
+    if options.only != Some(Subject::Kernels) {
+        rows.extend(updates::measure(options.quick, &mut report)?);
     }
-    progress.finish();
-
-    println!("Machine: {machine}\n");
-    table::print(&rows);
-    latency::print(&rows);
-
-    for folder in [&results, &figures] {
-        std::fs::create_dir_all(folder)
-            .with_context(|| format!("cannot create {}", folder.display()))?;
-    }
-    row::write_csv(&rows, &file).with_context(|| format!("cannot write {}", file.display()))?;
-    println!("Written: {}", file.display());
-    draw(&rows, &figures)?;
-    println!();
+    let figures = match options.quick {
+        true => unisize_charts::scratch_folder("peers"),
+        false => PathBuf::from("docs/figures"),
+    };
+    std::fs::create_dir_all(&figures)?;
+    chart::draw(&rows, &figures)?;
     kernels::check_streamed(&rows)
-}
-
-fn draw(rows: &[Row], figures: &Path) -> Result<()> {
-    for file in chart::draw(rows, figures)? {
-        println!("Written: {}", file.display());
-    }
-    Ok(())
 }

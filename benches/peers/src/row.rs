@@ -1,30 +1,24 @@
 //! One figure: a contender in a case.
 
-use anyhow::Result;
-use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
-use std::path::Path;
+use crate::report::Report;
+use crate::times::Times;
+use std::io;
 
 /// What one contender took in one case. Times are in milliseconds a frame.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct Row {
     /// `kernels` or `updates`.
-    pub(crate) subject: Cow<'static, str>,
-    pub(crate) dimension: usize,
+    pub(crate) subject: &'static str,
+    pub(crate) dim: usize,
     /// The part of the area or volume that the boxes would fill if they did not overlap.
     pub(crate) density: f64,
     /// What moves between two frames.
     pub(crate) motion: String,
     pub(crate) count: usize,
-    pub(crate) contender: Cow<'static, str>,
+    pub(crate) contender: String,
     /// The setting that was best, of those that were tried.
     pub(crate) setting: String,
-    pub(crate) frames: usize,
-    /// The mean of the median turn.
-    pub(crate) typical_ms: f64,
-    /// The mean of all frames, held up or not.
-    pub(crate) mean_ms: f64,
-    pub(crate) worst_ms: f64,
+    pub(crate) times: Times,
     /// The pairs of the last frame.
     pub(crate) pairs: usize,
     /// Its time in that of unisize's own in this case: above 1, unisize is faster.
@@ -36,41 +30,34 @@ impl Row {
     /// up can be left out. A broad phase may do most of its work in one frame of many, which must count.
     pub(crate) fn time_ms(&self) -> f64 {
         if self.subject == "kernels" {
-            self.typical_ms
+            self.times.typical()
         } else {
-            self.mean_ms
+            self.times.mean()
         }
     }
 
     /// Whether both are of the same case but for the number of boxes.
     pub(crate) fn is_in_series_with(&self, other: &Self) -> bool {
-        self.subject == other.subject
-            && self.dimension == other.dimension
-            && self.density == other.density
-            && self.motion == other.motion
+        let case = |row: &Self| (row.subject, row.dim, row.density.to_bits());
+        case(self) == case(other) && self.motion == other.motion
     }
-}
 
-/// Sets the ratios of the rows of one case, of which the first is unisize's own.
-pub(crate) fn set_ratios(rows: &mut [Row]) {
-    let ours = rows.first().map_or(f64::NAN, Row::time_ms);
-    for row in rows {
-        row.ratio = row.time_ms() / ours;
+    /// Prints the row, and writes it.
+    pub(crate) fn report(&self, report: &mut Report) -> io::Result<()> {
+        report.row(&[
+            ("subject", self.subject.into()),
+            ("dim", self.dim.into()),
+            ("density", self.density.into()),
+            ("motion", self.motion.as_str().into()),
+            ("count", self.count.into()),
+            ("contender", self.contender.as_str().into()),
+            ("setting", self.setting.as_str().into()),
+            ("frames", self.times.count().into()),
+            ("typical_ms", self.times.typical().into()),
+            ("mean_ms", self.times.mean().into()),
+            ("worst_ms", self.times.worst().into()),
+            ("pairs", self.pairs.into()),
+            ("ratio", self.ratio.into()),
+        ])
     }
-}
-
-/// Replaces the file by one line for each row, under a line of names.
-pub(crate) fn write_csv(rows: &[Row], file: &Path) -> Result<()> {
-    let mut writer = csv::Writer::from_path(file)?;
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    writer.flush()?;
-    Ok(())
-}
-
-/// The rows of a file that was so written.
-pub(crate) fn read_csv(file: &Path) -> Result<Vec<Row>> {
-    let rows = csv::Reader::from_path(file)?.into_deserialize();
-    Ok(rows.collect::<Result<_, _>>()?)
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// How long each of some frames took, turn by turn.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Times {
     turns: Vec<Vec<Duration>>,
     /// The same frames in a second run, if there was one.

@@ -3,43 +3,42 @@
 //! Every broad phase has a world of its own with the same colliders, which are moved outside of the timing.
 //! They take turns of some frames each, in one order and then in the other, so that none is always first.
 
-mod choreography;
-mod motion;
-mod peer;
-mod sizes;
-
+use crate::case::{Case, Motion, Sizes};
+use crate::clock::Clock;
 use crate::pair_set::PairSet;
-use crate::progress::Progress;
+use crate::progress::progress_bar;
+use crate::report::Report;
 use crate::row::Row;
 use crate::times::Times;
 use anyhow::{Context, Result, bail};
-use choreography::Choreography;
-use motion::Motion;
-use peer::{Entry, Peer};
-use sizes::Sizes;
+use std::time::Duration;
 
 #[path = "updates/engine"]
 mod dim2 {
-    //! The broad phases for rapier2d.
-    use super::peer::Entry;
+    use super::{Create, Entry};
 
     /// For each version the one of this repository first, then the one that it replaces.
-    pub(super) const ENTRIES: [Entry<2>; 5] = [
+    pub(super) const ENTRIES: [Entry<2>; 5] = super::entries([
         v027::OURS,
         v027::DEFAULT,
         v036::OURS,
-        v036::BVH,
+        v036::DEFAULT,
         v026::MULTI_SAP,
-    ];
+    ]);
 
     #[path = "."]
     mod v026 {
         use rapier2d_026 as rapier;
 
+        mod contestant;
         #[path = "v026.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::MULTI_SAP;
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const MULTI_SAP: super::Create<2> =
+            |case| Box::new(Contestant::new(case, engine::Recorder::default(), nothing));
     }
 
     #[path = "."]
@@ -47,10 +46,21 @@ mod dim2 {
         use rapier2d as rapier;
         use unisize::rapier2d_027 as ours;
 
-        #[path = "v027.rs"]
+        mod contestant;
+        #[path = "../../../../common/engine_027.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::{DEFAULT, OURS};
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const OURS: super::Create<2> = |case| {
+            let broad_phase = ours::UnisizeBroadPhase::new();
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
+        pub(super) const DEFAULT: super::Create<2> = |case| {
+            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
     }
 
     #[path = "."]
@@ -58,36 +68,55 @@ mod dim2 {
         use rapier2d_036 as rapier;
         use unisize::rapier2d_036 as ours;
 
+        mod contestant;
         mod deferred;
-        #[path = "v036.rs"]
+        #[path = "../../../../common/engine_036.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::{BVH, OURS};
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const OURS: super::Create<2> = |case| {
+            // The level that leaves out what the default does, so that both hold the same pairs.
+            let settings = unisize::Settings::default().with_filter(unisize::PairFilter::Groups);
+            let broad_phase = ours::UnisizeBroadPhase::with_settings(settings);
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
+        pub(super) const DEFAULT: super::Create<2> = |case| {
+            let mut deferred = deferred::Deferred::default();
+            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
+            let time = move |broad_phase: &_, frames: &_| deferred.time(broad_phase, frames);
+            Box::new(Contestant::new(case, broad_phase, time))
+        };
     }
 }
 
 #[path = "updates/engine"]
 mod dim3 {
-    //! The broad phases for rapier3d.
-    use super::peer::Entry;
+    use super::{Create, Entry};
 
     /// For each version the one of this repository first, then the one that it replaces.
-    pub(super) const ENTRIES: [Entry<3>; 5] = [
+    pub(super) const ENTRIES: [Entry<3>; 5] = super::entries([
         v027::OURS,
         v027::DEFAULT,
         v036::OURS,
-        v036::BVH,
+        v036::DEFAULT,
         v026::MULTI_SAP,
-    ];
+    ]);
 
     #[path = "."]
     mod v026 {
         use rapier3d_026 as rapier;
 
+        mod contestant;
         #[path = "v026.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::MULTI_SAP;
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const MULTI_SAP: super::Create<3> =
+            |case| Box::new(Contestant::new(case, engine::Recorder::default(), nothing));
     }
 
     #[path = "."]
@@ -95,10 +124,21 @@ mod dim3 {
         use rapier3d as rapier;
         use unisize::rapier3d_027 as ours;
 
-        #[path = "v027.rs"]
+        mod contestant;
+        #[path = "../../../../common/engine_027.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::{DEFAULT, OURS};
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const OURS: super::Create<3> = |case| {
+            let broad_phase = ours::UnisizeBroadPhase::new();
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
+        pub(super) const DEFAULT: super::Create<3> = |case| {
+            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
     }
 
     #[path = "."]
@@ -106,25 +146,81 @@ mod dim3 {
         use rapier3d_036 as rapier;
         use unisize::rapier3d_036 as ours;
 
+        mod contestant;
         mod deferred;
-        #[path = "v036.rs"]
+        #[path = "../../../../common/engine_036.rs"]
         mod engine;
-        mod world;
-        pub(super) use engine::{BVH, OURS};
+        #[path = "../../../../common/frames.rs"]
+        mod frames;
+
+        use contestant::{Contestant, nothing};
+        pub(super) const OURS: super::Create<3> = |case| {
+            // The level that leaves out what the default does, so that both hold the same pairs.
+            let settings = unisize::Settings::default().with_filter(unisize::PairFilter::Groups);
+            let broad_phase = ours::UnisizeBroadPhase::with_settings(settings);
+            Box::new(Contestant::new(case, broad_phase, nothing))
+        };
+        pub(super) const DEFAULT: super::Create<3> = |case| {
+            let mut deferred = deferred::Deferred::default();
+            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
+            let time = move |broad_phase: &_, frames: &_| deferred.time(broad_phase, frames);
+            Box::new(Contestant::new(case, broad_phase, time))
+        };
     }
 }
 
+/// A broad phase with a world of its own, of whichever version of Rapier.
+trait Peer<const D: usize> {
+    /// Moves the colliders on by one frame, and returns how long the broad phase takes to learn of it.
+    fn advance(&mut self) -> Duration;
+
+    /// How much of the next update is only there because this thread has no other to do it beside the solver. Once before each.
+    fn deferred(&mut self) -> Duration;
+
+    /// The pairs that it holds, by the events that it has sent.
+    fn held_pairs(&self) -> PairSet;
+
+    /// The boxes themselves, without any margin, and this part of their size smaller.
+    fn boxes(&self, smaller: f32) -> Vec<unisize::Aabb<f32, D>>;
+}
+
+/// Creates a broad phase that knows the colliders of a case.
+type Create<const D: usize> = fn(&Case) -> Box<dyn Peer<D>>;
+
+/// A broad phase: its name, that of the one of unisize's that it is compared with, and how it is created.
+#[derive(Clone, Copy)]
+struct Entry<const D: usize> {
+    name: &'static str,
+    ours: &'static str,
+    create: Create<D>,
+}
+
+/// Names for those of a dimension.
+const fn entries<const D: usize>([a, b, c, d, e]: [Create<D>; 5]) -> [Entry<D>; 5] {
+    const fn entry<const D: usize>(names: [&'static str; 2], create: Create<D>) -> Entry<D> {
+        let [name, ours] = names;
+        Entry { name, ours, create }
+    }
+    [
+        entry([OURS, OURS], a),
+        entry([BVH_027, OURS], b),
+        entry([OURS_HANDED_OVER, OURS_HANDED_OVER], c),
+        entry([BVH_036, OURS_HANDED_OVER], d),
+        entry([MULTI_SAP, OURS], e),
+    ]
+}
+
 /// That of this repository, for Rapier 0.27.
-pub(crate) const OURS: &str = "unisize for 0.27, lists";
+const OURS: &str = "unisize for 0.27, lists";
 
 /// That for Rapier 0.36.
-pub(crate) const OURS_HANDED_OVER: &str = "unisize for 0.36, boxes handed over";
+const OURS_HANDED_OVER: &str = "unisize for 0.36, boxes handed over";
 
 /// The one that Rapier 0.27 has itself.
-pub(crate) const BVH_027: &str = "Rapier 0.27, BVH";
+const BVH_027: &str = "Rapier 0.27, BVH";
 
 /// The one that Rapier 0.36 has itself.
-pub(crate) const BVH_036: &str = "Rapier 0.36, BVH";
+const BVH_036: &str = "Rapier 0.36, BVH";
 
 /// Without any margin.
 const MULTI_SAP: &str = "Rapier 0.26, multi-SAP";
@@ -164,61 +260,100 @@ const MIXED_COUNT: usize = 10_000;
 /// The number for an update that learns of nothing: it hardly depends on it.
 const NOTHING_COUNT: usize = 1 << 17;
 
+/// Frames before those that are measured: the first updates insert, and trees go on being mended for some more.
+const FRAMES_TO_SETTLE: usize = 5;
+
+/// Frames after which trees that were good have aged.
+const FRAMES_TO_AGE: usize = 400;
+
+/// A case, and how long it is measured.
+struct Task {
+    case: Case,
+    title: String,
+    frames_to_settle: usize,
+    frames_a_round: usize,
+}
+
 /// Measures every broad phase in two and three dimensions.
-pub(crate) fn measure(quick: bool, progress: &Progress) -> Result<Vec<Row>> {
-    let mut rows = measure_in(&dim2::ENTRIES, [0.8, 0.2], quick, progress)?;
-    rows.extend(measure_in(&dim3::ENTRIES, [0.4, 0.1], quick, progress)?);
+pub(crate) fn measure(quick: bool, report: &mut Report) -> Result<Vec<Row>> {
+    let mut rows = measure_in(&dim2::ENTRIES, &tasks([0.8, 0.2], quick), report)?;
+    rows.extend(measure_in(
+        &dim3::ENTRIES,
+        &tasks([0.4, 0.1], quick),
+        report,
+    )?);
     Ok(rows)
 }
 
 fn measure_in<const D: usize>(
     entries: &[Entry<D>],
-    densities: [f64; 2],
-    quick: bool,
-    progress: &Progress,
+    tasks: &[Task],
+    report: &mut Report,
 ) -> Result<Vec<Row>> {
-    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
-    let mut cases = Vec::new();
-    for &density in &densities[..if quick { 1 } else { 2 }] {
-        for sizes in Sizes::ALL {
-            for motion in Motion::ALL {
-                let efforts = efforts.iter();
-                let wanted = efforts.filter(|(count, _)| is_wanted(motion, sizes, *count, quick));
-                cases.extend(wanted.map(|effort| (density, motion, sizes, effort)));
-            }
-        }
-    }
-    progress.expect(cases.len());
+    let bar = progress_bar(tasks.len() as u64);
     let mut rows = Vec::new();
-    for (density, motion, sizes, &(count, frames)) in cases {
-        let start = Choreography::new(count, density, motion, sizes);
-        let title = start.title();
-        let case = format!("updates, {D}D, density {density}, {title}, n = {count}");
-        progress.begin(case.clone());
-        let of_case = contend(entries, &start, density, frames).context(case)?;
-        rows.extend(of_case);
-        progress.end();
+    for task in tasks {
+        let Case { density, count, .. } = task.case;
+        let title = format!("{D}D, density {density}, {}, n = {count}", task.title);
+        bar.set_message(title.clone());
+        for row in contend(entries, task).context(title)? {
+            bar.suspend(|| row.report(report))?;
+            rows.push(row);
+        }
+        bar.inc(1);
     }
     Ok(rows)
 }
 
-fn is_wanted(motion: Motion, sizes: Sizes, count: usize, quick: bool) -> bool {
-    match motion {
-        Motion::OneIn(1) if sizes != Sizes::One => count >= MIXED_COUNT,
-        _ if sizes != Sizes::One => false,
+fn tasks(densities: [f64; 2], quick: bool) -> Vec<Task> {
+    let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
+    let mut tasks = Vec::new();
+    for &density in &densities[..if quick { 1 } else { 2 }] {
+        let mut add = |motion: Motion, sizes, aged, is_wanted: &dyn Fn(usize) -> bool| {
+            for &(count, frames_a_round) in efforts.iter().filter(|effort| is_wanted(effort.0)) {
+                let case = Case {
+                    count,
+                    density,
+                    motion,
+                    sizes,
+                    bodies: true,
+                    clock: Clock::for_count(count),
+                };
+                let words = match sizes {
+                    Sizes::One if aged => format!(", after {FRAMES_TO_AGE} frames"),
+                    Sizes::One => String::new(),
+                    Sizes::OneToFour => ", sizes 1 to 4".to_owned(),
+                    Sizes::FewLarge => ", one in 100 is 100 times as large".to_owned(),
+                };
+                tasks.push(Task {
+                    case,
+                    title: motion.name() + &words,
+                    frames_to_settle: if aged {
+                        FRAMES_TO_AGE
+                    } else {
+                        FRAMES_TO_SETTLE
+                    },
+                    frames_a_round,
+                });
+            }
+        };
+        let (one, all) = (Sizes::One, Motion::OneIn(1));
+        add(all, one, false, &|_| true);
+        add(all, one, true, &|count| count == LONG_COUNT && !quick);
         // Fewer than one in so many would be no other case than one in as many as there are.
-        Motion::OneIn(stride) => count >= stride,
-        Motion::InMargin => true,
-        Motion::AllForLong => count == LONG_COUNT && !quick,
-        Motion::Nothing => count == NOTHING_COUNT,
+        add(Motion::OneIn(10), one, false, &|count| count >= 10);
+        add(Motion::OneIn(100), one, false, &|count| count >= 100);
+        add(Motion::InMargin, one, false, &|_| true);
+        add(Motion::Nothing, one, false, &|count| count == NOTHING_COUNT);
+        add(all, Sizes::OneToFour, false, &|count| count >= MIXED_COUNT);
+        add(all, Sizes::FewLarge, false, &|count| count >= MIXED_COUNT);
     }
+    tasks
 }
 
 /// One broad phase in one case.
 struct Contender<const D: usize> {
-    name: &'static str,
-    ours: &'static str,
-    choreography: Choreography<D>,
+    entry: Entry<D>,
     peer: Box<dyn Peer<D>>,
     times: Times,
     /// What of these could be done beside the solver: of a run of its own, because whoever takes this time leaves the caches
@@ -238,12 +373,10 @@ impl<const D: usize> Contender<D> {
         self.times.begin_turn();
         self.deferred.begin_turn();
         for _ in 0..frames {
-            self.choreography.advance();
             if timed == Timed::Deferred {
                 self.deferred.push(self.peer.deferred());
             }
-            self.peer.place(self.choreography.centers());
-            let time = self.peer.update();
+            let time = self.peer.advance();
             if timed == Timed::Updates {
                 self.times.push(time);
             }
@@ -251,96 +384,90 @@ impl<const D: usize> Contender<D> {
     }
 }
 
-fn contend<const D: usize>(
-    entries: &[Entry<D>],
-    start: &Choreography<D>,
-    density: f64,
-    frames_a_round: usize,
-) -> Result<Vec<Row>> {
-    let mut contenders = follow(entries, start, frames_a_round, Timed::Updates);
-    let deferring = entries.iter().filter(|entry| entry.name == BVH_036);
-    let mut deferring = follow(deferring, start, frames_a_round, Timed::Deferred);
-    if start.centers().len() <= TWICE_MAX {
-        let again = follow(entries, start, frames_a_round, Timed::Updates);
+fn contend<const D: usize>(entries: &[Entry<D>], task: &Task) -> Result<Vec<Row>> {
+    let deferring: Vec<_> = entries
+        .iter()
+        .filter(|e| e.name == BVH_036)
+        .copied()
+        .collect();
+    let mut contenders = follow(entries, task, Timed::Updates);
+    let mut aside = follow(&deferring, task, Timed::Deferred);
+    if task.case.count <= TWICE_MAX {
+        let again = follow(entries, task, Timed::Updates);
         for (contender, again) in contenders.iter_mut().zip(again) {
             contender.times.repeated(again.times);
         }
-        let again = entries.iter().filter(|entry| entry.name == BVH_036);
-        let again = follow(again, start, frames_a_round, Timed::Deferred);
-        for (contender, again) in deferring.iter_mut().zip(again) {
+        let again = follow(&deferring, task, Timed::Deferred);
+        for (contender, again) in aside.iter_mut().zip(again) {
             contender.deferred.repeated(again.deferred);
         }
     }
-    for deferring in deferring {
-        let same = contenders.iter_mut().find(|c| c.name == deferring.name);
-        same.expect("both runs have it").deferred = deferring.deferred;
+    for aside in aside {
+        let is_same = |contender: &&mut Contender<D>| contender.entry.name == aside.entry.name;
+        let same = contenders.iter_mut().find(is_same);
+        same.expect("both runs have it").deferred = aside.deferred;
     }
 
     let held: Vec<_> = contenders.iter().map(|c| c.peer.held_pairs()).collect();
-    let is_right = check(&contenders, &held)?;
-    let row = |name: &str, contender: &Contender<D>, times: &Times, pairs: usize| Row {
-        subject: "updates".into(),
-        dimension: D,
-        density,
-        motion: start.title(),
-        count: start.centers().len(),
-        contender: name.to_owned().into(),
-        setting: String::new(),
-        frames: times.count(),
-        typical_ms: times.typical(),
-        mean_ms: times.mean(),
-        worst_ms: times.worst(),
-        pairs,
-        ratio: match contenders.iter().find(|ours| ours.name == contender.ours) {
-            Some(ours) => times.mean() / ours.times.mean(),
-            None => f64::NAN,
-        },
+    let is_right = check(&contenders, &held, task)?;
+    let row = |name: String, contender: &Contender<D>, times: Times, pairs: usize| {
+        let is_ours = |ours: &&Contender<D>| ours.entry.name == contender.entry.ours;
+        let ours = contenders.iter().find(is_ours);
+        Row {
+            subject: "updates",
+            dim: D,
+            density: task.case.density,
+            motion: task.title.clone(),
+            count: task.case.count,
+            contender: name,
+            setting: String::new(),
+            pairs,
+            ratio: ours.map_or(f64::NAN, |ours| times.mean() / ours.times.mean()),
+            times,
+        }
     };
     let mut rows = Vec::new();
     for ((contender, held), is_right) in contenders.iter().zip(&held).zip(is_right) {
         if !is_right {
             continue;
         }
-        rows.push(row(contender.name, contender, &contender.times, held.len()));
+        let (name, times) = (contender.entry.name, &contender.times);
+        rows.push(row(name.to_owned(), contender, times.clone(), held.len()));
         if !contender.deferred.is_zero() {
-            let name = format!("{}{WITHOUT_DEFERRED}", contender.name);
-            let rest = contender.times.without(&contender.deferred);
-            rows.push(row(&name, contender, &rest, held.len()));
+            let rest = times.without(&contender.deferred);
+            rows.push(row(
+                format!("{name}{WITHOUT_DEFERRED}"),
+                contender,
+                rest,
+                held.len(),
+            ));
         }
     }
     Ok(rows)
 }
 
 /// All frames of a case.
-fn follow<'a, const D: usize>(
-    entries: impl IntoIterator<Item = &'a Entry<D>>,
-    start: &Choreography<D>,
-    frames_a_round: usize,
-    timed: Timed,
-) -> Vec<Contender<D>> {
+fn follow<const D: usize>(entries: &[Entry<D>], task: &Task, timed: Timed) -> Vec<Contender<D>> {
     let enter = |entry: &Entry<D>| {
         let mut contender = Contender {
-            name: entry.name,
-            ours: entry.ours,
-            choreography: start.clone(),
-            peer: (entry.create)(start),
+            entry: *entry,
+            peer: (entry.create)(&task.case),
             times: Times::default(),
             deferred: Times::default(),
         };
-        contender.run(start.motion().frames_to_settle(), timed);
+        contender.run(task.frames_to_settle, timed);
         contender.times = Times::default();
         contender.deferred = Times::default();
         contender
     };
-    let count = start.centers().len();
-    let is_measured = |entry: &&Entry<D>| {
-        (entry.takes_large || !start.has_large())
-            && (entry.name != MULTI_SAP || count <= MULTI_SAP_MAX)
-    };
-    let entries = entries.into_iter().filter(is_measured);
+    // It also takes minutes to put large boxes into its regions.
+    let is_too_much = task.case.count > MULTI_SAP_MAX || task.case.sizes == Sizes::FewLarge;
+    let entries = entries
+        .iter()
+        .filter(|entry| entry.name != MULTI_SAP || !is_too_much);
     let mut contenders: Vec<_> = entries.map(enter).collect();
     for round in 0..ROUNDS {
-        let run = |contender: &mut Contender<D>| contender.run(frames_a_round, timed);
+        let run = |contender: &mut Contender<D>| contender.run(task.frames_a_round, timed);
         if round % 2 == 0 {
             contenders.iter_mut().for_each(run);
         } else {
@@ -353,34 +480,38 @@ fn follow<'a, const D: usize>(
 /// Every broad phase must hold every pair of colliders that overlap, and may hold more: each has margins of its
 /// own. Unisize has those of the one that it replaces, and must hold the same. The one without any margin may miss a pair that
 /// touches, but for rounding. One of another version that misses a pair is told of, and left out.
-fn check<const D: usize>(contenders: &[Contender<D>], held: &[PairSet]) -> Result<Vec<bool>> {
+fn check<const D: usize>(
+    contenders: &[Contender<D>],
+    held: &[PairSet],
+    task: &Task,
+) -> Result<Vec<bool>> {
     let mut is_right = Vec::new();
     for (contender, held) in contenders.iter().zip(held) {
-        let has_margin = contender.name != MULTI_SAP;
-        let smaller = if has_margin { 0.0 } else { ROUNDING };
-        let overlapping = PairSet::of_boxes(&contender.choreography.boxes(smaller))?;
+        let name = contender.entry.name;
+        let smaller = if name == MULTI_SAP { ROUNDING } else { 0.0 };
+        let overlapping = PairSet::of_boxes(&contender.peer.boxes(smaller))?;
         let missing = overlapping.missing_in(held);
         if missing > 0 {
-            let name = contender.name;
-            let case = contender.choreography.title();
-            let count = contender.choreography.centers().len();
             let defect = format!("{name} does not hold {missing} pairs that overlap");
-            if has_margin {
+            if name != MULTI_SAP {
                 bail!(defect);
             }
-            eprintln!("{defect}, and is left out: {D}D, {case}, n = {count}");
+            eprintln!("{defect}, and is left out: {D}D, {}", task.title);
         }
         is_right.push(missing == 0);
     }
     // Each of unisize's is followed by the one that it replaces.
     for (pair, held) in contenders.windows(2).zip(held.windows(2)) {
-        let [ours, default] = pair else { continue };
+        let [ours, default] = [pair[0].entry, pair[1].entry];
         if ours.name != ours.ours || default.ours != ours.name {
             continue;
         }
         if let Some(difference) = held[0].difference(&held[1]) {
-            let names = [ours.name, default.name].join(" and ");
-            bail!("{names} hold different pairs: {difference}");
+            bail!(
+                "{} and {} hold different pairs: {difference}",
+                ours.name,
+                default.name
+            );
         }
     }
     Ok(is_right)

@@ -145,21 +145,18 @@ impl<const D: usize> Contender<D> {
         Ok(())
     }
 
-    pub(crate) fn row(&self, density: f64) -> Row {
+    pub(crate) fn row(&self, density: f64, ours: &Self) -> Row {
         Row {
-            subject: "kernels".into(),
-            dimension: D,
+            subject: "kernels",
+            dim: D,
             density,
             motion: String::new(),
             count: self.boxes.mins().len(),
-            contender: self.name.into(),
+            contender: self.name.to_owned(),
             setting: self.setting.clone(),
-            frames: self.times.count(),
-            typical_ms: self.times.typical(),
-            mean_ms: self.times.mean(),
-            worst_ms: self.times.worst(),
+            times: self.times.clone(),
             pairs: self.kernel.pairs().len(),
-            ratio: f64::NAN,
+            ratio: self.times.typical() / ours.times.typical(),
         }
     }
 }

@@ -5,9 +5,10 @@
 //! The tree is copied, and the same is done to the copy. Whether there is anything to do is not to be asked from
 //! outside, so it is decided here as in `broad_phase_bvh/update.rs`.
 
+use super::frames::Frames;
 use super::rapier::parry::partitioning::{Bvh, BvhWorkspace};
+use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use crate::clock::Clock;
 use std::time::Duration;
 
 #[derive(Default)]
@@ -23,15 +24,17 @@ pub(super) struct Deferred {
 }
 
 impl Deferred {
-    /// How long the next update will take for what the last one has deferred. Once after each update, given what had
-    /// moved for it.
-    pub(super) fn time(&mut self, tree: &Bvh, moved: &[ColliderHandle], clock: Clock) -> Duration {
-        if !self.is_due(tree, moved) {
+    /// How long the next update will take for what the last one has deferred. Once after each update.
+    pub(super) fn time(&mut self, broad_phase: &DefaultBroadPhase, frames: &Frames) -> Duration {
+        let (bodies, colliders) = (&frames.world.bodies, &frames.world.colliders);
+        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+        let queries = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        if !self.is_due(queries.bvh, &frames.moving) {
             return Duration::ZERO;
         }
-        let mut copy = tree.clone();
+        let mut copy = queries.bvh.clone();
         let workspace = &mut self.workspace;
-        clock.time(|| {
+        frames.world.clock.time(|| {
             copy.optimize_incremental(workspace);
             copy.refit_without_resolve(workspace);
         })
@@ -60,5 +63,53 @@ impl Deferred {
             self.debt = 0;
         }
         is_due
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::{Case, Motion, Sizes};
+    use crate::clock::Clock;
+
+    /// The leaves in the order of the tree.
+    fn order(tree: &DefaultBroadPhase, frames: &Frames) -> Vec<u32> {
+        let (bodies, colliders) = (&frames.world.bodies, &frames.world.colliders);
+        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+        let queries = tree.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        queries.bvh.leaves(|_| true).collect()
+    }
+
+    /// Leaves change their order only when the tree is optimized, unless so few move that they get new places.
+    #[test]
+    fn time_is_told_apart_where_the_next_update_optimizes_the_tree() {
+        for (motion, wanted) in [
+            (Motion::OneIn(1), 20),
+            (Motion::OneIn(10), 20),
+            (Motion::InMargin, 1),
+        ] {
+            let case = Case {
+                count: 2_000,
+                density: 0.4,
+                motion,
+                sizes: Sizes::One,
+                bodies: true,
+                clock: Clock::Wall,
+            };
+            let mut tree = DefaultBroadPhase::new();
+            let mut frames = Frames::new(&case, &mut tree);
+            let mut deferred = Deferred::default();
+            let mut times_optimized = 0;
+            for frame in 0..24 {
+                let before = order(&tree, &frames);
+                let is_deferred = !deferred.time(&tree, &frames).is_zero();
+                frames.advance(&mut tree);
+                let is_optimized = order(&tree, &frames) != before;
+                let name = motion.name();
+                assert_eq!(is_deferred, is_optimized, "{name}, frame {frame}");
+                times_optimized += usize::from(is_optimized);
+            }
+            assert!(times_optimized >= wanted, "{times_optimized}");
+        }
     }
 }

@@ -1,20 +1,18 @@
 //! Rapier 0.26, the last version whose default broad phase is a sweep and prune, in regions.
 
+use super::frames::{Changes, World};
 use super::rapier::prelude::*;
-use super::world::{BroadPhaseOfEngine, Driven, World};
-use crate::updates::{MULTI_SAP as NAME, OURS, peer::Entry};
+use std::time::Duration;
 
-pub(crate) const MULTI_SAP: Entry<DIM> = Entry {
-    name: NAME,
-    ours: OURS,
-    create: |start| Box::new(Driven::new(Recorder::default(), start)),
-    // It takes minutes to put large boxes into its regions.
-    takes_large: false,
-};
+/// A broad phase as its engine drives it.
+pub(crate) trait Driven {
+    /// How long an update takes.
+    fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration;
+}
 
 /// The broad phase, which remembers its events in a pipeline that keeps them to itself.
 #[derive(Default)]
-struct Recorder {
+pub(super) struct Recorder {
     broad_phase: BroadPhaseMultiSap,
     events: Vec<BroadPhasePairEvent>,
 }
@@ -26,17 +24,18 @@ impl BroadPhase for Recorder {
         prediction_distance: Real,
         colliders: &mut ColliderSet,
         bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        self.broad_phase.update(
+        let inner = &mut self.broad_phase;
+        inner.update(
             dt,
             prediction_distance,
             colliders,
             bodies,
-            modified_colliders,
-            removed_colliders,
+            modified,
+            removed,
             events,
         );
         // Events cannot be cloned in this version.
@@ -48,31 +47,31 @@ impl BroadPhase for Recorder {
     }
 }
 
-impl BroadPhaseOfEngine for Recorder {
-    fn introduce(&mut self, world: &mut World) {
-        // Clears the flags of change, so that what moves later has only moved.
-        CollisionPipeline::new().step(
-            world.params.prediction_distance(),
-            self,
-            &mut NarrowPhase::new(),
-            &mut world.bodies,
-            &mut world.colliders,
-            None,
-            &(),
-            &(),
-        );
-        world.events.append(&mut self.events);
-    }
-
-    fn update(&mut self, world: &mut World) {
-        self.broad_phase.update(
-            world.params.dt,
-            world.params.prediction_distance(),
-            &mut world.colliders,
-            &world.bodies,
-            &world.listed,
-            &[],
-            &mut world.events,
-        );
+impl Driven for Recorder {
+    fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration {
+        let (colliders, bodies) = (&mut world.colliders, &mut world.bodies);
+        let prediction = world.params.prediction_distance();
+        if !changes.inserted.is_empty() {
+            // Clears the flags of change, so that what moves later has only moved.
+            let narrow_phase = &mut NarrowPhase::new();
+            let mut pipeline = CollisionPipeline::new();
+            pipeline.step(
+                prediction,
+                self,
+                narrow_phase,
+                bodies,
+                colliders,
+                None,
+                &(),
+                &(),
+            );
+            world.events.append(&mut self.events);
+            return Duration::ZERO;
+        }
+        let (dt, events) = (world.params.dt, &mut world.events);
+        let (inner, moved, removed) = (&mut self.broad_phase, changes.moved, changes.removed);
+        world
+            .clock
+            .time(|| inner.update(dt, prediction, colliders, bodies, moved, removed, events))
     }
 }
