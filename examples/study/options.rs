@@ -26,7 +26,7 @@ pub(crate) struct Common {
     /// Write what was found to this file as well, a line of JSON for each row
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
-    /// Draw charts into this folder
+    /// Draw the charts of studies that have some into this folder
     #[arg(long, value_name = "FOLDER")]
     pub(crate) chart: Option<PathBuf>,
 }
