@@ -5,8 +5,8 @@
 //! goes wrong above and below, and the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a
 //! factor of two to either side costs a few per cent, which is why none is a setting.
 
-/// Sorting and sweeping: the kernels. Shown by `cargo bench --bench kernels` and
-/// `cargo bench --features rapier2d-027,rapier3d-027 --bench phases`.
+/// Sorting and sweeping: the kernels. Shown by `cargo bench --all-features -- kernels` and
+/// `cargo bench --all-features -- ways`.
 pub(crate) mod kernel {
     /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
     /// choosing a grid takes longer than the sweep.
@@ -98,7 +98,7 @@ pub(crate) mod kernel {
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
 }
 
-/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --features rapier2d-027,rapier3d-027 --bench update`, and over
+/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- updates`, and over
 /// whole worlds by the examples `compare` and `tradeoff`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod update {
@@ -177,7 +177,7 @@ pub(crate) mod update {
     pub(crate) const MOST_CANDIDATES: usize = 8;
 }
 
-/// How far ahead fat boxes are drawn. Shown by `cargo bench --features rapier2d-027,rapier3d-027 --bench prices`.
+/// How far ahead fat boxes are drawn. Shown by `cargo bench --all-features -- prices`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod foresight {
     /// Box sizes: how far ahead fat boxes are drawn, at the mean speed. Above: more candidates where things are fast. Below: more
@@ -212,7 +212,7 @@ pub(crate) mod foresight {
 }
 
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
-/// caches. Chosen, and not fitted: `cargo bench --features rapier2d-027,rapier3d-027 --bench prices` fits other prices to the times of updates,
+/// caches. Chosen, and not fitted: `cargo bench --all-features -- prices` fits other prices to the times of updates,
 /// but a fit does not know what that spares or costs later. Only ratios decide anything.
 #[cfg(feature = "_adapter")]
 pub(crate) mod prices {
@@ -236,7 +236,7 @@ pub(crate) mod prices {
     pub(crate) const FOUND: u64 = 350;
 }
 
-/// The tree for queries. Shown by `cargo bench --features rapier2d-027,rapier3d-027 --bench queries`, and by the example `compare` with `--rays 1`.
+/// The tree for queries. Shown by `cargo bench --all-features -- queries`, and by the example `compare` with `--rays 1`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not

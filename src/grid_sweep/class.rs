@@ -39,7 +39,7 @@ pub(super) struct Assignment {
 }
 
 /// The boxes of one size class, sorted into tubes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
     /// The first `slab_count` cover the grid. The others are kept for their memory.
@@ -47,17 +47,6 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) slab_count: usize,
     /// The boxes too large for this class: the members of all following classes.
     pub(super) oversized: Vec<u32>,
-}
-
-impl<R: Real, const D: usize> Default for Class<R, D> {
-    fn default() -> Self {
-        Self {
-            grid: Grid::default(),
-            slabs: Vec::new(),
-            slab_count: 0,
-            oversized: Vec::new(),
-        }
-    }
 }
 
 impl<R: Real, const D: usize> Class<R, D> {

@@ -154,23 +154,16 @@ impl Parts<'_> {
     /// Cuts the tubes into at most `count` ranges that are about equally full.
     pub(super) fn split(self, count: usize) -> Vec<Range<u32>> {
         let total = self.entries_before(self.tubes);
-        let mut ranges = Vec::with_capacity(count);
+        let mut ranges = vec![];
         let mut start = 0;
-        for i in 1..count {
-            let share = total * i / count;
-            // The first tube that begins at or after the share.
-            let (mut border, mut high) = (start, self.tubes);
-            while border < high {
-                let middle = border + (high - border) / 2;
-                if self.entries_before(middle) < share {
-                    border = middle + 1;
-                } else {
-                    high = middle;
-                }
+        for tube in 1..self.tubes {
+            let cut = ranges.len() + 1;
+            if cut == count {
+                break;
             }
-            if start < border && border < self.tubes {
-                ranges.push(start..border);
-                start = border;
+            if self.entries_before(tube) >= total * cut / count {
+                ranges.push(start..tube);
+                start = tube;
             }
         }
         ranges.push(start..self.tubes);

@@ -13,24 +13,13 @@ use crate::real::Real;
 use crate::stopwatch::{Phase, Stopwatch};
 
 /// Some of the tubes of a grid, and the pairs found in them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Slab<R, const D: usize> {
     pub(super) tubes: Tubes<R, D>,
     /// Scratch: the entries of one tube, and the pairs.
     entries: Vec<Entry<R, D>>,
     pub(super) pairs: Vec<[u32; 2]>,
     pub(super) stopwatch: Stopwatch,
-}
-
-impl<R: Real, const D: usize> Default for Slab<R, D> {
-    fn default() -> Self {
-        Self {
-            tubes: Tubes::default(),
-            entries: Vec::new(),
-            pairs: Vec::new(),
-            stopwatch: Stopwatch::default(),
-        }
-    }
 }
 
 /// How much there is in a slab.

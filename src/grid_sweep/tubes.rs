@@ -55,7 +55,7 @@ pub(super) struct Tubes<R, const D: usize> {
 /// The position of a tube without entries.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
-impl<R: Real, const D: usize> Default for Tubes<R, D> {
+impl<R: Default, const D: usize> Default for Tubes<R, D> {
     fn default() -> Self {
         Self {
             tubes: Vec::new(),
