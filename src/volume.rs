@@ -19,7 +19,8 @@
 //! are chosen for each pair are those of the separating-axis test (Gottschalk and others 1996). Both need a fraction of the
 //! memory of a k-DOP, and tell more pairs apart.
 
-use crate::{Aabb, Real};
+use crate::aabb::Aabb;
+use crate::real::Real;
 
 #[cfg(test)]
 mod tests;

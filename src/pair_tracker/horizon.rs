@@ -116,46 +116,28 @@ mod tests {
     }
 
     #[test]
-    fn it_is_the_box_of_one_that_is_new() {
-        assert_eq!(
-            Horizon::new(8).fat_box(&at(0.0, 0.0), &Aabb::ABSENT),
-            at(0.0, 0.0)
-        );
-    }
-
-    #[test]
     fn it_contains_the_box_whatever_the_numbers_are() {
         let numbers = [
-            0.0,
-            1.0,
+            -f32::INFINITY,
             -1e30,
-            1e38,
+            0.0,
+            1e-45,
+            1.0,
             f32::MAX,
             f32::INFINITY,
-            -f32::INFINITY,
-            1e-45,
         ];
-        let mut count = 0;
-        for &a in &numbers {
-            for &b in numbers.iter().filter(|&&b| a <= b) {
-                for &c in &numbers {
-                    for &d in numbers.iter().chain(&[f32::NAN]) {
-                        let now = Aabb::new([a, a], [b, b]);
-                        for moves in [1, 8, u16::MAX] {
-                            let before = Aabb::new([c, d], [d, d]);
-                            let fat = Horizon::new(moves).fat_box(&now, &before);
-                            assert!(fat.contains(&now) && fat.is_valid(), "{now:?} {c} {d}");
-                        }
-                        count += 1;
-                    }
-                }
+        let boxes = numbers.map(|a| numbers.map(|b| Aabb::new([a, a], [b, b])));
+        let boxes = boxes.as_flattened();
+        for now in boxes.iter().filter(|b| b.is_valid()) {
+            for (before, moves) in boxes.iter().flat_map(|b| [(b, 1), (b, u16::MAX)]) {
+                let fat = Horizon::new(moves).fat_box(now, before);
+                assert!(fat.contains(now) && fat.is_valid(), "{now:?} {before:?}");
             }
         }
-        assert!(count > 1000);
     }
 
     #[test]
-    fn what_is_new_says_nothing() {
+    fn what_is_new_or_rests_has_no_speed() {
         let now = [at(0.0, 0.0)];
         assert_eq!(mean_speed(&[0], &now, &[Aabb::ABSENT]), None);
         assert_eq!(mean_speed(&[0], &now, &now), None);

@@ -185,49 +185,36 @@ fn a_half_space_is_told_apart_from_what_is_in_front_of_it() {
 #[test]
 fn what_does_not_fill_its_box_or_has_no_numbers_meets_all() {
     let ball = |x: f32| Volume::new(VolumeKind::Ball, [x, 0.0], 0.5, &[]);
+    let capsule = |x: f32| Volume::new(VolumeKind::Capsule, [x, x], 0.25, &[[0.0, 0.5]]);
     let swept = Aabb::new([-0.5, -0.5], [1.5, 0.5]);
-    assert!(!ball(0.0).meets(&ball(5.0), 0.0));
-    assert!(ball(0.0).in_box(&swept).meets(&ball(5.0), 0.0));
-    let capsule = Volume::new(VolumeKind::Capsule, [0.0, 0.0], 0.25, &[[0.0, 0.5]]);
-    assert!(!capsule.meets(&ball(5.0), 0.0));
-    assert!(capsule.in_box(&swept).meets(&ball(5.0), 0.0));
-    for x in [f32::NAN, f32::INFINITY] {
-        assert!(
-            Volume {
-                ball: Ball {
-                    center: [x, x],
-                    radius: x
-                },
-                ..capsule
-            }
-            .meets(&ball(5.0), 0.0)
-        );
+    for volume in [ball(0.0), capsule(0.0)] {
+        assert!(!volume.meets(&ball(5.0), 0.0));
+        assert!(volume.in_box(&swept).meets(&ball(5.0), 0.0));
     }
-    assert!(Volume::BOX.meets(&ball(5.0), 0.0) && ball(5.0).meets(&Volume::BOX, 0.0));
+    for volume in [capsule(f32::NAN), capsule(f32::INFINITY), Volume::BOX] {
+        assert!(volume.meets(&ball(5.0), 0.0) && ball(5.0).meets(&volume, 0.0));
+    }
 }
 
 #[cfg(feature = "serde-serialize")]
 #[test]
-fn numbers_make_the_volume_again() {
+fn numbers_make_the_volume_again_or_one_that_meets_all() {
     let mut random = Rand64::new(13);
     for kind in KINDS {
         let volume = Placed::<3>::random(&mut random, kind, 3.0, 1.0).rounded::<f32>();
-        let mut numbers = volume.as_ref().numbers();
+        let numbers = volume.as_ref().numbers();
         assert_eq!(Volume::of_numbers(kind, &numbers), Some(volume));
-        numbers.push(0.0);
-        assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers), None);
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers[..3]), None);
         let radius = volume.ball.radius;
-        for (x, kept) in [(radius, vec![radius]), (f32::INFINITY, vec![])] {
+        for (radius, kept) in [(radius, vec![radius]), (f32::INFINITY, vec![])] {
+            let lost = Volume::new(kind, [f32::NAN; 3], radius, &volume.half_axes);
             let ball = Ball {
-                center: [f32::NAN; 3],
-                radius: x,
+                radius,
+                ..lost.ball
             };
-            let lost = Volume { ball, ..volume };
-            assert_eq!(lost.as_ref().numbers(), kept);
+            assert_eq!(Volume { ball, ..lost }.as_ref().numbers(), kept);
             let found = Volume::<f32, 3>::of_numbers(kind, &kept).unwrap();
-            assert_eq!(found.kind, kind);
-            assert!(found.meets(&volume, 0.0));
+            assert!(found.kind == kind && found.meets(&volume, 0.0));
         }
     }
 }
