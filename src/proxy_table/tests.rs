@@ -38,11 +38,13 @@ impl FilterKey for Side {
     }
 }
 
-/// The engine's colliders, by slot: generation, box and side, if it is there.
+/// The engine's colliders, by slot: the generation, and what is there.
 #[derive(Clone, Default)]
 struct Colliders {
-    slots: Vec<(u32, Option<(Aabb<f32, 2>, Side)>)>,
+    slots: Vec<(u32, Option<Collider>)>,
 }
+
+type Collider = (Aabb<f32, 2>, Side);
 
 /// What is remembered is whose memory it is: it must never be that of another collider.
 type Memo = Option<Id>;
@@ -62,7 +64,7 @@ impl BoxSource<f32, 2> for Colliders {
         true
     }
 
-    fn read(&self, id: Id, memo: &mut Memo) -> Option<(Aabb<f32, 2>, Side)> {
+    fn read(&self, id: Id, memo: &mut Memo) -> Option<Collider> {
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
         let slot = self.slots.get(id.slot as usize);
         slot.filter(|slot| slot.0 == id.generation)?.1
