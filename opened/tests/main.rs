@@ -1,52 +1,63 @@
-//! Rapier 0.36's own pipelines, with ours in the place of its broad phase and with its own, side by side.
-//!
-//! [`Twins`](dim2) step two equal worlds and compare, after every step, what a user can see: contacts, intersections, events,
-//! sleep, poses, soft bodies. In most worlds no body meets more than one other, so that the order in which the solver gets the
-//! contacts cannot matter and everything must be the same to the last bit. Where it does matter (`piles`) each world goes its
-//! own way, and what Rapier's narrow phase knows is held to what touches by the shapes.
+//! Rapier 0.36's own pipelines, with ours in the place of its broad phase and with its own, side by side: the suite of
+//! `tests/pipelines`, and `only_036`.
 //!
 //! With `--features parallel` Rapier uses its threads, with `--features unisize-parallel` ours does.
 
-mod dim2 {
-    use flavour::{floors, hinge, soft_body, spin};
-    use rapier2d as rapier;
-    use unisize::rapier2d_036::{PairFilter, Settings, UnisizeBroadPhase};
+macro_rules! flavour {
+    ($rapier:ident, $unisize:ident, $name:ident, $dim:tt, $shared:tt) => {
+        #[path = "."]
+        mod $name {
+            use flavour::{height_field, hinge, mesh_floor, spin};
+            use unisize::$unisize::{PairFilter, Settings, UnisizeBroadPhase};
+            use unisize_scenes::$name::{AnyBroadPhase, Installed, Steppable, World, install};
+            use $rapier as rapier;
 
-    mod flavour;
-    #[path = "../suite/mod.rs"]
-    mod suite;
+            #[path = $dim]
+            mod dim;
+            #[path = $shared]
+            mod flavour;
+            mod only_036;
+            #[path = "../../tests/pipelines/suite/mod.rs"]
+            mod suite;
+            #[path = "../../tests/pipelines/version/rapier_036.rs"]
+            mod version;
+        }
+    };
 }
 
-mod dim3 {
-    use flavour::{floors, hinge, soft_body, spin};
-    use rapier3d as rapier;
-    use unisize::rapier3d_036::{PairFilter, Settings, UnisizeBroadPhase};
+flavour!(
+    rapier2d,
+    rapier2d_036,
+    dim2_036,
+    "dim2.rs",
+    "../../tests/pipelines/dim2/mod.rs"
+);
+flavour!(
+    rapier3d,
+    rapier3d_036,
+    dim3_036,
+    "dim3.rs",
+    "../../tests/pipelines/dim3/mod.rs"
+);
+flavour!(
+    rapier2d_f64,
+    rapier2d_f64_036,
+    dim2_f64_036,
+    "dim2.rs",
+    "../../tests/pipelines/dim2/mod.rs"
+);
+flavour!(
+    rapier3d_f64,
+    rapier3d_f64_036,
+    dim3_f64_036,
+    "dim3.rs",
+    "../../tests/pipelines/dim3/mod.rs"
+);
 
-    mod flavour;
-    #[path = "../suite/mod.rs"]
-    mod suite;
-    mod vehicles;
-}
-
-#[path = "dim2"]
-mod dim2_f64 {
-    use flavour::{floors, hinge, soft_body, spin};
-    use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
-
-    mod flavour;
-    #[path = "../suite/mod.rs"]
-    mod suite;
-}
-
-#[path = "dim3"]
-mod dim3_f64 {
-    use flavour::{floors, hinge, soft_body, spin};
-    use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64_036::{PairFilter, Settings, UnisizeBroadPhase};
-
-    mod flavour;
-    #[path = "../suite/mod.rs"]
-    mod suite;
-    mod vehicles;
-}
+// It does not look into macros.
+#[cfg(rustfmt)]
+mod dim2;
+#[cfg(rustfmt)]
+mod dim3;
+#[cfg(rustfmt)]
+mod only_036;

@@ -6,6 +6,7 @@ use super::rapier::control::{
 };
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed, triple};
+use super::version::{Vector, origin};
 
 /// Half the height of the character.
 const HALF: Real = 0.6;
@@ -52,7 +53,7 @@ impl Walk {
     }
 
     /// Moves the character as far as it can, pushes what is in its way, and steps.
-    fn go(&mut self, by: Vector<Real>) -> EffectiveCharacterMovement {
+    fn go(&mut self, by: Vector) -> EffectiveCharacterMovement {
         let Self {
             twins,
             body,
@@ -78,7 +79,7 @@ impl Walk {
                 20.0,
                 &collisions,
             );
-            let place = pose.translation.vector + movement.translation;
+            let place = origin(&pose) + movement.translation;
             scene.bodies[*body].set_next_kinematic_translation(place);
             (movement, collisions)
         });
@@ -98,7 +99,7 @@ impl Walk {
     }
 
     /// Where it stands.
-    fn place(&self) -> Vector<Real> {
+    fn place(&self) -> Vector {
         self.twins.ours.bodies[self.body].translation() - at(0.0, HALF)
     }
 
@@ -111,7 +112,7 @@ impl Walk {
         let mut corners = Vec::new();
         for (x, y) in [(from, -0.5), (from, 0.0), (to, height), (to, -0.5)] {
             for z in [-3.0, 3.0] {
-                corners.push(Point::from(triple([x, y, z])));
+                corners.push(triple([x, y, z]).into());
             }
         }
         // In two dimensions each is there twice.
@@ -129,7 +130,7 @@ fn up_and_down_the_stairs() {
         let step = cuboid([3.5 - i, 0.1, 3.0]).translation(at(5.0, 0.1 + 0.2 * i));
         walk.insert_fixed(step);
     }
-    let highest = walk.ahead(240);
+    let highest = walk.ahead(320);
     assert!((0.6..0.7).contains(&highest), "it climbs to {highest}");
     let place = walk.place();
     assert!(place.x > 9.0 && place.y < 0.1, "it ends at {place}");
@@ -186,7 +187,7 @@ fn along_a_wall() {
     assert!(walk.met.contains(&wall));
     let place = walk.place();
     assert!((3.0..3.5).contains(&place.x), "it ends at {place}");
-    assert!(place.iter().skip(2).all(|&z| z > 7.0), "it ends at {place}");
+    assert!(DIM == 2 || place[DIM - 1] > 7.0, "it ends at {place}");
 }
 
 #[test]
@@ -197,7 +198,7 @@ fn bodies_in_its_way() {
     let pushed =
         [cube, ball].map(|(x, collider)| (x, walk.twins.insert(dynamic(x, 0.5), collider)));
     walk.twins.steps(20);
-    walk.ahead(200);
+    walk.ahead(260);
     let mut has_met = false;
     for (before, (body, collider)) in pushed {
         has_met |= walk.met.contains(&collider);

@@ -2,6 +2,7 @@
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, dynamic, fixed};
+use super::version::remove_collider;
 
 /// Inserts a collider without a body that meets everything.
 fn insert_loose(twins: &mut Twins, x: Real, sensor: bool) -> ColliderHandle {
@@ -46,13 +47,7 @@ fn colliders_that_come_and_go() {
     assert!(twins.collide().stopped(solid, other, true));
     twins.change(other, |other| other.set_enabled(true));
     assert!(twins.collide().started(solid, other));
-    twins.both(|world| {
-        let removed = (&mut world.islands, &mut world.bodies);
-        world
-            .colliders
-            .remove(other, removed.0, removed.1, true)
-            .is_some()
-    });
+    twins.both(|world| remove_collider(world, other));
     assert!(twins.collide().stopped(solid, other, true));
     let again = insert_loose(&mut twins, 0.9, false);
     assert!(twins.collide().started(solid, again));

@@ -1,9 +1,9 @@
 //! Pairs that are left out because they can have no effect, and every way in which they can come to have one, or cease to:
 //! with each filter, what can be seen is the same as with Rapier's own broad phase, where nobody sleeps.
 
+use super::PairFilter;
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
-use super::{PairFilter, Settings, UnisizeBroadPhase, World};
 
 /// How many steps are made after each change.
 const STEPS: usize = 3;
@@ -15,10 +15,7 @@ fn for_each_filter(test: impl Fn(Twins)) {
         PairFilter::Groups,
         PairFilter::Shapes,
     ] {
-        let mut twins = Twins::weightless();
-        let settings = Settings::default().with_filter(filter);
-        twins.unisize = UnisizeBroadPhase::with_settings(settings);
-        test(twins);
+        test(Twins::with_filter(filter).without_gravity());
     }
 }
 
@@ -56,20 +53,12 @@ fn parents() {
     for_each_filter(|mut twins| {
         let (body, whole) = twins.insert(sleepless(0.0), cube());
         let (other, _) = twins.insert(sleepless(9.0), cube());
-        let part = twins.both(|world| {
-            let part = cuboid([0.1; 3]).translation(at(0.5, 0.0));
-            let World {
-                bodies, colliders, ..
-            } = world;
-            colliders.insert_with_parent(part, body, bodies)
-        });
+        let part = twins.insert_part(body, cuboid([0.1; 3]).translation(at(0.5, 0.0)));
         assert!(!twins.steps(STEPS).touches(whole, part));
         for parent in [other, body, other] {
+            twins.set_parent(part, Some(parent));
             twins.both(|world| {
-                let World {
-                    bodies, colliders, ..
-                } = world;
-                colliders.set_parent(part, Some(parent), bodies);
+                let (bodies, colliders) = (&mut world.bodies, &mut world.colliders);
                 // It stays where it is.
                 let x = if parent == other { -8.5 } else { 0.5 };
                 colliders[part].set_translation_wrt_parent(at(x, 0.0));
@@ -197,9 +186,7 @@ fn moves_while_it_is_left_out() {
 #[test]
 fn what_is_left_out_is_not_held() {
     let pairs_with = |filter| {
-        let mut twins = Twins::weightless();
-        let settings = Settings::default().with_filter(filter);
-        twins.unisize = UnisizeBroadPhase::with_settings(settings);
+        let mut twins = Twins::with_filter(filter).without_gravity();
         for x in 0..4 {
             twins.insert(fixed(0.9 * x as Real, 0.0), cube());
         }

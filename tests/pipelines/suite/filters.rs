@@ -1,9 +1,9 @@
 //! Filters that keep touching colliders from colliding, and events of those that do collide.
 
-use super::hinge;
 use super::rapier::prelude::*;
 use super::snapshot::Event;
-use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
+use super::twins::{Twins, at, cube, dynamic, fixed};
+use super::{PairFilter, World, version};
 
 /// Lets nothing with odd user data touch anything.
 struct OddIsThin;
@@ -65,41 +65,87 @@ fn contact_force_events() {
     twins.steps(60);
 }
 
+/// Only an engine that loses none can hand each collider that has moved over to its filters.
 #[test]
-fn joined_bodies_without_contacts() {
-    let mut twins = Twins::weightless();
-    let (left_body, left) = twins.insert(dynamic(0.0, 0.0), cube());
-    let (right_body, right) = twins.insert(dynamic(0.9, 0.0), cube());
-    let joint = FixedJointBuilder::new().contacts_enabled(false);
-    let joint = joint.local_anchor1(at(0.9, 0.0).into());
-    let joint = twins.both(|world| {
-        let joints = &mut world.impulse_joints;
-        joints.insert(left_body, right_body, joint, true)
-    });
-    assert!(!twins.steps(5).touches(left, right));
-    twins.both(|world| world.impulse_joints.remove(joint, true).is_some());
-    assert!(twins.step().touches(left, right));
+fn groups_decide_what_falls_through() {
+    for filter in [PairFilter::Off, PairFilter::Bodies, PairFilter::Groups] {
+        let mut twins = Twins::with_filter(filter);
+        let (_, floor) = twins.insert_floor();
+        let groups = |bits| {
+            let bits = Group::from_bits_truncate(bits);
+            version::groups(bits, bits)
+        };
+        twins.change(floor, |floor| floor.set_collision_groups(groups(0b110)));
+        let cubes: Vec<_> = (0..8)
+            .map(|i| {
+                let cube = cube().collision_groups(groups(i));
+                twins.insert(dynamic(3.0 * i as Real, 1.0), cube).0
+            })
+            .collect();
+        let seen = twins.steps(120);
+        for (i, &cube) in cubes.iter().enumerate() {
+            assert_eq!(seen.height(cube) > 0.0, i & 0b110 != 0, "{filter:?} {i}");
+        }
+    }
 }
 
+/// Nothing is held that can have no effect, as in the own broad phase of Rapier 0.36.
 #[test]
-fn multibody() {
-    let mut twins = Twins::heavy();
-    let (root, _) = twins.insert(fixed(0.0, 0.0), ColliderBuilder::ball(0.6));
-    let (_, wall) = twins.insert(fixed(-1.6, -3.0), cuboid([0.5, 2.0, 3.0]));
-    let mut parent = root;
-    let mut links = Vec::new();
-    for i in 1..=3 {
-        let (link, ball) = twins.insert(dynamic(i as Real, 0.0), ColliderBuilder::ball(0.4));
-        let joint = hinge().local_anchor2(at(-1.0, 0.0).into());
-        let joint = joint.contacts_enabled(false);
-        twins.both(|world| {
-            let joints = &mut world.multibody_joints;
-            joints.insert(parent, link, joint, true).is_some()
-        });
-        links.push(ball);
-        parent = link;
+fn a_map_has_no_pairs() {
+    let mut twins = Twins::with_filter(PairFilter::Groups);
+    for i in 0..20 {
+        for j in 0..20 {
+            twins.insert(fixed(i as Real, -(j as Real)), cube());
+        }
     }
-    let hit = twins.step_until(|seen| links.iter().any(|&link| seen.touches(link, wall)));
-    assert!(!hit.touches(links[0], links[1]));
-    twins.steps(10);
+    let (ship, _) = twins.insert(dynamic(5.0, 30.0), cube());
+    for i in 1..10 {
+        twins.insert_part(ship, cube().translation(at(i as Real, 0.0)));
+    }
+    twins.steps(5);
+    let stats = twins.unisize.stats();
+    assert_eq!([stats.pairs, stats.candidates], [0, 0]);
+    assert_eq!(stats.proxies, 410);
+}
+
+/// Who asks a hook wants to be asked about all pairs of boxes, also if what asks rests and was told to by nothing but that.
+#[test]
+fn hooks_that_are_set_on_what_rests() {
+    let mut twins = Twins::with_filter(PairFilter::Shapes).without_gravity();
+    let ball = || ColliderBuilder::ball(0.5);
+    let (_, still) = twins.insert(fixed(0.0, 0.0), ball());
+    let (_, other) = twins.insert(dynamic(0.8, 0.8).can_sleep(false), ball());
+    let is_pair = |world: &World| world.narrow_phase.contact_pair(still, other).is_some();
+    twins.steps(3);
+    assert!(!is_pair(&twins.ours) && is_pair(&twins.theirs));
+    twins.change(still, |still| {
+        still.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS)
+    });
+    twins.steps(2);
+    assert!(is_pair(&twins.ours) && is_pair(&twins.theirs));
+}
+
+/// Of a body that has more than 32 colliders, most lie within it, so they keep their boxes.
+#[test]
+fn parts_of_large_bodies_keep_their_boxes() {
+    for (parts, is_held) in [(32, false), (33, true)] {
+        let mut twins = Twins::with_filter(PairFilter::Shapes).without_gravity();
+        let (body, first) = twins.insert(dynamic(0.0, 0.0), ColliderBuilder::ball(0.5));
+        for i in 1..parts {
+            let place = at(-1.5 * i as Real, 0.0);
+            twins.insert_part(body, ColliderBuilder::ball(0.5).translation(place));
+        }
+        // In the corner of the box around the first ball, and away from it.
+        let (_, other) = twins.insert(dynamic(0.8, 0.8), ColliderBuilder::ball(0.5));
+        for _ in 0..3 {
+            twins.step();
+            let is_found = twins
+                .unisize
+                .pairs()
+                .any(|pair| [pair.collider1, pair.collider2] == [first, other]);
+            assert_eq!(is_found, is_held, "{parts} parts");
+            // Rapier 0.36 hands it over.
+            twins.change_body(body, |body| body.set_linvel(at(0.0, 0.001), true));
+        }
+    }
 }

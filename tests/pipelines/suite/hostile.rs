@@ -1,13 +1,14 @@
 //! Input that no sound program makes, given to the broad phase directly, and what must happen for each kind.
 
 use super::rapier::prelude::*;
-use super::{Settings, UnisizeBroadPhase, World};
+use super::twins::at;
+use super::version::{Vector, remove_collider};
+use super::{PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
 
 /// Whether a pair is added, and its colliders.
 type Event = (bool, [ColliderHandle; 2]);
 
 /// Colliders, and a broad phase that gets hand-made lists of them.
-#[derive(Default)]
 struct Desk {
     colliders: ColliderSet,
     bodies: RigidBodySet,
@@ -15,7 +16,24 @@ struct Desk {
     broad_phase: UnisizeBroadPhase,
 }
 
+impl Default for Desk {
+    fn default() -> Self {
+        Self::with(Settings::default())
+    }
+}
+
 impl Desk {
+    /// Nothing is left out, for no collider here is on a body.
+    fn with(settings: Settings) -> Self {
+        let settings = settings.with_filter(PairFilter::Off);
+        Self {
+            colliders: ColliderSet::new(),
+            bodies: RigidBodySet::new(),
+            params: IntegrationParameters::default(),
+            broad_phase: UnisizeBroadPhase::with_settings(settings),
+        }
+    }
+
     /// A ball whose centre is this far along the first axis.
     fn ball(&mut self, radius: Real, x: Real) -> ColliderHandle {
         self.colliders
@@ -27,9 +45,10 @@ impl Desk {
     }
 
     fn remove(&mut self, handle: ColliderHandle) {
-        let mut islands = IslandManager::new();
-        self.colliders
-            .remove(handle, &mut islands, &mut self.bodies, false);
+        let mut world = World::new(Vector::default());
+        std::mem::swap(&mut world.colliders, &mut self.colliders);
+        remove_collider(&mut world, handle);
+        self.colliders = world.colliders;
     }
 
     fn update(&mut self, modified: &[ColliderHandle], removed: &[ColliderHandle]) -> Vec<Event> {
@@ -57,8 +76,8 @@ impl Desk {
     }
 }
 
-fn along(x: Real) -> Vector<Real> {
-    Vector::ith(0, x)
+fn along(x: Real) -> Vector {
+    at(x, 0.0)
 }
 
 #[test]
@@ -235,11 +254,7 @@ fn lengths_that_are_none_make_no_margin() {
 
 #[test]
 fn an_infinite_margin_makes_infinite_boxes() {
-    let settings = Settings::default().with_margin(Real::INFINITY);
-    let mut desk = Desk {
-        broad_phase: UnisizeBroadPhase::with_settings(settings),
-        ..Desk::default()
-    };
+    let mut desk = Desk::with(Settings::default().with_margin(Real::INFINITY));
     let [a, b] = [desk.ball(0.5, 0.0), desk.ball(0.5, 0.9)];
     assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
     // An infinite side minus an infinite margin would be NaN, so it gets no margin.
@@ -252,8 +267,8 @@ fn an_infinite_margin_makes_infinite_boxes() {
 
 /// Steps a world with this many colliders on one body, which is moved about, and one without a body.
 fn colliders_on_one_body(count: usize) {
-    let mut world = World::new(Vector::zeros());
-    let mut broad_phase = UnisizeBroadPhase::new();
+    let mut world = World::new(Vector::default());
+    let mut broad_phase = install(UnisizeBroadPhase::new());
     let kinematic = RigidBodyBuilder::kinematic_position_based();
     let body = world.bodies.insert(kinematic);
     for i in 0..count {
@@ -267,7 +282,7 @@ fn colliders_on_one_body(count: usize) {
     let last = 2.0 * (count as Real - 1.0);
     for (x, pairs) in [(0.0, 0), (-10.0, 1), (-10.0 - last, 1), (5.0, 0)] {
         world.bodies[body].set_translation(along(x), true);
-        world.step(&mut broad_phase, &(), &());
+        world.step(broad_phase.for_step(), &(), &());
         broad_phase.validate();
         let pairs = pairs.min(count);
         let stats = broad_phase.stats();
@@ -276,7 +291,7 @@ fn colliders_on_one_body(count: usize) {
         assert_eq!(touching.count(), pairs);
     }
     world.remove(body);
-    world.step(&mut broad_phase, &(), &());
+    world.step(broad_phase.for_step(), &(), &());
     broad_phase.validate();
     let stats = broad_phase.stats();
     assert_eq!([stats.proxies, stats.pairs], [1, 0]);

@@ -1,28 +1,22 @@
-//! The tests: one source for every flavour, which the module that includes it names as `rapier`.
+//! The tests: one source for both versions of Rapier and every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
-use super::{
-    PairFilter, Settings, Tee, UnisizeBroadPhase, World, height_field, hinge, mesh_floor, spin,
-};
+use super::version;
+use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
+use super::{hinge, spin};
 
-mod answers;
 mod bullets;
 mod changes;
 mod characters;
-mod choices;
 mod collisions;
-mod debug_render;
-mod exchange;
 mod filter_levels;
 mod filters;
-mod floors;
 mod hostile;
-mod inquiries;
-mod odd_updates;
+mod joints;
+mod odd_numbers;
 mod piles;
 mod queries;
 mod removals;
-mod snapshot;
+pub(super) mod snapshot;
 pub(super) mod twins;
 mod wake_ups;
-mod watched;

@@ -5,6 +5,7 @@ use std::sync::Mutex;
 
 use super::World;
 use super::rapier::prelude::*;
+use super::version::{self, Pose, Vector, origin};
 
 /// Two colliders, the smaller handle first.
 pub(crate) type Pair = [(u32, u32); 2];
@@ -26,7 +27,7 @@ pub(crate) enum Event {
 
 /// An event handler that keeps the events.
 #[derive(Default)]
-pub(crate) struct EventLog(Mutex<Vec<Event>>);
+pub(crate) struct EventLog(pub(crate) Mutex<Vec<Event>>);
 
 impl EventLog {
     fn push(&self, event: Event) {
@@ -59,6 +60,8 @@ impl EventHandler for EventLog {
         let pair = pair(contact_pair.collider1, contact_pair.collider2);
         self.push(Event::Force(pair, f64::from(total_force).to_bits()));
     }
+
+    version::events_of_soft_bodies!();
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -71,14 +74,23 @@ pub(crate) struct Snapshot {
     pub(crate) events: Vec<Event>,
     /// The bodies that sleep.
     pub(crate) asleep: BTreeSet<u32>,
-    /// Every body's pose.
-    pub(crate) poses: BTreeMap<u32, Isometry<Real>>,
+    /// Every body's pose, and its velocity.
+    pub(crate) poses: BTreeMap<u32, (Pose, Vector)>,
+    /// Where the particles of soft bodies are.
+    pub(crate) particles: Vec<Vector>,
+}
+
+/// The pairs with an active contact.
+pub(crate) fn contacts(narrow_phase: &NarrowPhase) -> BTreeSet<Pair> {
+    let contacts = narrow_phase.contact_pairs();
+    let contacts = contacts.filter(|contact| version::touches(contact));
+    contacts
+        .map(|contact| pair(contact.collider1, contact.collider2))
+        .collect()
 }
 
 impl Snapshot {
     pub(crate) fn of(world: &World, log: EventLog) -> Self {
-        let contacts = world.narrow_phase.contact_pairs();
-        let contacts = contacts.filter(|contact| contact.has_any_active_contact);
         let intersections = world.narrow_phase.intersection_pairs();
         let intersections = intersections.filter(|&(.., intersecting)| intersecting);
         let bodies = || {
@@ -86,16 +98,17 @@ impl Snapshot {
             bodies.map(|(handle, body)| (handle.into_raw_parts().0, body))
         };
         let asleep = bodies().filter(|(_, body)| body.is_sleeping());
+        let pose = |body: &RigidBody| (*body.position(), version::linvel(body));
+        let poses = bodies().map(|(index, body)| (index, pose(body)));
         let mut events = log.0.into_inner().expect("no handler panics");
         events.sort_unstable();
         Self {
-            contacts: contacts.map(|c| pair(c.collider1, c.collider2)).collect(),
+            contacts: contacts(&world.narrow_phase),
             intersections: intersections.map(|(a, b, _)| pair(a, b)).collect(),
             events,
             asleep: asleep.map(|(index, _)| index).collect(),
-            poses: bodies()
-                .map(|(index, body)| (index, *body.position()))
-                .collect(),
+            poses: poses.collect(),
+            particles: version::particles(world),
         }
     }
 
@@ -112,7 +125,7 @@ impl Snapshot {
     }
 
     pub(crate) fn height(&self, body: RigidBodyHandle) -> Real {
-        self.poses[&body.into_raw_parts().0].translation.y
+        origin(&self.poses[&body.into_raw_parts().0].0).y
     }
 
     pub(crate) fn started(&self, a: ColliderHandle, b: ColliderHandle) -> bool {

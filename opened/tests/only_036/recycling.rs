@@ -9,6 +9,7 @@ use super::rapier::parry::query::distance;
 use super::rapier::prelude::*;
 use super::snapshot::{Pair, contacts, pair};
 use super::twins::{Twins, at, cuboid, triple};
+use super::{Steppable, World};
 
 /// Bodies that fall into a box, in two worlds of which ours is given the poses and velocities of the other's before each step.
 struct Followed {
@@ -20,9 +21,7 @@ impl Followed {
     fn new(recycle_distance: Real) -> Self {
         let mut twins = Twins::heavy();
         twins.both(|world| {
-            world
-                .integration_parameters
-                .normalized_contact_recycle_distance = recycle_distance;
+            world.params.normalized_contact_recycle_distance = recycle_distance;
         });
         twins.insert_floor();
         for side in [-1.0, 1.0] {
@@ -54,7 +53,13 @@ impl Followed {
 
     /// Steps both worlds; returns how many contacts ours alone has, the other alone, and how many both have.
     fn step(&mut self) -> [usize; 3] {
-        let Twins { ours, theirs, .. } = &mut self.twins;
+        let Twins {
+            ours,
+            theirs,
+            unisize,
+            default,
+            ..
+        } = &mut self.twins;
         for &handle in &self.bodies {
             let body = &theirs.bodies[handle];
             let (pose, linvel, angvel) = (*body.position(), body.linvel(), body.angvel());
@@ -67,9 +72,9 @@ impl Followed {
             }
         }
         let apart = apart(theirs);
-        ours.step();
-        theirs.step();
-        let [ours, theirs] = [&*ours, &*theirs].map(contacts);
+        ours.step(unisize.for_step(), &(), &());
+        theirs.step(default.for_step(), &(), &());
+        let [ours, theirs] = [ours, theirs].map(|world| contacts(&world.narrow_phase));
         for differing in ours.symmetric_difference(&theirs) {
             assert!(apart.contains(differing), "{differing:?} touch");
         }
@@ -89,7 +94,7 @@ impl Followed {
 }
 
 /// The pairs that the next step will find apart.
-fn apart(world: &PhysicsWorld) -> BTreeSet<Pair> {
+fn apart(world: &World) -> BTreeSet<Pair> {
     let place = |collider: &Collider| {
         let body = &world.bodies[collider.parent().expect("all are on bodies")];
         *body.position() * *collider.position_wrt_parent().expect("all are on bodies")

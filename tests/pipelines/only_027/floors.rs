@@ -2,6 +2,7 @@
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic, triple};
+use super::version::{pose, unit};
 use super::{height_field, mesh_floor};
 
 /// Drops bodies far from each other onto a floor until all sleep on it.
@@ -9,8 +10,8 @@ fn come_to_rest_on(floor: ColliderBuilder) {
     let mut twins = Twins::heavy();
     let (_, floor) = twins.insert(RigidBodyBuilder::fixed(), floor);
     let dumbbell = ColliderBuilder::compound(vec![
-        (at(-0.5, 0.0).into(), SharedShape::ball(0.25)),
-        (at(0.5, 0.0).into(), SharedShape::ball(0.25)),
+        (pose(at(-0.5, 0.0)), SharedShape::ball(0.25)),
+        (pose(at(0.5, 0.0)), SharedShape::ball(0.25)),
     ]);
     let shapes = [
         ColliderBuilder::ball(0.5),
@@ -41,7 +42,9 @@ fn cuboid_floor() {
 
 #[test]
 fn half_space_floor() {
-    come_to_rest_on(ColliderBuilder::halfspace(Vector::y_axis()));
+    come_to_rest_on(ColliderBuilder::new(SharedShape::halfspace(unit(at(
+        0.0, 1.0,
+    )))));
 }
 
 #[test]
@@ -58,8 +61,8 @@ fn height_field_floor() {
 fn compound_floor() {
     let plate = SharedShape::new(Cuboid::new(triple([25.0, 1.0, 50.0])));
     come_to_rest_on(ColliderBuilder::compound(vec![
-        (at(-25.0, -1.0).into(), plate.clone()),
-        (at(25.0, -1.0).into(), plate),
+        (pose(at(-25.0, -1.0)), plate.clone()),
+        (pose(at(25.0, -1.0)), plate),
     ]));
 }
 

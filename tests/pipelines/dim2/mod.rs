@@ -1,15 +1,17 @@
 //! What the suite needs and Rapier spells differently in two dimensions.
 
-use super::rapier::{na::DVector, prelude::*};
+use super::rapier::prelude::*;
+use super::version::{AngVector, flat_row, triple};
 
 /// A floor at height 0 of this half width, made of segments.
 pub(super) fn mesh_floor(half: Real) -> ColliderBuilder {
-    ColliderBuilder::polyline(vec![point![-half, 0.0], point![half, 0.0]], None)
+    let corners = [-half, half].map(|x| triple([x, 0.0, 0.0]).into());
+    ColliderBuilder::polyline(corners.to_vec(), None)
 }
 
 /// A floor at height 0 of this half width, as a height field.
 pub(super) fn height_field(half: Real) -> ColliderBuilder {
-    ColliderBuilder::heightfield(DVector::zeros(9), vector![2.0 * half, 1.0])
+    ColliderBuilder::heightfield(flat_row(), triple([2.0 * half, 1.0, 0.0]))
 }
 
 /// A hinge.
@@ -18,6 +20,6 @@ pub(super) fn hinge() -> RevoluteJointBuilder {
 }
 
 /// A spin of this many radians per second.
-pub(super) fn spin(speed: Real) -> AngVector<Real> {
+pub(super) fn spin(speed: Real) -> AngVector {
     speed
 }

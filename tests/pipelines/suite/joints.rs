@@ -11,10 +11,13 @@ fn joined_bodies_without_contacts() {
     let (right_body, right) = twins.insert(dynamic(0.9, 0.0), cube());
     let joint = FixedJointBuilder::new()
         .contacts_enabled(false)
-        .local_anchor1(at(0.9, 0.0));
-    let joint = twins.both(|world| world.insert_impulse_joint(left_body, right_body, joint));
+        .local_anchor1(at(0.9, 0.0).into());
+    let joint = twins.both(|world| {
+        let joints = &mut world.impulse_joints;
+        joints.insert(left_body, right_body, joint, true)
+    });
     assert!(!twins.steps(5).touches(left, right));
-    twins.both(|world| world.remove_impulse_joint(joint).is_some());
+    twins.both(|world| world.impulse_joints.remove(joint, true).is_some());
     assert!(twins.step().touches(left, right));
 }
 
@@ -27,8 +30,8 @@ fn a_rope() {
     let mut links = Vec::new();
     for i in 1..=8 {
         let (link, ball) = twins.insert(dynamic(i as Real, 0.0), ColliderBuilder::ball(0.3));
-        let joint = hinge().local_anchor2(at(-1.0, 0.0));
-        twins.both(|world| world.insert_impulse_joint(parent, link, joint));
+        let joint = hinge().local_anchor2(at(-1.0, 0.0).into());
+        twins.both(|world| world.impulse_joints.insert(parent, link, joint, true));
         links.push(ball);
         parent = link;
     }
@@ -45,8 +48,13 @@ fn multibody() {
     let mut links = Vec::new();
     for i in 1..=3 {
         let (link, ball) = twins.insert(dynamic(i as Real, 0.0), ColliderBuilder::ball(0.4));
-        let joint = hinge().local_anchor2(at(-1.0, 0.0)).contacts_enabled(false);
-        twins.both(|world| world.insert_multibody_joint(parent, link, joint).is_some());
+        let joint = hinge()
+            .local_anchor2(at(-1.0, 0.0).into())
+            .contacts_enabled(false);
+        twins.both(|world| {
+            let joints = &mut world.multibody_joints;
+            joints.insert(parent, link, joint, true).is_some()
+        });
         links.push(ball);
         parent = link;
     }

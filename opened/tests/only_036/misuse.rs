@@ -1,8 +1,9 @@
 //! What a user may do wrong, or may not be sure about.
 
+use super::physics_world::{unisize, world_with};
 use super::rapier::prelude::*;
-use super::twins::{Twins, at, cube, dynamic, unisize, world_with};
-use super::{Settings, UnisizeBroadPhase};
+use super::twins::{Twins, at, cube, cuboid, dynamic};
+use super::{Settings, UnisizeBroadPhase, install};
 
 #[path = "../../../tests/told/mod.rs"]
 mod told;
@@ -11,10 +12,8 @@ use told::told;
 /// A world in which balls bounce about.
 fn lively(broad_phase: UnisizeBroadPhase) -> PhysicsWorld {
     let mut world = world_with(broad_phase);
-    world.insert_collider(
-        super::twins::cuboid([50.0, 1.0, 50.0]).translation(at(0.0, -1.0)),
-        None,
-    );
+    let floor = cuboid([50.0, 1.0, 50.0]).translation(at(0.0, -1.0));
+    world.insert_collider(floor, None);
     for i in 0..20 {
         let ball = ColliderBuilder::ball(0.5).restitution(0.7);
         world.insert(dynamic(3.0 * i as Real, 1.0 + 0.1 * i as Real), ball);
@@ -152,8 +151,8 @@ fn another_one_in_the_midst_of_a_simulation() {
     twins.insert_floor();
     twins.insert(dynamic(0.0, 3.0), cube());
     twins.steps(5);
-    twins.ours.broad_phase = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
-    twins.theirs.broad_phase = DefaultBroadPhase::new();
+    twins.unisize = install(UnisizeBroadPhase::new());
+    twins.default = DefaultBroadPhase::new();
     twins.steps(20);
     twins.both(|world| {
         for (_, collider) in world.colliders.iter_mut() {

@@ -1,0 +1,134 @@
+//! Rapier's `PhysicsWorld`, with ours in the place of its broad phase.
+
+use std::fmt::Debug;
+
+use super::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+use super::twins::{at, cube, dynamic, triple};
+
+/// A world with our broad phase.
+pub(super) fn world_with(broad_phase: UnisizeBroadPhase) -> PhysicsWorld {
+    PhysicsWorld {
+        broad_phase: DefaultBroadPhase::custom(broad_phase),
+        ..PhysicsWorld::default()
+    }
+}
+
+/// Our broad phase in a world.
+pub(super) fn unisize(world: &PhysicsWorld) -> &UnisizeBroadPhase {
+    let custom = world.broad_phase.custom_ref();
+    custom.expect("the world was made with it")
+}
+
+/// It asks its broad phase.
+#[test]
+fn its_queries() {
+    let mut random = oorandom::Rand32::new(2);
+    let mut within = |distance: Real| {
+        triple(std::array::from_fn(|_| {
+            distance * (2.0 * random.rand_float() - 1.0) as Real
+        }))
+    };
+    let mut worlds = [
+        world_with(UnisizeBroadPhase::new()),
+        PhysicsWorld::default(),
+    ];
+    for i in 0..150 {
+        let body = match i % 5 {
+            0 => RigidBodyBuilder::fixed(),
+            _ => RigidBodyBuilder::dynamic().linvel(within(2.0)),
+        };
+        let body = body.translation(within(8.0));
+        // They pass through each other, so no order matters.
+        let ball = ColliderBuilder::ball(0.4).sensor(true);
+        for world in &mut worlds {
+            world.insert(body.clone(), ball.clone());
+        }
+    }
+    let mut hits = 0;
+    for _ in 0..20 {
+        worlds.iter_mut().for_each(PhysicsWorld::step);
+        for _ in 0..30 {
+            let (from, to) = (within(9.0), within(1.0));
+            let crossed = same(&worlds, |world| {
+                let filter = QueryFilter::only_dynamic();
+                let crossed = world.intersect_ray(Ray::new(from, to), 20.0, true, filter);
+                sorted(crossed.map(|(handle, ..)| handle))
+            });
+            let around = same(&worlds, |world| {
+                let filter = QueryFilter::exclude_fixed();
+                sorted(
+                    world
+                        .intersect_point(from, filter)
+                        .map(|(handle, ..)| handle),
+                )
+            });
+            hits += crossed.len() + around.len();
+        }
+    }
+    assert!(hits > 30, "only {hits} hits");
+}
+
+fn same<T: PartialEq + Debug>(worlds: &[PhysicsWorld; 2], ask: impl Fn(&PhysicsWorld) -> T) -> T {
+    let [ours, theirs] = worlds.each_ref().map(ask);
+    assert_eq!(ours, theirs);
+    ours
+}
+
+fn sorted(found: impl Iterator<Item = ColliderHandle>) -> Vec<(u32, u32)> {
+    let mut found: Vec<_> = found.map(|handle| handle.into_raw_parts()).collect();
+    found.sort_unstable();
+    found
+}
+
+/// `set_aabb` by hand, before the first update, as Rapier's docs do: queries find it at once.
+#[test]
+fn a_box_set_before_the_first_update() {
+    let params = IntegrationParameters::default();
+    let mut worlds = [
+        world_with(UnisizeBroadPhase::new()),
+        PhysicsWorld::default(),
+    ];
+    for world in &mut worlds {
+        let ball = world.insert_collider(ColliderBuilder::ball(0.5), None);
+        let aabb = world.colliders[ball].compute_aabb();
+        world.broad_phase.set_aabb(&params, ball, aabb);
+        let ask = |world: &PhysicsWorld, expected: [bool; 2]| {
+            let scene = world.query_pipeline();
+            let found = [0.0, 5.0].map(|x| {
+                let at = Vector::X * x;
+                scene.intersect_point(at).next().is_some()
+            });
+            assert_eq!(found, expected);
+        };
+        ask(world, [true, false]);
+        world.colliders[ball].set_translation(Vector::X * 5.0);
+        let aabb = world.colliders[ball].compute_aabb();
+        world.broad_phase.set_aabb(&params, ball, aabb);
+        ask(world, [false, true]);
+        world.step();
+        ask(world, [false, true]);
+    }
+}
+
+/// Handles that the world does not know, and boxes that are none: Rapier's own must not be asked, but ours takes them.
+#[test]
+fn boxes_for_nobody() {
+    let params = IntegrationParameters::default();
+    let mut world = world_with(UnisizeBroadPhase::new());
+    let (body, _) = world.insert(dynamic(0.0, 0.0), cube());
+    let sound = Aabb::new(at(-0.5, -0.5), at(0.5, 0.5));
+    let nan = Aabb::new(at(Real::NAN, 0.0), at(0.0, 0.0));
+    for step in 0..20 {
+        for (index, generation) in [(0, 7), (3, 0), (u32::MAX, 0), (u32::MAX, u32::MAX)] {
+            let handle = ColliderHandle::from_raw_parts(index, generation);
+            let aabb = if step % 3 == 0 { nan } else { sound };
+            world.broad_phase.set_aabb(&params, handle, aabb);
+        }
+        unisize(&world).validate();
+        world.step();
+        unisize(&world).validate();
+        assert_eq!(unisize(&world).stats().proxies, 1);
+    }
+    assert!(world.bodies[body].translation().y < 0.0);
+}

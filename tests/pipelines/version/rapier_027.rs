@@ -1,0 +1,135 @@
+//! What the suite needs and Rapier 0.27 has in its own way: nalgebra's vectors, and a trait for broad phases.
+
+use super::rapier::math;
+use super::rapier::na::{DMatrix, DVector};
+use super::rapier::parry::query::{ShapeCastHit, ShapeCastOptions};
+use super::rapier::prelude::*;
+use super::{AnyBroadPhase, Installed, UnisizeBroadPhase, World};
+
+pub(crate) type AngVector = math::AngVector<Real>;
+pub(crate) type Vector = math::Vector<Real>;
+pub(crate) type Pose = Isometry<Real>;
+
+/// A gap between boxes at which Rapier's broad phase holds a pair all the same.
+pub(crate) const NEAR: Real = 0.01;
+
+/// Whether a pair that begins may wake who sleeps.
+pub(crate) const NEW_PAIRS_WAKE: bool = false;
+
+/// What is asked for a query pipeline, if unisize is to answer.
+pub(crate) type Asked = UnisizeBroadPhase;
+
+pub(crate) fn asked(unisize: &mut Installed<UnisizeBroadPhase>) -> &Asked {
+    unisize
+}
+
+/// The last coordinate is unused in two dimensions.
+pub(crate) fn triple(xyz: [Real; 3]) -> Vector {
+    Vector::from_fn(|i, _| xyz[i])
+}
+
+pub(crate) fn unit(vector: Vector) -> UnitVector<Real> {
+    UnitVector::new_normalize(vector)
+}
+
+/// The pose of what is at this place, and not turned.
+pub(crate) fn pose(place: Vector) -> Pose {
+    Pose::from(place)
+}
+
+pub(crate) fn origin(pose: &Pose) -> Vector {
+    pose.translation.vector
+}
+
+pub(crate) fn linvel(body: &RigidBody) -> Vector {
+    *body.linvel()
+}
+
+/// The heights of a flat field with one row.
+#[allow(dead_code)] // In space, a field has many rows.
+pub(crate) fn flat_row() -> DVector<Real> {
+    DVector::zeros(9)
+}
+
+/// The heights of a flat field with many rows.
+#[allow(dead_code)] // In the plane, a field has one row.
+pub(crate) fn flat_square() -> DMatrix<Real> {
+    DMatrix::zeros(9, 9)
+}
+
+pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter)
+}
+
+/// Whether the solver would see a contact of this pair.
+pub(crate) fn touches(pair: &ContactPair) -> bool {
+    pair.has_any_active_contact
+}
+
+/// Whether a pair counts as found where two penetrate each other: in space, its contact is missed at times.
+pub(crate) fn is_found(_: &ContactPair) -> bool {
+    true
+}
+
+/// There are no soft bodies yet.
+pub(crate) fn particles(_: &World) -> Vec<Vector> {
+    Vec::new()
+}
+
+/// What only a later version tells an event handler.
+macro_rules! events_of_soft_bodies {
+    () => {};
+}
+pub(crate) use events_of_soft_bodies;
+
+pub(crate) fn project_point(scene: &QueryPipeline<'_>, point: Vector) -> Option<PointProjection> {
+    let nearest = scene.project_point(&point.into(), Real::MAX, false);
+    nearest.map(|(_, projection)| projection)
+}
+
+pub(crate) fn cast_ball(
+    scene: &QueryPipeline<'_>,
+    from: &Pose,
+    velocity: Vector,
+    ball: &Ball,
+) -> Option<ShapeCastHit> {
+    let options = ShapeCastOptions::with_max_time_of_impact(50.0);
+    let hit = scene.cast_shape(from, &velocity, ball, options);
+    hit.map(|(_, hit)| hit)
+}
+
+/// One step of a collision pipeline, without dynamics.
+pub(crate) fn collide(
+    world: &mut World,
+    broad_phase: &mut AnyBroadPhase,
+    hooks: &dyn PhysicsHooks,
+    events: &dyn EventHandler,
+) {
+    CollisionPipeline::new().step(
+        world.params.prediction_distance(),
+        broad_phase,
+        &mut world.narrow_phase,
+        &mut world.bodies,
+        &mut world.colliders,
+        hooks,
+        events,
+    );
+}
+
+pub(crate) fn remove_collider(world: &mut World, collider: ColliderHandle) {
+    world
+        .colliders
+        .remove(collider, &mut world.islands, &mut world.bodies, true);
+}
+
+/// Removes a body and leaves its colliders.
+pub(crate) fn remove_body_alone(world: &mut World, body: RigidBodyHandle) {
+    world.bodies.remove(
+        body,
+        &mut world.islands,
+        &mut world.colliders,
+        &mut world.impulse_joints,
+        &mut world.multibody_joints,
+        false,
+    );
+}
