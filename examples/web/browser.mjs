@@ -18,7 +18,12 @@ const PATIENCE = 120_000;
 const server = spawn("python3", ["-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", join(here, "site")]);
 server.stderr.resume();
 const address = await new Promise((resolve) => {
-  server.stdout.on("data", (line) => resolve(`http://127.0.0.1:${/port (\d+)/.exec(line)[1]}/`));
+  let said = "";
+  server.stdout.on("data", (text) => {
+    said += text;
+    const port = /port (\d+)/.exec(said);
+    if (port) resolve(`http://127.0.0.1:${port[1]}/`);
+  });
 });
 
 /** Opens the page in a new profile, does something with it, and finds no error in its console, unless there has to be one. */
@@ -95,6 +100,8 @@ async function scenes() {
 async function switches() {
   await withPage({ query: "scene=hopper&bodies=300" }, async (page) => {
     await afterSteps(page, 40);
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.name), "scene", "the form is reached by keyboard");
     await page.click("#pause");
     await page.waitForTimeout(600);
     const { steps } = await told(page);
@@ -118,8 +125,6 @@ async function switches() {
     assert.equal((await told(page)).steps, 0, "again");
     await page.keyboard.press("Space");
     await afterSteps(page, 5);
-    await page.keyboard.press("Tab");
-    assert.equal(await page.evaluate(() => document.activeElement.name), "scene", "the form is reached by keyboard");
   });
   await withPage({ query: "scene=gas&bodies=20000" }, async (page) => {
     await afterSteps(page, 12);

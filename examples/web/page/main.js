@@ -148,7 +148,7 @@ function agreement() {
   const same = contacts[0] === contacts[1] ? "as many contacts" : "about as many contacts";
   return (
     `${count}Both worlds were equal to the last bit up to step ${integer.format(equalUntil)}, and have ${same} now. ` +
-    "Both broad phases find every contact, but report it at another place in the order in which the solver works, which changes last bits."
+    "Both broad phases find every contact, but report pairs in different orders, in which the solver then works, and rounding depends on that."
   );
 }
 
