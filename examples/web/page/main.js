@@ -26,6 +26,9 @@ const COUNTED = 0.9;
 const STEPS_PER_MS = 60 / 1000;
 const BUDGET = 12;
 
+/** Pictures that take more milliseconds than this are slow. */
+const SLOW = 50;
+
 /** The numbers are written, and the worlds compared, at these intervals of milliseconds. */
 const INTERVAL = 250;
 
@@ -155,11 +158,15 @@ function agreement() {
 let before = 0;
 let due = 0;
 let told = 0;
+let drawn = 0;
+let drawTime = 0;
 
 function frame(now) {
   requestAnimationFrame(frame);
   if (isBroken) return;
   guarded(() => {
+    // Pictures that take long are drawn in every other stretch of time, so that the page answers in between.
+    if (before === drawn) drawTime = now - drawn;
     due = isRunning ? Math.min(due + (now - before) * STEPS_PER_MS, 3) : 0;
     before = now;
     const start = performance.now();
@@ -168,7 +175,10 @@ function frame(now) {
       stepBoth();
       due -= 1;
     }
-    draw();
+    if (drawTime < SLOW || now - drawn > 2 * drawTime) {
+      draw();
+      drawn = now;
+    }
     if (now - told > INTERVAL) {
       told = now;
       tell();

@@ -5,18 +5,31 @@ import { OrbitControls } from "./three/OrbitControls.js";
 
 /** With more bodies than this, each is so small that a ball of 20 triangles looks like one. */
 const MANY = 1500;
+/** And with more than this, one of 8. */
+const VERY_MANY = 6000;
+
+/** Whether a processor draws in place of a graphics card. Smooth edges would double its work. */
+function isDrawnBySoftware() {
+  const context = document.createElement("canvas").getContext("webgl");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  return /SwiftShader|llvmpipe|Basic Render/.test(info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+}
 
 /** A shape of radius or half width 1. */
 function geometry(shape, length, isFlat, count) {
   switch (shape) {
     case "ball":
     case "rock":
-      return isFlat ? new THREE.CircleGeometry(1, count > MANY ? 10 : 20) : new THREE.IcosahedronGeometry(1, count > MANY ? 0 : 1);
+      return isFlat ? new THREE.CircleGeometry(1, count > MANY ? 10 : 20) : roundSolid(count);
     case "capsule":
       return isFlat ? flatCapsule(length) : new THREE.CapsuleGeometry(1, length, 2, 6);
     default:
       return isFlat ? new THREE.PlaneGeometry(2, 2) : new THREE.BoxGeometry(2, 2, 2);
   }
+}
+
+function roundSolid(count) {
+  return count > VERY_MANY ? new THREE.OctahedronGeometry(1) : new THREE.IcosahedronGeometry(1, count > MANY ? 0 : 1);
 }
 
 function flatCapsule(length) {
@@ -65,7 +78,7 @@ export class View {
   constructor(canvas, name) {
     this.canvas = canvas;
     this.name = name;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !isDrawnBySoftware() });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
   }
 
