@@ -1,0 +1,206 @@
+//! Scenes in WebAssembly: worlds on Rapier's own broad phase or on unisize, which a page steps, clocks and draws.
+//!
+//! A [`Side`] is one world. The page makes two that differ in the broad phase alone. `engine` is one source, compiled once for each
+//! of the four flavours of Rapier; [`World`] hides which it is. Each version is a feature, so that a page need not load both. What is drawn leaves as a [`Drawing`]: arrays of numbers
+//! that a graphics card takes as they are.
+
+mod drawing;
+
+use drawing::Drawing;
+use unisize_scenes::SceneKind;
+use wasm_bindgen::prelude::*;
+
+#[cfg(feature = "rapier-027")]
+#[path = "engine"]
+mod dim2_027 {
+    use rapier2d_027 as rapier;
+    use unisize::rapier2d_027::UnisizeBroadPhase;
+    use unisize_scenes::dim2 as scenes;
+
+    #[path = "rapier_027.rs"]
+    mod version;
+    pub(crate) mod world;
+}
+
+#[cfg(feature = "rapier-027")]
+#[path = "engine"]
+mod dim3_027 {
+    use rapier3d_027 as rapier;
+    use unisize::rapier3d_027::UnisizeBroadPhase;
+    use unisize_scenes::dim3 as scenes;
+
+    #[path = "rapier_027.rs"]
+    mod version;
+    pub(crate) mod world;
+}
+
+#[cfg(feature = "rapier-036")]
+#[path = "engine"]
+mod dim2_036 {
+    use rapier2d_036 as rapier;
+    use unisize::rapier2d_036::UnisizeBroadPhase;
+    use unisize_scenes::dim2_036 as scenes;
+
+    #[path = "rapier_036.rs"]
+    mod version;
+    pub(crate) mod world;
+}
+
+#[cfg(feature = "rapier-036")]
+#[path = "engine"]
+mod dim3_036 {
+    use rapier3d_036 as rapier;
+    use unisize::rapier3d_036::UnisizeBroadPhase;
+    use unisize_scenes::dim3_036 as scenes;
+
+    #[path = "rapier_036.rs"]
+    mod version;
+    pub(crate) mod world;
+}
+
+/// A scene on one broad phase, whichever Rapier it is of.
+trait World {
+    /// Runs the script of the scene and advances it by one time step. Returns the milliseconds of the broad phase.
+    fn step(&mut self) -> f64;
+
+    /// The number of bodies that are not fixed.
+    fn body_count(&self) -> usize;
+
+    /// The number of pairs that the narrow phase looks at in each step.
+    fn pair_count(&self) -> usize;
+
+    /// The number of pairs with a contact that the solver sees.
+    fn contact_count(&self) -> usize;
+
+    /// The coordinates of all bodies, one after the other.
+    fn positions(&self) -> Vec<f32>;
+
+    /// The corners of the box around everything whose size is finite, the lower one first, each with three coordinates.
+    fn bounds(&self) -> [f32; 6];
+
+    /// Draws the colliders.
+    fn draw(&self, drawing: &mut Drawing);
+
+    /// The ends of the edges of the boxes of the colliders that move.
+    fn box_lines(&self) -> Vec<f32>;
+
+    /// The ends of a line for each pair of the narrow phase: pairs without contact, or those with one.
+    fn pair_lines(&self, touching: bool) -> Vec<f32>;
+}
+
+/// A world on one broad phase.
+#[wasm_bindgen]
+pub struct Side {
+    world: Box<dyn World>,
+    drawing: Drawing,
+}
+
+#[wasm_bindgen]
+impl Side {
+    /// Builds the scene of this name on `rapier2d-027` or another engine, with unisize or with Rapier's own broad phase.
+    ///
+    /// # Errors
+    ///
+    /// A sentence if there is no such engine or scene.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        engine: &str,
+        with_unisize: bool,
+        scene: &str,
+        bodies: usize,
+        seed: u32,
+    ) -> Result<Side, JsError> {
+        let kind = SceneKind::from_name(scene)
+            .ok_or_else(|| JsError::new(&format!("there is no scene {scene}")))?;
+        let build = match engine {
+            #[cfg(feature = "rapier-027")]
+            "rapier2d-027" => dim2_027::world::build,
+            #[cfg(feature = "rapier-027")]
+            "rapier3d-027" => dim3_027::world::build,
+            #[cfg(feature = "rapier-036")]
+            "rapier2d-036" => dim2_036::world::build,
+            #[cfg(feature = "rapier-036")]
+            "rapier3d-036" => dim3_036::world::build,
+            _ => return Err(JsError::new(&format!("there is no engine {engine}"))),
+        };
+        Ok(Self {
+            world: build(kind, bodies, seed.into(), with_unisize),
+            drawing: Drawing::default(),
+        })
+    }
+
+    /// Advances the world by one time step. Returns the milliseconds of the broad phase.
+    pub fn step(&mut self) -> f64 {
+        self.world.step()
+    }
+
+    /// The number of bodies that are not fixed.
+    pub fn bodies(&self) -> usize {
+        self.world.body_count()
+    }
+
+    /// The number of pairs that the narrow phase looks at in each step.
+    pub fn pairs(&self) -> usize {
+        self.world.pair_count()
+    }
+
+    /// The number of pairs with a contact that the solver sees.
+    pub fn contacts(&self) -> usize {
+        self.world.contact_count()
+    }
+
+    /// The coordinates of all bodies, one after the other.
+    pub fn positions(&self) -> Vec<f32> {
+        self.world.positions()
+    }
+
+    /// The lower and the upper corner of the scene.
+    pub fn bounds(&self) -> Vec<f32> {
+        self.world.bounds().to_vec()
+    }
+
+    /// Draws the world as it is now. Returns the number of batches.
+    pub fn draw(&mut self) -> usize {
+        self.drawing.clear();
+        self.world.draw(&mut self.drawing);
+        self.drawing.batches.len()
+    }
+
+    /// What the instances of a batch are: `ball`, `cuboid`, `capsule`, `rock`, which is a fixed ball, or `wall`.
+    pub fn batch_shape(&self, batch: usize) -> String {
+        self.drawing.batches[batch].shape.name().to_owned()
+    }
+
+    /// How long the straight part of the capsules of a batch is, in radii.
+    pub fn batch_length(&self, batch: usize) -> f32 {
+        self.drawing.batches[batch].shape.length()
+    }
+
+    /// The transformations of the instances, each a matrix of 4 by 4, column by column.
+    pub fn batch_matrices(&self, batch: usize) -> Vec<f32> {
+        self.drawing.batches[batch].matrices.clone()
+    }
+
+    /// The brightness of the instances, for red, green and blue.
+    pub fn batch_shades(&self, batch: usize) -> Vec<f32> {
+        self.drawing.batches[batch].shades.clone()
+    }
+
+    /// The ends of the edges of the boxes of the colliders that move.
+    pub fn box_lines(&self) -> Vec<f32> {
+        self.world.box_lines()
+    }
+
+    /// The ends of a line for each pair of the narrow phase: pairs without contact, or those with one.
+    pub fn pair_lines(&self, touching: bool) -> Vec<f32> {
+        self.world.pair_lines(touching)
+    }
+}
+
+/// Makes a panic an exception with the text of the panic, instead of one without.
+#[wasm_bindgen(start)]
+pub fn report_panics() {
+    std::panic::set_hook(Box::new(|panic| {
+        wasm_bindgen::throw_str(&panic.to_string())
+    }));
+}
