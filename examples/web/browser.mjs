@@ -196,7 +196,7 @@ async function film() {
   const [seconds, rate, stepsPerFrame] = [6, 10, 6];
   const frames = mkdtempSync(join(tmpdir(), "film-"));
   const output = join(here, "../../docs/media/side-by-side.gif");
-  const query = "film=ropes&space=3d&version=036&bodies=2000";
+  const query = "film=hopper&space=3d&version=036&bodies=2000";
   await withPage({ query, colorScheme: "dark", viewport: { width: 800, height: 420 } }, async (page) => {
     await page.waitForFunction(() => window.film);
     for (let frame = 0; frame < seconds * rate; frame += 1) {
