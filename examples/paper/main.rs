@@ -15,14 +15,12 @@
 //! All methods get the same boxes in the same frames, in turns. The program exits with 1 if they find different pairs or if it
 //! cannot write, and with 2 if it was called wrongly.
 
-mod chains;
 mod claims;
 mod figure3;
 mod figure4;
 mod method;
 mod published;
 mod race;
-mod stampede;
 mod table;
 mod table1;
 mod third_axis;
@@ -38,14 +36,12 @@ use table::Table;
 /// A part of the page, and what measures it.
 type Part = (&'static str, fn(&mut Run) -> Result<()>);
 
-const PARTS: [Part; 7] = [
+const PARTS: [Part; 5] = [
     ("table1", table1::measure),
     ("figure3", figure3::measure),
     ("figure4", figure4::measure),
     ("third-axis", third_axis::measure),
     ("threads", threads::measure),
-    ("stampede", stampede::measure),
-    ("chains", chains::measure),
 ];
 
 /// Measures what docs/paper.md shows.

@@ -2,7 +2,7 @@
 
 use unisize::{GridSweep, PairFinder, RankSweep};
 use unisize_charts::{RGBColor, color};
-use unisize_reference::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
+use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
 
 /// The cutoff at which the streamed segment tree is fastest for boxes of one size.
 const BEST_CUTOFF: usize = 2000;
@@ -30,15 +30,12 @@ fn method<const D: usize>(
 
 /// The methods of the paper and ours.
 pub(crate) fn all<const D: usize>() -> Vec<Method<D>> {
-    let coherent = CoherentSweepAndPrune::default();
     let tree = StreamedSegmentTree::default();
     let best = StreamedSegmentTree::with_cutoff(BEST_CUTOFF);
     vec![
         method("SweepAndPrune", color::BLACK, SweepAndPrune::default()),
-        method("CoherentSweepAndPrune", color::GREY, coherent),
         method("StreamedSegmentTree, best cutoff", color::SKY, best),
         method("StreamedSegmentTree", color::BLUE, tree),
-        method("DualAxisSweep", color::OCHRE, DualAxisSweep::default()),
         method("RankSweep", color::SALMON, RankSweep::default()),
         method("GridSweep", color::RED, GridSweep::default()),
     ]

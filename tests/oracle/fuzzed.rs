@@ -10,7 +10,7 @@ use std::num::NonZero;
 use crate::numbers::Number;
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
-use unisize_reference::{CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune};
+use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
 
 use crate::numbers::{alphabet, stepped};
 
@@ -74,11 +74,6 @@ fn others<R: Number, const D: usize>() -> Kernels<R, D> {
     vec![
         ("RankSweep", Box::new(RankSweep::default())),
         ("SweepAndPrune", Box::new(SweepAndPrune::default())),
-        (
-            "CoherentSweepAndPrune",
-            Box::new(CoherentSweepAndPrune::default()),
-        ),
-        ("DualAxisSweep", Box::new(DualAxisSweep::default())),
         (
             "StreamedSegmentTree",
             Box::new(StreamedSegmentTree::default()),

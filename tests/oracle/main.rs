@@ -1,15 +1,13 @@
 //! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
 //!
 //! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of scene went
-//! wrong, and shows the fewest boxes found that still fail. `check` lists what must hold for every input, `coherence`
-//! for inputs that hardly change from one to the next, and `errors` for inputs that must be refused. `arbitrary` makes
-//! random inputs; raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs
+//! wrong, and shows the fewest boxes found that still fail. `check` lists what must hold for every input, and `errors`
+//! what must be refused. `arbitrary` makes random inputs; raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs
 //! that the fuzzer has kept.
 
 mod arbitrary;
 mod census;
 mod check;
-mod coherence;
 mod cutoffs;
 mod errors;
 mod fuzzed;
@@ -93,32 +91,16 @@ oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);
 mod references {
     use super::*;
     use cutoffs::WithCutoff;
-    use unisize_reference::{
-        CoherentSweepAndPrune, DualAxisSweep, StreamedSegmentTree, SweepAndPrune,
-    };
+    use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
 
     oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
     oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);
     oracle_suite!(sweep_and_prune_f64_2, SweepAndPrune<f64, 2>, f64, 2);
     oracle_suite!(sweep_and_prune_f64_3, SweepAndPrune<f64, 3>, f64, 3);
 
-    oracle_suite!(coherent_sweep_and_prune_f32_2, CoherentSweepAndPrune<f32, 2>, f32, 2);
-    oracle_suite!(coherent_sweep_and_prune_f32_3, CoherentSweepAndPrune<f32, 3>, f32, 3);
-    oracle_suite!(coherent_sweep_and_prune_f64_2, CoherentSweepAndPrune<f64, 2>, f64, 2);
-    oracle_suite!(coherent_sweep_and_prune_f64_3, CoherentSweepAndPrune<f64, 3>, f64, 3);
-
-    oracle_suite!(dual_axis_sweep_f32_2, DualAxisSweep<f32, 2>, f32, 2);
-    oracle_suite!(dual_axis_sweep_f32_3, DualAxisSweep<f32, 3>, f32, 3);
-    oracle_suite!(dual_axis_sweep_f64_2, DualAxisSweep<f64, 2>, f64, 2);
-    oracle_suite!(dual_axis_sweep_f64_3, DualAxisSweep<f64, 3>, f64, 3);
-
     // Unusual for these as well.
     oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
-    oracle_suite!(coherent_sweep_and_prune_f64_1, CoherentSweepAndPrune<f64, 1>, f64, 1);
-    oracle_suite!(dual_axis_sweep_f32_1, DualAxisSweep<f32, 1>, f32, 1);
     oracle_suite!(sweep_and_prune_f64_4, SweepAndPrune<f64, 4>, f64, 4);
-    oracle_suite!(coherent_sweep_and_prune_f32_4, CoherentSweepAndPrune<f32, 4>, f32, 4);
-    oracle_suite!(dual_axis_sweep_f64_4, DualAxisSweep<f64, 4>, f64, 4);
 
     oracle_suite!(streamed_segment_tree_f32_1, StreamedSegmentTree<f32, 1>, f32, 1);
     oracle_suite!(streamed_segment_tree_f32_2, StreamedSegmentTree<f32, 2>, f32, 2);

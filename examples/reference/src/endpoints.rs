@@ -27,7 +27,7 @@ pub(crate) fn sort<R: Real, const D: usize>(
 
 /// Where an endpoint is. Zeros have no sign here, because -0 and +0 must tie.
 #[inline]
-pub(crate) fn coordinate<R: Real, const D: usize>(
+fn coordinate<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
     axis: usize,
     endpoint: u32,

@@ -4,23 +4,16 @@
 //! | algorithm | time | what it is |
 //! |---|---|---|
 //! | [`SweepAndPrune`] | O(n k), with k boxes at once on the first axis | Baraff's original |
-//! | [`CoherentSweepAndPrune`] | the same, with less for sorting what hardly moves | I-COLLIDE's form of it |
-//! | [`DualAxisSweep`] | O((n log n + pairs) log n) for boxes of any sizes in 2D | the paper's forerunner |
 //! | [`StreamedSegmentTree`] | O(n logᴰ n + pairs) | the algorithm of CGAL |
 //!
 //! They are exact and pass the tests of every kernel, but are here only to be compared with. Endpoints are sorted by a radix
 //! sort, as in the paper and in `RankSweep`, so that what is compared is the search.
 
 mod active_list;
-mod bit_tree;
-mod coherent_sweep_and_prune;
-mod dual_axis_sweep;
 mod endpoints;
 mod streamed_segment_tree;
 mod sweep_and_prune;
 
-pub use coherent_sweep_and_prune::CoherentSweepAndPrune;
-pub use dual_axis_sweep::DualAxisSweep;
 pub use streamed_segment_tree::StreamedSegmentTree;
 pub use sweep_and_prune::SweepAndPrune;
 
