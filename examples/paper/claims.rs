@@ -24,7 +24,6 @@ pub(crate) fn judge(table: &mut Table) {
     let (ours, theirs) = ("RankSweep", "paper: theirs");
     let (time, their_time) = ("t_c, ns", "paper: t_c, ns");
     let of_phase = |column: &str| cell("figure3", largest, column);
-    let tree = "StreamedSegmentTree";
     let [above, below] = [COUNTS[3], COUNTS[1]];
     let growth = rows(
         "third-axis-growth",
@@ -43,11 +42,6 @@ pub(crate) fn judge(table: &mut Table) {
             "sweep and prune over theirs, the same",
             table1("paper: Bar92", theirs),
             table1("SweepAndPrune", ours),
-        ),
-        (
-            "CGAL's algorithm over theirs, the same",
-            table1("paper: KMZ13", theirs),
-            table1(tree, ours),
         ),
         (
             "time at d = 0.8 over that at d = 0.2",
@@ -73,16 +67,6 @@ pub(crate) fn judge(table: &mut Table) {
             "converging squares, worst frame over the median",
             Some(CONVERGING[0] / CONVERGING[2]),
             cell("figure4", ours, "worst / median"),
-        ),
-        (
-            "cubes: a \"healthy speedup\" over CGAL's algorithm",
-            None,
-            columns(
-                "third-axis-growth",
-                &count(above),
-                "StreamedSegmentTree, ms",
-                "RankSweep, ms",
-            ),
         ),
         ("cubes: the exponent of n, more than 1", None, exponent),
         (

@@ -4,7 +4,7 @@ use crate::published::CONVERGING;
 use crate::race::{race, unit_boxes};
 use crate::{Run, method};
 use anyhow::Result;
-use unisize_charts::{Axis, Chart, Panel, Series, color};
+use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_scenes::ConvergingBoxes;
 
 const COUNT: usize = 100_000;
@@ -41,11 +41,7 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
     }
     // The slowest comes first in the table, the fastest in the legend.
     curves.reverse();
-    let pairs = outcome.pairs.iter().map(|&pairs| pairs as f64 / 1e3);
-    let panel = Panel::new("", Axis::linear("frame"), Axis::log("milliseconds"), curves).right(
-        Axis::linear("thousands of pairs"),
-        Series::new("pairs (right)", color::PALE, by_frame(pairs)),
-    );
+    let panel = Panel::new("", Axis::linear("frame"), Axis::log("milliseconds"), curves);
     let title = format!("{count} squares converge on the centre");
     Chart::new(title, [panel]).write_svg(&run.pictures.join("figure4.svg"))
 }

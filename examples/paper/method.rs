@@ -2,10 +2,7 @@
 
 use unisize::{GridSweep, PairFinder, RankSweep};
 use unisize_charts::{RGBColor, color};
-use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
-
-/// The cutoff at which the streamed segment tree is fastest for boxes of one size.
-const BEST_CUTOFF: usize = 2000;
+use unisize_reference::SweepAndPrune;
 
 /// A contestant of a race.
 pub(crate) struct Method<const D: usize> {
@@ -30,12 +27,8 @@ fn method<const D: usize>(
 
 /// The methods of the paper and ours.
 pub(crate) fn all<const D: usize>() -> Vec<Method<D>> {
-    let tree = StreamedSegmentTree::default();
-    let best = StreamedSegmentTree::with_cutoff(BEST_CUTOFF);
     vec![
         method("SweepAndPrune", color::BLACK, SweepAndPrune::default()),
-        method("StreamedSegmentTree, best cutoff", color::SKY, best),
-        method("StreamedSegmentTree", color::BLUE, tree),
         method("RankSweep", color::SALMON, RankSweep::default()),
         method("GridSweep", color::RED, GridSweep::default()),
     ]

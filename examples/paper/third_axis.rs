@@ -44,7 +44,7 @@ fn measure_methods(
     row: &str,
     drifting: &mut DriftingBoxes<3>,
 ) -> Result<usize> {
-    let mut methods = method::all().split_off(2);
+    let mut methods = method::all().split_off(1);
     let next = |boxes: &mut Vec<_>| {
         drifting.advance();
         unit_boxes(drifting.mins(), boxes);

@@ -10,7 +10,7 @@ use std::num::NonZero;
 use crate::numbers::Number;
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
-use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
+use unisize_reference::SweepAndPrune;
 
 use crate::numbers::{alphabet, stepped};
 
@@ -74,14 +74,6 @@ fn others<R: Number, const D: usize>() -> Kernels<R, D> {
     vec![
         ("RankSweep", Box::new(RankSweep::default())),
         ("SweepAndPrune", Box::new(SweepAndPrune::default())),
-        (
-            "StreamedSegmentTree",
-            Box::new(StreamedSegmentTree::default()),
-        ),
-        (
-            "StreamedSegmentTree that splits as far as it goes",
-            Box::new(StreamedSegmentTree::with_cutoff(0)),
-        ),
     ]
 }
 

@@ -8,7 +8,6 @@
 mod arbitrary;
 mod census;
 mod check;
-mod cutoffs;
 mod errors;
 mod fuzzed;
 mod guard;
@@ -90,8 +89,7 @@ oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);
 
 mod references {
     use super::*;
-    use cutoffs::WithCutoff;
-    use unisize_reference::{StreamedSegmentTree, SweepAndPrune};
+    use unisize_reference::SweepAndPrune;
 
     oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
     oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);
@@ -101,21 +99,4 @@ mod references {
     // Unusual for these as well.
     oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
     oracle_suite!(sweep_and_prune_f64_4, SweepAndPrune<f64, 4>, f64, 4);
-
-    oracle_suite!(streamed_segment_tree_f32_1, StreamedSegmentTree<f32, 1>, f32, 1);
-    oracle_suite!(streamed_segment_tree_f32_2, StreamedSegmentTree<f32, 2>, f32, 2);
-    oracle_suite!(streamed_segment_tree_f32_3, StreamedSegmentTree<f32, 3>, f32, 3);
-    oracle_suite!(streamed_segment_tree_f64_2, StreamedSegmentTree<f64, 2>, f64, 2);
-    oracle_suite!(streamed_segment_tree_f64_3, StreamedSegmentTree<f64, 3>, f64, 3);
-    oracle_suite!(streamed_segment_tree_f64_4, StreamedSegmentTree<f64, 4>, f64, 4);
-
-    // Split as far as possible, and hardly ever.
-    oracle_suite!(streamed_segment_tree_cutoff_0_f32_2, WithCutoff<f32, 2, 0>, f32, 2);
-    oracle_suite!(streamed_segment_tree_cutoff_0_f32_3, WithCutoff<f32, 3, 0>, f32, 3);
-    oracle_suite!(streamed_segment_tree_cutoff_0_f64_2, WithCutoff<f64, 2, 0>, f64, 2);
-    oracle_suite!(streamed_segment_tree_cutoff_0_f64_3, WithCutoff<f64, 3, 0>, f64, 3);
-    oracle_suite!(streamed_segment_tree_cutoff_2000_f32_2, WithCutoff<f32, 2, 2000>, f32, 2);
-    oracle_suite!(streamed_segment_tree_cutoff_2000_f32_3, WithCutoff<f32, 3, 2000>, f32, 3);
-    oracle_suite!(streamed_segment_tree_cutoff_2000_f64_2, WithCutoff<f64, 2, 2000>, f64, 2);
-    oracle_suite!(streamed_segment_tree_cutoff_2000_f64_3, WithCutoff<f64, 3, 2000>, f64, 3);
 }

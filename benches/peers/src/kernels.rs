@@ -3,17 +3,12 @@
 //! The boxes drift on by a frame between any two measurements. Contenders take turns of some frames each, in
 //! one order and then in the other, so that none is always first, and each finds its own memory in the caches.
 
-#[cfg(feature = "box_intersect_ze")]
-mod box_intersect_ze;
 mod broccoli;
 mod cgal;
 mod contender;
 mod frame;
 mod ours;
-#[cfg(feature = "physx")]
-mod physx;
 mod rstar;
-mod streamed;
 mod zelll;
 
 #[path = "kernels"]
@@ -43,7 +38,6 @@ use crate::row::Row;
 use anyhow::{Context, Result};
 use contender::{Contender, Family};
 use frame::Frame;
-pub(crate) use streamed::check as check_streamed;
 use unisize_scenes::DriftingBoxes;
 
 /// How long one number of boxes is measured.
@@ -113,7 +107,6 @@ fn measure_in<const D: usize>(
 /// Every library in two dimensions, that of this repository first.
 fn families_2d() -> Vec<Family<2>> {
     let mut families = ours::families(usize::MAX);
-    families.extend(ours::streamed_families());
     families.extend(cgal::families());
     families.extend(parry2::families());
     families.push(broccoli::family());
@@ -124,7 +117,6 @@ fn families_2d() -> Vec<Family<2>> {
 /// Every library in three dimensions, that of this repository first.
 fn families_3d() -> Vec<Family<3>> {
     let mut families = ours::families(1 << 17);
-    families.extend(ours::streamed_families());
     families.extend(cgal::families());
     families.extend(parry3::families());
     families.extend(others());
@@ -136,16 +128,7 @@ fn others<const D: usize>() -> Vec<Family<D>>
 where
     [f32; D]: ::rstar::Point<Scalar = f32>,
 {
-    #[cfg_attr(
-        not(any(feature = "box_intersect_ze", feature = "physx")),
-        expect(unused_mut)
-    )]
-    let mut families = vec![rstar::family(), zelll::family()];
-    #[cfg(feature = "box_intersect_ze")]
-    families.push(box_intersect_ze::family());
-    #[cfg(feature = "physx")]
-    families.extend(physx::families());
-    families
+    vec![rstar::family(), zelll::family()]
 }
 
 fn contend<const D: usize>(

@@ -67,6 +67,5 @@ fn main() -> Result<()> {
         false => PathBuf::from("docs/figures"),
     };
     std::fs::create_dir_all(&figures)?;
-    chart::draw(&rows, &figures)?;
-    kernels::check_streamed(&rows)
+    chart::draw(&rows, &figures)
 }

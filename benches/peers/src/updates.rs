@@ -18,76 +18,40 @@ mod dim2 {
     use super::{Create, Entry};
 
     /// For each version the one of this repository first, then the one that it replaces.
-    pub(super) const ENTRIES: [Entry<2>; 5] = super::entries([
-        v027::OURS,
-        v027::DEFAULT,
-        v036::OURS,
-        v036::DEFAULT,
-        v026::MULTI_SAP,
-    ]);
-
-    #[path = "."]
-    mod v026 {
-        use rapier2d_026 as rapier;
-
-        mod contestant;
-        #[path = "v026.rs"]
-        mod engine;
-        #[path = "../../../../common/frames.rs"]
-        mod frames;
-
-        use contestant::{Contestant, nothing};
-        pub(super) const MULTI_SAP: super::Create<2> =
-            |case| Box::new(Contestant::new(case, engine::Recorder::default(), nothing));
-    }
+    pub(super) const ENTRIES: [Entry<2>; 4] =
+        super::entries([v027::OURS, v027::DEFAULT, v036::OURS, v036::DEFAULT]);
 
     #[path = "."]
     mod v027 {
+        use super::Create;
         use rapier2d as rapier;
         use unisize::rapier2d_027 as ours;
 
         mod contestant;
+        mod create_027;
         #[path = "../../../../common/engine_027.rs"]
         mod engine;
         #[path = "../../../../common/frames.rs"]
         mod frames;
 
-        use contestant::{Contestant, nothing};
-        pub(super) const OURS: super::Create<2> = |case| {
-            let broad_phase = ours::UnisizeBroadPhase::new();
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
-        pub(super) const DEFAULT: super::Create<2> = |case| {
-            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
+        pub(super) use create_027::{DEFAULT, OURS};
     }
 
     #[path = "."]
     mod v036 {
+        use super::Create;
         use rapier2d_036 as rapier;
         use unisize::rapier2d_036 as ours;
 
         mod contestant;
+        mod create_036;
         mod deferred;
         #[path = "../../../../common/engine_036.rs"]
         mod engine;
         #[path = "../../../../common/frames.rs"]
         mod frames;
 
-        use contestant::{Contestant, nothing};
-        pub(super) const OURS: super::Create<2> = |case| {
-            // The level that leaves out what the default does, so that both hold the same pairs.
-            let settings = unisize::Settings::default().with_filter(unisize::PairFilter::Groups);
-            let broad_phase = ours::UnisizeBroadPhase::with_settings(settings);
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
-        pub(super) const DEFAULT: super::Create<2> = |case| {
-            let mut deferred = deferred::Deferred::default();
-            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
-            let time = move |broad_phase: &_, frames: &_| deferred.time(broad_phase, frames);
-            Box::new(Contestant::new(case, broad_phase, time))
-        };
+        pub(super) use create_036::{DEFAULT, OURS};
     }
 }
 
@@ -96,76 +60,40 @@ mod dim3 {
     use super::{Create, Entry};
 
     /// For each version the one of this repository first, then the one that it replaces.
-    pub(super) const ENTRIES: [Entry<3>; 5] = super::entries([
-        v027::OURS,
-        v027::DEFAULT,
-        v036::OURS,
-        v036::DEFAULT,
-        v026::MULTI_SAP,
-    ]);
-
-    #[path = "."]
-    mod v026 {
-        use rapier3d_026 as rapier;
-
-        mod contestant;
-        #[path = "v026.rs"]
-        mod engine;
-        #[path = "../../../../common/frames.rs"]
-        mod frames;
-
-        use contestant::{Contestant, nothing};
-        pub(super) const MULTI_SAP: super::Create<3> =
-            |case| Box::new(Contestant::new(case, engine::Recorder::default(), nothing));
-    }
+    pub(super) const ENTRIES: [Entry<3>; 4] =
+        super::entries([v027::OURS, v027::DEFAULT, v036::OURS, v036::DEFAULT]);
 
     #[path = "."]
     mod v027 {
+        use super::Create;
         use rapier3d as rapier;
         use unisize::rapier3d_027 as ours;
 
         mod contestant;
+        mod create_027;
         #[path = "../../../../common/engine_027.rs"]
         mod engine;
         #[path = "../../../../common/frames.rs"]
         mod frames;
 
-        use contestant::{Contestant, nothing};
-        pub(super) const OURS: super::Create<3> = |case| {
-            let broad_phase = ours::UnisizeBroadPhase::new();
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
-        pub(super) const DEFAULT: super::Create<3> = |case| {
-            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
+        pub(super) use create_027::{DEFAULT, OURS};
     }
 
     #[path = "."]
     mod v036 {
+        use super::Create;
         use rapier3d_036 as rapier;
         use unisize::rapier3d_036 as ours;
 
         mod contestant;
+        mod create_036;
         mod deferred;
         #[path = "../../../../common/engine_036.rs"]
         mod engine;
         #[path = "../../../../common/frames.rs"]
         mod frames;
 
-        use contestant::{Contestant, nothing};
-        pub(super) const OURS: super::Create<3> = |case| {
-            // The level that leaves out what the default does, so that both hold the same pairs.
-            let settings = unisize::Settings::default().with_filter(unisize::PairFilter::Groups);
-            let broad_phase = ours::UnisizeBroadPhase::with_settings(settings);
-            Box::new(Contestant::new(case, broad_phase, nothing))
-        };
-        pub(super) const DEFAULT: super::Create<3> = |case| {
-            let mut deferred = deferred::Deferred::default();
-            let broad_phase = rapier::prelude::DefaultBroadPhase::new();
-            let time = move |broad_phase: &_, frames: &_| deferred.time(broad_phase, frames);
-            Box::new(Contestant::new(case, broad_phase, time))
-        };
+        pub(super) use create_036::{DEFAULT, OURS};
     }
 }
 
@@ -180,8 +108,8 @@ trait Peer<const D: usize> {
     /// The pairs that it holds, by the events that it has sent.
     fn held_pairs(&self) -> PairSet;
 
-    /// The boxes themselves, without any margin, and this part of their size smaller.
-    fn boxes(&self, smaller: f32) -> Vec<unisize::Aabb<f32, D>>;
+    /// The boxes themselves, without any margin.
+    fn boxes(&self) -> Vec<unisize::Aabb<f32, D>>;
 }
 
 /// Creates a broad phase that knows the colliders of a case.
@@ -196,7 +124,7 @@ struct Entry<const D: usize> {
 }
 
 /// Names for those of a dimension.
-const fn entries<const D: usize>([a, b, c, d, e]: [Create<D>; 5]) -> [Entry<D>; 5] {
+const fn entries<const D: usize>([a, b, c, d]: [Create<D>; 4]) -> [Entry<D>; 4] {
     const fn entry<const D: usize>(names: [&'static str; 2], create: Create<D>) -> Entry<D> {
         let [name, ours] = names;
         Entry { name, ours, create }
@@ -206,7 +134,6 @@ const fn entries<const D: usize>([a, b, c, d, e]: [Create<D>; 5]) -> [Entry<D>; 
         entry([BVH_027, OURS], b),
         entry([OURS_HANDED_OVER, OURS_HANDED_OVER], c),
         entry([BVH_036, OURS_HANDED_OVER], d),
-        entry([MULTI_SAP, OURS], e),
     ]
 }
 
@@ -222,17 +149,8 @@ const BVH_027: &str = "Rapier 0.27, BVH";
 /// The one that Rapier 0.36 has itself.
 const BVH_036: &str = "Rapier 0.36, BVH";
 
-/// Without any margin.
-const MULTI_SAP: &str = "Rapier 0.26, multi-SAP";
-
 /// Added to the name of one whose updates do what its engine defers.
 pub(crate) const WITHOUT_DEFERRED: &str = ", without the deferred optimization";
-
-/// With more colliders, its cases alone take as long as all others together.
-const MULTI_SAP_MAX: usize = 10_000;
-
-/// Boxes that much smaller, as a part of their size, overlap whatever was rounded.
-const ROUNDING: f32 = 1e-3;
 
 /// Turns of each broad phase in a case.
 const ROUNDS: usize = 5;
@@ -409,7 +327,7 @@ fn contend<const D: usize>(entries: &[Entry<D>], task: &Task) -> Result<Vec<Row>
     }
 
     let held: Vec<_> = contenders.iter().map(|c| c.peer.held_pairs()).collect();
-    let is_right = check(&contenders, &held, task)?;
+    check(&contenders, &held)?;
     let row = |name: String, contender: &Contender<D>, times: Times, pairs: usize| {
         let is_ours = |ours: &&Contender<D>| ours.entry.name == contender.entry.ours;
         let ours = contenders.iter().find(is_ours);
@@ -427,10 +345,7 @@ fn contend<const D: usize>(entries: &[Entry<D>], task: &Task) -> Result<Vec<Row>
         }
     };
     let mut rows = Vec::new();
-    for ((contender, held), is_right) in contenders.iter().zip(&held).zip(is_right) {
-        if !is_right {
-            continue;
-        }
+    for (contender, held) in contenders.iter().zip(&held) {
         let (name, times) = (contender.entry.name, &contender.times);
         rows.push(row(name.to_owned(), contender, times.clone(), held.len()));
         if !contender.deferred.is_zero() {
@@ -460,12 +375,7 @@ fn follow<const D: usize>(entries: &[Entry<D>], task: &Task, timed: Timed) -> Ve
         contender.deferred = Times::default();
         contender
     };
-    // It also takes minutes to put large boxes into its regions.
-    let is_too_much = task.case.count > MULTI_SAP_MAX || task.case.sizes == Sizes::FewLarge;
-    let entries = entries
-        .iter()
-        .filter(|entry| entry.name != MULTI_SAP || !is_too_much);
-    let mut contenders: Vec<_> = entries.map(enter).collect();
+    let mut contenders: Vec<_> = entries.iter().map(enter).collect();
     for round in 0..ROUNDS {
         let run = |contender: &mut Contender<D>| contender.run(task.frames_a_round, timed);
         if round % 2 == 0 {
@@ -478,27 +388,16 @@ fn follow<const D: usize>(entries: &[Entry<D>], task: &Task, timed: Timed) -> Ve
 }
 
 /// Every broad phase must hold every pair of colliders that overlap, and may hold more: each has margins of its
-/// own. Unisize has those of the one that it replaces, and must hold the same. The one without any margin may miss a pair that
-/// touches, but for rounding. One of another version that misses a pair is told of, and left out.
-fn check<const D: usize>(
-    contenders: &[Contender<D>],
-    held: &[PairSet],
-    task: &Task,
-) -> Result<Vec<bool>> {
-    let mut is_right = Vec::new();
+/// own. Unisize has those of the one that it replaces, and must hold the same.
+fn check<const D: usize>(contenders: &[Contender<D>], held: &[PairSet]) -> Result<()> {
     for (contender, held) in contenders.iter().zip(held) {
-        let name = contender.entry.name;
-        let smaller = if name == MULTI_SAP { ROUNDING } else { 0.0 };
-        let overlapping = PairSet::of_boxes(&contender.peer.boxes(smaller))?;
-        let missing = overlapping.missing_in(held);
+        let missing = PairSet::of_boxes(&contender.peer.boxes())?.missing_in(held);
         if missing > 0 {
-            let defect = format!("{name} does not hold {missing} pairs that overlap");
-            if name != MULTI_SAP {
-                bail!(defect);
-            }
-            eprintln!("{defect}, and is left out: {D}D, {}", task.title);
+            bail!(
+                "{} does not hold {missing} pairs that overlap",
+                contender.entry.name
+            );
         }
-        is_right.push(missing == 0);
     }
     // Each of unisize's is followed by the one that it replaces.
     for (pair, held) in contenders.windows(2).zip(held.windows(2)) {
@@ -514,5 +413,5 @@ fn check<const D: usize>(
             );
         }
     }
-    Ok(is_right)
+    Ok(())
 }

@@ -10,8 +10,6 @@ pub struct Axis {
     is_log: bool,
     /// The band that stands for zero on a logarithmic axis, as the values that would be at its ends.
     zero: Option<[f64; 2]>,
-    /// A linear axis reaches at least this value.
-    at_least: f64,
 }
 
 /// A logarithmic axis spans at least this factor, lest small differences look large.
@@ -34,7 +32,6 @@ impl Axis {
             title: title.into(),
             is_log: false,
             zero: None,
-            at_least: 0.0,
         }
     }
 
@@ -44,7 +41,6 @@ impl Axis {
             title: title.into(),
             is_log: true,
             zero: None,
-            at_least: 0.0,
         }
     }
 
@@ -53,12 +49,6 @@ impl Axis {
     /// the rest.
     pub fn with_zero_between(mut self, from: f64, to: f64) -> Self {
         self.zero = Some([from, to]);
-        self
-    }
-
-    /// Reaches at least this value, if it is linear: shares then span the same range whatever they are.
-    pub fn reaching(mut self, value: f64) -> Self {
-        self.at_least = value;
         self
     }
 
@@ -109,7 +99,6 @@ impl Axis {
             return 0.0..1.0;
         }
         if !self.is_log {
-            let high = high.max(self.at_least);
             return 0.0..if high > 0.0 { high * (1.0 + ROOM) } else { 1.0 };
         }
         let span = (high - low).max(LEAST_FACTOR.log10());

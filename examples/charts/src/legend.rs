@@ -18,7 +18,7 @@ pub(crate) struct Legend<'a> {
 impl<'a> Legend<'a> {
     pub(crate) fn new(panels: &'a [Panel], width: u32) -> Self {
         let mut entries: Vec<&Series> = Vec::new();
-        for series in panels.iter().flat_map(Panel::all_series) {
+        for series in panels.iter().flat_map(|panel| &panel.series) {
             if !entries.iter().any(|entry| entry.name == series.name) {
                 entries.push(series);
             }
@@ -49,9 +49,7 @@ impl<'a> Legend<'a> {
                 area.draw(&PathElement::new(sample, entry.line_style()))?;
             }
             let center = (x + 12, y);
-            if let Some(polygon) = entry.polygon().filter(|_| entry.has_marks()) {
-                area.draw(&(EmptyElement::at(center) + polygon()))?;
-            } else if entry.has_marks() {
+            if entry.has_marks() {
                 area.draw(&entry.mark(center))?;
             }
             area.draw(&Text::new(

@@ -15,7 +15,6 @@
 //! An [`Axis`] maps values to *places*, which are what plotters sees: a logarithmic axis is a linear one over logarithms.
 
 mod axis;
-mod band;
 pub mod color;
 mod labels;
 mod legend;
@@ -25,7 +24,7 @@ mod series;
 pub use axis::Axis;
 pub use panel::Panel;
 pub use plotters::style::RGBColor;
-pub use series::{Series, Shape};
+pub use series::Series;
 
 use anyhow::{Result, anyhow};
 use legend::Legend;

@@ -1,4 +1,4 @@
-//! One panel: series over two axes, and perhaps one on an axis of its own on the right.
+//! One panel: series over two axes.
 
 use crate::labels::Labels;
 use crate::{Axis, Series};
@@ -19,8 +19,7 @@ pub struct Panel {
     title: String,
     x: Axis,
     y: Axis,
-    series: Vec<Series>,
-    right: Option<(Axis, Series)>,
+    pub(crate) series: Vec<Series>,
 }
 
 impl Panel {
@@ -36,19 +35,7 @@ impl Panel {
             x,
             y,
             series: series.into_iter().collect(),
-            right: None,
         }
-    }
-
-    /// With another series, behind the others, on an axis of its own on the right.
-    pub fn right(mut self, axis: Axis, series: Series) -> Self {
-        self.right = Some((axis, series));
-        self
-    }
-
-    pub(crate) fn all_series(&self) -> impl Iterator<Item = &Series> {
-        let right = self.right.iter().map(|(_, series)| series);
-        self.series.iter().chain(right)
     }
 
     /// Draws the panel. Its axes span the values of all `sharing` panels that have the same axis.
@@ -61,25 +48,13 @@ impl Panel {
         let ys = sharing.iter().filter(|panel| panel.y == self.y);
         let x = self.x.scale(xs.flat_map(points_of).map(|(x, _)| x));
         let y = self.y.scale(ys.flat_map(points_of).map(|(_, y)| y));
-        // The type of a chart says whether it has a second axis, so there is one in any case.
-        let right = match &self.right {
-            Some((axis, series)) => axis.scale(series.points.iter().map(|&(_, y)| y)),
-            None => y.clone(),
-        };
-
-        let mut builder = ChartBuilder::on(area);
-        builder
+        let mut chart = ChartBuilder::on(area)
             .caption(&self.title, CAPTION)
             .margin(8)
             .margin_right(18)
             .x_label_area_size(42)
-            .y_label_area_size(60);
-        if self.right.is_some() {
-            builder.right_y_label_area_size(60);
-        }
-        let mut chart = builder
-            .build_cartesian_2d(x.clone(), y)?
-            .set_secondary_coord(x, right);
+            .y_label_area_size(60)
+            .build_cartesian_2d(x, y)?;
         chart
             .configure_mesh()
             .light_line_style(WHITE)
@@ -96,26 +71,6 @@ impl Panel {
             let shade = BLACK.mix(ZERO_SHADE).filled();
             chart.draw_series([Rectangle::new(corners, shade)])?;
         }
-        if let Some((axis, series)) = &self.right {
-            chart
-                .configure_secondary_axes()
-                .label_style(TICK)
-                .axis_desc_style(AXIS_TITLE)
-                .y_desc(&axis.title)
-                .y_label_formatter(&|&place| axis.label(place))
-                .draw()?;
-            let places = places(series, &self.x, axis).map(|(place, _)| place);
-            chart.draw_secondary_series(LineSeries::new(places, series.line_style()))?;
-        }
-
-        for series in self
-            .series
-            .iter()
-            .rev()
-            .filter(|series| !series.band.is_empty())
-        {
-            chart.draw_series([series.outline(&self.x, &self.y)])?;
-        }
         let mut labels = Labels::default();
         let mut texts = Vec::new();
         for series in self.series.iter().rev() {
@@ -124,10 +79,7 @@ impl Panel {
             if series.has_line() {
                 chart.draw_series(LineSeries::new(line(), series.line_style()))?;
             }
-            if let Some(polygon) = series.polygon().filter(|_| series.has_marks()) {
-                let mark = |place| EmptyElement::at(place) + polygon();
-                chart.draw_series(line().map(mark))?;
-            } else if series.has_marks() {
+            if series.has_marks() {
                 chart.draw_series(line().map(|place| series.mark(place)))?;
             }
             let pixels: Vec<_> = line().map(|place| chart.backend_coord(&place)).collect();
@@ -168,11 +120,6 @@ fn places<'a>(
 }
 
 fn points_of(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
-    panel.series.iter().flat_map(|series| {
-        series
-            .points
-            .iter()
-            .copied()
-            .chain(series.bounds().flatten())
-    })
+    let series = panel.series.iter();
+    series.flat_map(|series| series.points.iter().copied())
 }

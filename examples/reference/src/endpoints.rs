@@ -27,11 +27,7 @@ pub(crate) fn sort<R: Real, const D: usize>(
 
 /// Where an endpoint is. Zeros have no sign here, because -0 and +0 must tie.
 #[inline]
-fn coordinate<R: Real, const D: usize>(
-    boxes: &[Aabb<R, D>],
-    axis: usize,
-    endpoint: u32,
-) -> R {
+fn coordinate<R: Real, const D: usize>(boxes: &[Aabb<R, D>], axis: usize, endpoint: u32) -> R {
     let at = endpoint as usize;
     let signed = match at.checked_sub(boxes.len()) {
         None => boxes[at].mins[axis],

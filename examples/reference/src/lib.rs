@@ -1,20 +1,13 @@
-//! The algorithms that Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, compare themselves
-//! with or build on, as [`PairFinder`](unisize::PairFinder)s.
+//! Sweep and prune, which Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, compare themselves with, as a
+//! [`PairFinder`](unisize::PairFinder).
 //!
-//! | algorithm | time | what it is |
-//! |---|---|---|
-//! | [`SweepAndPrune`] | O(n k), with k boxes at once on the first axis | Baraff's original |
-//! | [`StreamedSegmentTree`] | O(n logᴰ n + pairs) | the algorithm of CGAL |
-//!
-//! They are exact and pass the tests of every kernel, but are here only to be compared with. Endpoints are sorted by a radix
-//! sort, as in the paper and in `RankSweep`, so that what is compared is the search.
+//! It is exact and passes the tests of every kernel, but is here only to be compared with. Endpoints are sorted by a radix sort, as in
+//! the paper and in `RankSweep`, so that what is compared is the search.
 
 mod active_list;
 mod endpoints;
-mod streamed_segment_tree;
 mod sweep_and_prune;
 
-pub use streamed_segment_tree::StreamedSegmentTree;
 pub use sweep_and_prune::SweepAndPrune;
 
 use unisize::{Aabb, InvalidInput, InvalidInputReason, Real};

@@ -12,20 +12,16 @@ use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
 use std::ptr::NonNull;
 
-pub(super) const DEFAULT_CUTOFF: usize = 10;
+const DEFAULT_CUTOFF: usize = 10;
 
-pub(super) const CUTOFFS: [usize; 8] = [10, 50, 100, 200, 500, 1000, 2000, 5000];
-
-pub(super) const AT_DEFAULT_CUTOFF: &str = "CGAL, default cutoff";
-
-pub(super) const AT_BEST_CUTOFF: &str = "CGAL, best cutoff";
+const CUTOFFS: [usize; 8] = [10, 50, 100, 200, 500, 1000, 2000, 5000];
 
 /// CGAL as it comes, and with the best of some cutoffs.
 pub(crate) fn families<const D: usize>() -> Vec<Family<D>> {
     let setting = |cutoff| Setting::new(format!("cutoff {cutoff}"), move || Cgal::new(cutoff));
     vec![
-        Family::new(AT_DEFAULT_CUTOFF, [setting(DEFAULT_CUTOFF)]),
-        Family::new(AT_BEST_CUTOFF, CUTOFFS.map(setting)),
+        Family::new("CGAL, default cutoff", [setting(DEFAULT_CUTOFF)]),
+        Family::new("CGAL, best cutoff", CUTOFFS.map(setting)),
     ]
 }
 

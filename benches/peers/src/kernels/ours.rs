@@ -1,16 +1,10 @@
 //! The kernels of this repository.
 
-use super::cgal::{CUTOFFS, DEFAULT_CUTOFF};
 use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::Result;
 use std::borrow::Cow;
 use unisize::{GridSweep, PairFinder, RankSweep};
-use unisize_reference::StreamedSegmentTree;
-
-pub(super) const STREAMED_AT_DEFAULT_CUTOFF: &str = "unisize StreamedSegmentTree, default cutoff";
-
-pub(super) const STREAMED_AT_BEST_CUTOFF: &str = "unisize StreamedSegmentTree, best cutoff";
 
 /// GridSweep, which all ratios are relative to, and RankSweep, up to so many boxes.
 pub(crate) fn families<const D: usize>(rank_sweep_max: usize) -> Vec<Family<D>> {
@@ -19,22 +13,6 @@ pub(crate) fn families<const D: usize>(rank_sweep_max: usize) -> Vec<Family<D>> 
     vec![
         Family::new("unisize GridSweep", [setting::<GridSweep<f32, D>, D>()]),
         rank_sweep,
-    ]
-}
-
-/// StreamedSegmentTree, CGAL's algorithm, with the very settings that CGAL has.
-pub(crate) fn streamed_families<const D: usize>() -> Vec<Family<D>> {
-    let setting = |cutoff| {
-        Setting::new(format!("cutoff {cutoff}"), move || {
-            Ok(Ours {
-                finder: StreamedSegmentTree::<f32, D>::with_cutoff(cutoff),
-                pairs: Vec::new(),
-            })
-        })
-    };
-    vec![
-        Family::new(STREAMED_AT_DEFAULT_CUTOFF, [setting(DEFAULT_CUTOFF)]),
-        Family::new(STREAMED_AT_BEST_CUTOFF, CUTOFFS.map(setting)),
     ]
 }
 

@@ -65,13 +65,12 @@ impl<B: Driven, F: FnMut(&B, &Frames) -> Duration> Peer<DIM> for Contestant<B, F
         PairSet::new(held)
     }
 
-    fn boxes(&self, smaller: f32) -> Vec<unisize::Aabb<f32, DIM>> {
+    fn boxes(&self) -> Vec<unisize::Aabb<f32, DIM>> {
         let around = |(_, collider): (_, &Collider)| {
             let aabb = collider.compute_aabb();
-            let (center, half) = (aabb.center(), aabb.half_extents() * (1.0 - smaller));
             unisize::Aabb::new(
-                std::array::from_fn(|k| center[k] - half[k]),
-                std::array::from_fn(|k| center[k] + half[k]),
+                std::array::from_fn(|k| aabb.mins[k]),
+                std::array::from_fn(|k| aabb.maxs[k]),
             )
         };
         self.frames.world.colliders.iter().map(around).collect()
