@@ -5,8 +5,7 @@
 //! goes wrong above and below, and the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a
 //! factor of two to either side costs a few per cent, which is why none is a setting.
 
-/// Sorting and sweeping: the kernels. Shown by `cargo bench --all-features -- kernels` and
-/// `cargo bench --all-features -- ways`.
+/// Sorting and sweeping: the kernels. Shown by `cargo bench --all-features -- kernels`.
 pub(crate) mod kernel {
     /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
     /// choosing a grid takes longer than the sweep.

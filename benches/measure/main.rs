@@ -108,7 +108,6 @@ fn main() -> anyhow::Result<()> {
     for question in options.questions() {
         match question {
             Question::Kernels => kernels::measure(&options, report)?,
-            Question::Ways => floor::measure(&options, report)?,
             Question::Updates => updates::measure(&options, report)?,
             Question::Scale => updates::scale(&options, report)?,
             Question::HardBoxes => {

@@ -27,8 +27,6 @@ pub(crate) struct Options {
 pub(crate) enum Question {
     /// The phases of the kernel, beside a lower bound
     Kernels,
-    /// Ways to sort boxes into strips: could the bound be lower?
-    Ways,
     /// Updates of colliders: times, phases and memory, ours and Rapier's own
     Updates,
     /// Time and memory a body from a hundred thousand to four million; draws docs/figures/scale.svg
