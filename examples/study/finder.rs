@@ -1,6 +1,6 @@
 //! What finds the pairs: unisize by its settings, Rapier's own broad phase, and methods that miss pairs in exchange for speed.
 
-use unisize::{Kernel, PairFilter};
+use unisize::Kernel;
 use unisize_charts::{RGBColor, color};
 
 /// What finds the pairs.
@@ -8,7 +8,8 @@ use unisize_charts::{RGBColor, color};
 pub(crate) enum Finder {
     /// Rapier's own broad phase.
     Rapier,
-    Unisize(Setting),
+    /// unisize with this kernel, and a margin in typical sizes; `None` is the default.
+    Unisize(Kernel, Option<f32>),
     /// unisize by default, updated once in so many steps.
     Seldom(usize),
     /// A hash grid of the centres of boxes.
@@ -29,31 +30,13 @@ pub(crate) enum Cell {
     Median,
 }
 
-/// Settings of unisize.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Setting {
-    pub(crate) kernel: Kernel,
-    /// In typical sizes; `None` is the default.
-    pub(crate) margin: Option<f32>,
-    /// `None` is the default.
-    pub(crate) filter: Option<PairFilter>,
-}
-
-impl Setting {
-    pub(crate) const DEFAULT: Self = Self {
-        kernel: Kernel::GridSweep,
-        margin: None,
-        filter: None,
-    };
-}
-
 impl Finder {
-    pub(crate) const DEFAULT: Self = Self::Unisize(Setting::DEFAULT);
+    pub(crate) const DEFAULT: Self = Self::Unisize(Kernel::GridSweep, None);
 
     /// Whether it cannot miss a pair that touches, whatever bodies do and whatever sizes they have.
     pub(crate) fn is_exact(self) -> bool {
         match self {
-            Self::Rapier | Self::Unisize(_) => true,
+            Self::Rapier | Self::Unisize(..) => true,
             Self::Grid(cell) => cell == Cell::Largest,
             Self::Seldom(_) | Self::Lossy => false,
         }
@@ -63,7 +46,12 @@ impl Finder {
     pub(crate) fn name(self) -> String {
         match self {
             Self::Rapier => "Rapier's".to_owned(),
-            Self::Unisize(setting) => setting.name(),
+            Self::Unisize(Kernel::GridSweep, None) => "unisize".to_owned(),
+            Self::Unisize(Kernel::GridSweep, Some(0.0)) => "unisize, no margin".to_owned(),
+            Self::Unisize(Kernel::GridSweep, Some(margin)) => {
+                format!("unisize, margin of {margin} sizes")
+            }
+            Self::Unisize(kernel, _) => format!("unisize, {kernel:?}"),
             Self::Seldom(2) => "every 2nd step".to_owned(),
             Self::Seldom(interval) => format!("every {interval}th step"),
             Self::Grid(Cell::Largest) => "hash grid, cells of the largest".to_owned(),
@@ -75,8 +63,8 @@ impl Finder {
     /// Its colour in charts.
     pub(crate) fn color(self) -> RGBColor {
         match self {
-            Self::Unisize(setting) if setting == Setting::DEFAULT => color::RED,
-            Self::Unisize(_) => color::SALMON,
+            Self::DEFAULT => color::RED,
+            Self::Unisize(..) => color::SALMON,
             Self::Rapier => color::BLUE,
             Self::Seldom(..=2) => color::PINK,
             Self::Seldom(..=4) => color::ROSE,
@@ -85,22 +73,5 @@ impl Finder {
             Self::Grid(Cell::Median) => color::OCHRE,
             Self::Lossy => color::GREY,
         }
-    }
-}
-
-impl Setting {
-    fn name(self) -> String {
-        let kernel = match self.kernel {
-            Kernel::GridSweep => None,
-            kernel => Some(format!("{kernel:?}")),
-        };
-        let margin = self.margin.map(|margin| match margin {
-            0.0 => "no margin".to_owned(),
-            _ => format!("margin of {margin} sizes"),
-        });
-        let filter = self.filter.map(|filter| format!("filter {filter:?}"));
-        let parts = ["unisize".to_owned()].into_iter();
-        let parts = parts.chain([kernel, margin, filter].into_iter().flatten());
-        parts.collect::<Vec<_>>().join(", ")
     }
 }

@@ -4,6 +4,7 @@ use clap::builder::RangedU64ValueParser;
 use clap::{Args, ValueEnum};
 use std::ops::Range;
 use std::path::PathBuf;
+use unisize_scenes::SceneKind;
 
 /// What every study can be told.
 #[derive(Args, Clone, Debug)]
@@ -44,6 +45,13 @@ impl Common {
     pub(crate) fn seeds(&self, quick: usize, full: usize) -> Range<u64> {
         let first = u64::from(self.seed);
         first..first + self.seeds.unwrap_or(self.usual(quick, full)) as u64
+    }
+
+    /// Those of these scenes that were asked for by name, or all of them.
+    pub(crate) fn scenes(&self, all: &[SceneKind], names: &[String]) -> Vec<SceneKind> {
+        let is_meant =
+            |kind: &SceneKind| names.is_empty() || names.iter().any(|n| n == kind.name());
+        all.iter().copied().filter(is_meant).collect()
     }
 
     /// One of these: for a quick run, and for a full one.

@@ -9,6 +9,7 @@ use serde::Serialize;
 use std::fs::{File, create_dir_all};
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
+use std::process::ExitCode;
 use unisize_charts::Chart;
 
 /// Where the rows and charts of a study go.
@@ -62,16 +63,31 @@ impl Output {
         Ok(())
     }
 
-    /// Draws a chart of this dimension.
-    pub(crate) fn chart(&self, dim: u8, chart: impl FnOnce() -> Chart) -> Result<()> {
+    /// Draws the chart of the study, or of one dimension.
+    pub(crate) fn chart(&self, dim: Option<u8>, chart: impl FnOnce() -> Chart) -> Result<()> {
         let Some(folder) = &self.charts else {
             return Ok(());
         };
+        let dim = dim.map_or_else(String::new, |dim| format!("-{dim}d"));
         let rapier = RAPIER.replace('.', "-");
-        let file = folder.join(format!("{}-{dim}d-{rapier}.svg", self.study));
+        let file = folder.join(format!("{}{dim}-{rapier}.svg", self.study));
         chart().write_svg(&file)?;
         println!("Drawn: {}\n", file.display());
         Ok(())
+    }
+}
+
+/// Runs a study on one thread: the processor time of a thread stands still while a pool of others works for it.
+pub(crate) fn exit_code(study: impl FnOnce() -> Result<bool>) -> ExitCode {
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(1);
+    let pool = threads.build_global().context("cannot have one thread");
+    match pool.and_then(|()| study()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
     }
 }
 

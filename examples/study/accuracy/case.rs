@@ -1,55 +1,13 @@
 //! One simulation: what it is of, and what came of it.
 
-use super::scene::Scene;
-use crate::finder::{Finder, Setting};
-use crate::{FINDERS, SCALARS};
+use crate::finder::Finder;
 use serde::Serialize;
-
-/// The numbers that Rapier computes with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Scalar {
-    F32,
-    // Without the features for it there is none.
-    #[allow(dead_code)]
-    F64,
-}
-
-/// A way to simulate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Method {
-    pub(crate) finder: Finder,
-    pub(crate) scalar: Scalar,
-}
-
-impl Method {
-    /// All of them: what misses pairs is simulated with the numbers that most programs have.
-    pub(crate) fn all() -> Vec<Self> {
-        let with = |scalar, finder| Self { finder, scalar };
-        let scalars = SCALARS.iter().flat_map(|&scalar| {
-            let is_exact = move |finder: &&Finder| {
-                scalar == Scalar::F32
-                    || [Finder::Rapier, Finder::Unisize(Setting::DEFAULT)].contains(finder)
-            };
-            let finders = FINDERS.iter().filter(is_exact);
-            finders.map(move |&finder| with(scalar, finder))
-        });
-        scalars.collect()
-    }
-
-    /// Its name in tables and charts.
-    pub(crate) fn name(self) -> String {
-        match self.scalar {
-            Scalar::F32 => self.finder.name(),
-            Scalar::F64 => format!("{}, f64", self.finder.name()),
-        }
-    }
-}
+use unisize_scenes::SceneKind;
 
 /// One simulation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Case {
-    pub(crate) scene: Scene,
+    pub(crate) kind: SceneKind,
     pub(crate) finder: Finder,
     /// Whether the events of an update are sorted before Rapier hears of them.
     pub(crate) is_sorted: bool,
@@ -95,23 +53,5 @@ impl Reading {
             false => self.value,
         };
         Self { value, ..self }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Reading;
-
-    #[test]
-    fn what_is_not_a_number_is_infinitely_wrong() {
-        let read = |value| {
-            let reading = Reading {
-                name: "an error",
-                value,
-            };
-            reading.or_infinite().value
-        };
-        assert_eq!(read(f64::NAN), f64::INFINITY);
-        assert_eq!(read(1.5), 1.5);
     }
 }

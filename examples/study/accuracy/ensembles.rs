@@ -1,49 +1,45 @@
 //! What was measured of one scene in one dimension: an ensemble of runs for every method and time step.
 
-use super::case::{Method, Run};
-use super::scene::Scene;
+use super::case::Run;
+use crate::finder::Finder;
 use crate::statistics::Median;
+use unisize_scenes::SceneKind;
 
 /// The runs of one scene in one dimension.
 #[derive(Clone, Debug)]
 pub(crate) struct Ensembles {
     pub(crate) dim: u8,
-    pub(crate) scene: Scene,
+    pub(crate) kind: SceneKind,
     pub(crate) bodies: usize,
     pub(crate) seconds: f64,
-    pub(crate) methods: Vec<Method>,
-    /// Steps per simulated second.
-    pub(crate) frequencies: Vec<u32>,
-    runs: Vec<(Method, u32, Run)>,
+    runs: Vec<(Finder, u32, Run)>,
 }
 
 impl Ensembles {
     /// A scene for which nothing has run yet.
-    pub(crate) fn new(dim: u8, scene: Scene, bodies: usize, seconds: f64) -> Self {
+    pub(crate) fn new(dim: u8, kind: SceneKind, bodies: usize, seconds: f64) -> Self {
         Self {
             dim,
-            scene,
+            kind,
             bodies,
             seconds,
-            methods: Method::all(),
-            frequencies: super::FREQUENCIES.to_vec(),
             runs: Vec::new(),
         }
     }
 
     /// The name of the scene, with its dimension.
     pub(crate) fn title(&self) -> String {
-        format!("{} {}D", self.scene.name(), self.dim)
+        format!("{} {}D", self.kind.name(), self.dim)
     }
 
     /// Adds the run of the next seed.
-    pub(crate) fn push(&mut self, method: Method, frequency: u32, run: Run) {
-        self.runs.push((method, frequency, run));
+    pub(crate) fn push(&mut self, finder: Finder, frequency: u32, run: Run) {
+        self.runs.push((finder, frequency, run));
     }
 
-    fn runs(&self, method: Method, frequency: u32) -> impl Iterator<Item = &Run> {
+    fn runs(&self, finder: Finder, frequency: u32) -> impl Iterator<Item = &Run> {
         let runs = self.runs.iter();
-        let runs = runs.filter(move |of| (of.0, of.1) == (method, frequency));
+        let runs = runs.filter(move |of| (of.0, of.1) == (finder, frequency));
         runs.map(|of| &of.2)
     }
 
@@ -55,40 +51,40 @@ impl Ensembles {
     }
 
     /// An error by seed.
-    fn sample(&self, method: Method, frequency: u32, error: usize) -> Vec<f64> {
-        let runs = self.runs(method, frequency);
+    fn sample(&self, finder: Finder, frequency: u32, error: usize) -> Vec<f64> {
+        let runs = self.runs(finder, frequency);
         runs.map(|run| run.errors[error].value).collect()
     }
 
     /// An error by time step, then by seed.
-    pub(crate) fn samples(&self, method: Method, error: usize) -> Vec<Vec<f64>> {
-        let frequencies = self.frequencies.iter();
+    pub(crate) fn samples(&self, finder: Finder, error: usize) -> Vec<Vec<f64>> {
+        let frequencies = super::FREQUENCIES.iter();
         frequencies
-            .map(|&frequency| self.sample(method, frequency, error))
+            .map(|&frequency| self.sample(finder, frequency, error))
             .collect()
     }
 
     /// The median of an error over the seeds.
-    pub(crate) fn error(&self, method: Method, frequency: u32, error: usize) -> Median {
-        Median::of(self.sample(method, frequency, error))
+    pub(crate) fn error(&self, finder: Finder, frequency: u32, error: usize) -> Median {
+        Median::of(self.sample(finder, frequency, error))
     }
 
     /// The median of the milliseconds for one simulated second.
-    pub(crate) fn milliseconds(&self, method: Method, frequency: u32) -> Median {
-        let runs = self.runs(method, frequency);
+    pub(crate) fn milliseconds(&self, finder: Finder, frequency: u32) -> Median {
+        let runs = self.runs(finder, frequency);
         Median::of(runs.map(|run| run.milliseconds))
     }
 
     /// How many pairs a method found in all its runs, and how many of them it lost.
-    pub(crate) fn pairs(&self, method: Method) -> [usize; 2] {
-        let runs = self.runs.iter().filter(|of| of.0 == method);
+    pub(crate) fn pairs(&self, finder: Finder) -> [usize; 2] {
+        let runs = self.runs.iter().filter(|of| of.0 == finder);
         let pairs = runs.filter_map(|of| of.2.pairs);
         pairs.fold([0; 2], |sum, pairs| [sum[0] + pairs[0], sum[1] + pairs[1]])
     }
 
     /// Whether all errors of what misses nothing are numbers, as they are unless a simulation has exploded.
     pub(crate) fn is_finite(&self) -> bool {
-        let exact = self.runs.iter().filter(|of| of.0.finder.is_exact());
+        let exact = self.runs.iter().filter(|of| of.0.is_exact());
         let mut errors = exact.flat_map(|of| &of.2.errors);
         errors.all(|error| error.value.is_finite())
     }

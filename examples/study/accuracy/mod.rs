@@ -1,8 +1,8 @@
 //! What the time buys: errors against the computing time for one simulated second.
 //!
-//! Scenes in which it is known what should come out are simulated on Rapier's own broad phase, on unisize, and on methods that miss
-//! pairs in exchange for speed, with four time steps, in `f32` and in `f64`, from starts that differ a little by their seed. A
-//! *gauge* measures each error by Rapier's world alone, so that it sees what a broad phase has lost. What comes of it:
+//! Scenes are simulated on Rapier's own broad phase, on unisize, and on methods that miss pairs in exchange for speed, with four time
+//! steps, from starts that differ a little by their seed. Errors are measured by Rapier's world alone, so that they show what a broad
+//! phase has lost: joints stretch, bodies are in each other or outside of what should hold them. What comes of it:
 //!
 //! - the **errors**, and the time of the processor for whole steps: medians over the seeds, with their intervals of 95 %;
 //! - whether unisize can be **told apart** from Rapier's own broad phase by any error in any scene: a test on the same starts,
@@ -17,24 +17,36 @@
 pub(crate) mod case;
 mod chart;
 mod ensembles;
-pub(crate) mod scene;
 mod verdict;
 
 use crate::finder::Finder;
 use crate::options::Common;
 use crate::output::{Output, number, table};
 use crate::progress::progress_bar;
-use crate::statistics::Median;
-use crate::{FINDERS, SCALARS, simulate};
+use crate::{FINDERS, dim2, dim3};
 use anyhow::Result;
-use case::{Case, Method, Run, Scalar};
-use clap::{Args, ValueEnum};
+use case::{Case, Run};
+use clap::Args;
 use ensembles::Ensembles;
 use indicatif::ProgressBar;
-use scene::Scene;
 use serde::Serialize;
 use std::ops::Range;
-use verdict::{Comparison, LEVEL, SHOWN, Verdict};
+use unisize_scenes::SceneKind;
+use verdict::{LEVEL, SHOWN, Verdict};
+
+/// The scenes, which nothing moves but physics. Joints should hold, balls should rest beside each other, columns should stand, and
+/// nothing should leave its container.
+pub(crate) const SCENES: [SceneKind; 5] = [
+    SceneKind::Ropes,
+    SceneKind::FallingBalls,
+    SceneKind::MixedEight,
+    SceneKind::Stacks,
+    SceneKind::Gas,
+];
+
+/// How many bodies there are, about, and how many seconds are simulated.
+const BODIES: usize = 200;
+const SECONDS: f64 = 2.0;
 
 /// Steps per simulated second: the time steps of every curve.
 const FREQUENCIES: [u32; 4] = [30, 60, 120, 240];
@@ -56,9 +68,9 @@ const QUICK_TIME: f64 = 0.4;
 pub(crate) struct Arguments {
     #[command(flatten)]
     common: Common,
-    /// A scene; may be given several times [default: all]
-    #[arg(long, value_enum, value_name = "SCENE")]
-    only: Vec<Scene>,
+    /// A scene; may be given several times [default: five of them]
+    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
+    only: Vec<String>,
 }
 
 impl Arguments {
@@ -66,15 +78,12 @@ impl Arguments {
     pub(crate) fn run(&self) -> Result<bool> {
         let mut output = Output::create("accuracy", &self.common)?;
         let seeds = self.common.seeds(2, 20);
-        let scenes = match self.only.is_empty() {
-            true => Scene::value_variants(),
-            false => &self.only,
-        };
-        let runs = Method::all().len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
+        let scenes = self.common.scenes(&SCENES, &self.only);
+        let runs = FINDERS.len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
         let bar = progress_bar((runs * scenes.len() * self.common.dims().len()) as u64);
         let mut studies = Vec::new();
         for &dim in self.common.dims() {
-            for &scene in scenes {
+            for &scene in &scenes {
                 bar.set_message(format!("{} {dim}D", scene.name()));
                 let mut study = self.ensembles(dim, scene);
                 measure(&mut study, seeds.clone(), &bar, &mut output)?;
@@ -83,20 +92,17 @@ impl Arguments {
         }
         bar.finish_and_clear();
         for &dim in self.common.dims() {
-            output.chart(dim, || chart::chart(dim, &studies))?;
+            output.chart(Some(dim), || chart::chart(dim, &studies))?;
         }
         self.conclude(&studies, seeds, &mut output)
     }
 
-    fn ensembles(&self, dim: u8, scene: Scene) -> Ensembles {
-        let bodies = self.common.usual(QUICK_BODIES, usize::MAX);
-        let seconds = scene.seconds() * self.common.usual(QUICK_TIME, 1.0);
+    fn ensembles(&self, dim: u8, kind: SceneKind) -> Ensembles {
+        let bodies = self.common.usual(QUICK_BODIES, BODIES);
+        let seconds = SECONDS * self.common.usual(QUICK_TIME, 1.0);
         // Steps are those of a sixtieth.
-        let most = self
-            .common
-            .steps
-            .map_or(f64::INFINITY, |steps| steps as f64 / 60.0);
-        Ensembles::new(dim, scene, scene.bodies().min(bodies), seconds.min(most))
+        let steps = self.common.steps.map(|steps| steps as f64 / 60.0);
+        Ensembles::new(dim, kind, bodies, steps.unwrap_or(seconds).min(seconds))
     }
 
     fn conclude(
@@ -107,7 +113,7 @@ impl Arguments {
     ) -> Result<bool> {
         let verdict = Verdict::of(studies);
         for comparison in &verdict.comparisons {
-            output.row("comparison", &ComparisonRow::of(comparison))?;
+            output.row("comparison", comparison)?;
         }
         print_methods(studies, &verdict);
         print_short(studies, &verdict);
@@ -123,9 +129,7 @@ impl Arguments {
                 true => seeds.clone(),
                 false => seeds.start..seeds.start + 1,
             };
-            let is_same = SCALARS
-                .iter()
-                .all(|&scalar| is_same_in_order(study, scalar, seeds.clone()));
+            let is_same = is_same_in_order(study, seeds);
             match (is_told_apart, is_same) {
                 (_, false) => println!(
                     "{}: runs DIFFER even with the events in order.\n",
@@ -165,45 +169,51 @@ fn measure(
     bar: &ProgressBar,
     output: &mut Output,
 ) -> Result<()> {
-    let mut methods = study.methods.clone();
+    let mut finders = FINDERS.to_vec();
     for seed in seeds {
         for frequency in FREQUENCIES {
-            for &method in &methods {
-                let case = Case {
-                    scene: study.scene,
-                    finder: method.finder,
-                    is_sorted: false,
-                    frequency,
-                    seed,
-                    bodies: study.bodies,
-                    seconds: study.seconds,
-                };
-                let run = simulate(study.dim, method.scalar, &case);
-                output.row("run", &RunRow::of(study, method, &case, &run))?;
-                study.push(method, frequency, run);
+            for &finder in &finders {
+                let case = case(study, finder, frequency, seed);
+                let run = simulate(study.dim, &case);
+                output.row("run", &RunRow::of(study.dim, &case, &run))?;
+                study.push(finder, frequency, run);
                 bar.inc(1);
             }
         }
-        methods.rotate_left(1);
+        finders.rotate_left(1);
     }
     Ok(())
 }
 
+fn case(study: &Ensembles, finder: Finder, frequency: u32, seed: u64) -> Case {
+    Case {
+        kind: study.kind,
+        finder,
+        is_sorted: false,
+        frequency,
+        seed,
+        bodies: study.bodies,
+        seconds: study.seconds,
+    }
+}
+
+fn simulate(dim: u8, case: &Case) -> Run {
+    match dim {
+        2 => dim2::accuracy::run(case),
+        _ => dim3::accuracy::run(case),
+    }
+}
+
 /// Whether all runs of a scene are the same, bit for bit, with the events of each update sorted: all errors, and all bodies at the
 /// end.
-fn is_same_in_order(study: &Ensembles, scalar: Scalar, seeds: Range<u64>) -> bool {
+fn is_same_in_order(study: &Ensembles, seeds: Range<u64>) -> bool {
     let is_same = |seed: u64, frequency: u32| {
         let [own, ours] = [Finder::Rapier, Finder::DEFAULT].map(|finder| {
             let case = Case {
-                scene: study.scene,
-                finder,
                 is_sorted: true,
-                frequency,
-                seed,
-                bodies: study.bodies,
-                seconds: study.seconds,
+                ..case(study, finder, frequency, seed)
             };
-            let run = simulate(study.dim, scalar, &case);
+            let run = simulate(study.dim, &case);
             (run.state, run.errors)
         });
         own == ours
@@ -224,35 +234,28 @@ fn print_methods(studies: &[Ensembles], verdict: &Verdict) {
         false => format!("{} (can miss)", finder.name()),
     }));
     let mut table = table(head);
-    let mut add = |scene: String, what: &str, cell: &dyn Fn(Method) -> String| {
+    let mut add = |scene: String, what: &str, cell: &dyn Fn(Finder) -> String| {
         let mut row = vec![scene, what.to_owned()];
-        let scalar = Scalar::F32;
-        row.extend(
-            FINDERS
-                .iter()
-                .map(|&finder| cell(Method { finder, scalar })),
-        );
+        row.extend(FINDERS.iter().map(|&finder| cell(finder)));
         table.add_row(row);
     };
-    let ratio = |study: &Ensembles, method: Method| {
-        let ms = |method| study.milliseconds(method, SHOWN).value;
-        let finder = Finder::DEFAULT;
-        ms(method) / ms(Method { finder, ..method })
+    let ratio = |study: &Ensembles, finder: Finder| {
+        let ms = |finder| study.milliseconds(finder, SHOWN).value;
+        ms(finder) / ms(Finder::DEFAULT)
     };
-    add("all, geometric mean".to_owned(), "whole step", &|method| {
-        let logarithms = studies.iter().map(|study| ratio(study, method).ln());
+    add("all, geometric mean".to_owned(), "whole step", &|finder| {
+        let logarithms = studies.iter().map(|study| ratio(study, finder).ln());
         number((logarithms.sum::<f64>() / studies.len() as f64).exp())
     });
     for study in studies {
-        add(study.title(), "whole step", &|method| {
-            number(ratio(study, method))
+        add(study.title(), "whole step", &|finder| {
+            number(ratio(study, finder))
         });
         for (index, name) in study.errors().into_iter().enumerate() {
-            add(study.title(), name, &|method| {
-                let mut of_scene = verdict.of_scene(study, method.finder);
-                let is_apart = of_scene
-                    .any(|of| (of.error, of.method) == (name, method) && of.is_told_apart());
-                let error = number(study.error(method, SHOWN, index).value);
+            add(study.title(), name, &|finder| {
+                let mut of_scene = verdict.of_scene(study, finder);
+                let is_apart = of_scene.any(|of| of.error == name && of.is_told_apart());
+                let error = number(study.error(finder, SHOWN, index).value);
                 format!("{error}{}", if is_apart { " *" } else { "" })
             });
         }
@@ -277,11 +280,7 @@ fn print_short(studies: &[Ensembles], verdict: &Verdict) {
             let least = verdict.least(study, finder);
             format!("{}{}", number(least), if least < LEVEL { " *" } else { "" })
         }));
-        let control = Method {
-            finder: Finder::Lossy,
-            scalar: Scalar::F32,
-        };
-        row.extend(study.pairs(control).map(|pairs| pairs.to_string()));
+        row.extend(study.pairs(Finder::Lossy).map(|pairs| pairs.to_string()));
         table.add_row(row);
     }
     println!("{table}\n");
@@ -291,9 +290,8 @@ fn print_short(studies: &[Ensembles], verdict: &Verdict) {
 #[derive(Serialize)]
 struct RunRow<'a> {
     dimension: u8,
-    scene: Scene,
+    scene: &'a str,
     method: String,
-    scalar: Scalar,
     steps_per_second: u32,
     seed: u64,
     bodies: usize,
@@ -303,12 +301,11 @@ struct RunRow<'a> {
 }
 
 impl<'a> RunRow<'a> {
-    fn of(study: &Ensembles, method: Method, case: &Case, run: &'a Run) -> Self {
+    fn of(dimension: u8, case: &Case, run: &'a Run) -> Self {
         Self {
-            dimension: study.dim,
-            scene: study.scene,
-            method: method.finder.name(),
-            scalar: method.scalar,
+            dimension,
+            scene: case.kind.name(),
+            method: case.finder.name(),
             steps_per_second: case.frequency,
             seed: case.seed,
             bodies: case.bodies,
@@ -318,46 +315,9 @@ impl<'a> RunRow<'a> {
     }
 }
 
-/// One error in one scene, compared with Rapier's own broad phase.
-#[derive(Serialize)]
-struct ComparisonRow<'a> {
-    dimension: u8,
-    scene: Scene,
-    error: &'a str,
-    method: String,
-    scalar: Scalar,
-    rapier: Median,
-    other: Median,
-    /// Runs that were worse with the other one, better, and the same.
-    worse: usize,
-    better: usize,
-    same: usize,
-    p: f64,
-    corrected: f64,
-}
-
-impl ComparisonRow<'_> {
-    fn of(comparison: &Comparison) -> Self {
-        Self {
-            dimension: comparison.dim,
-            scene: comparison.scene,
-            error: comparison.error,
-            method: comparison.method.finder.name(),
-            scalar: comparison.method.scalar,
-            rapier: comparison.own,
-            other: comparison.other,
-            worse: comparison.worse,
-            better: comparison.better,
-            same: comparison.same,
-            p: comparison.p,
-            corrected: comparison.adjusted,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Ensembles, FREQUENCIES, Output, Scene, measure};
+    use super::{Ensembles, FINDERS, FREQUENCIES, Output, SceneKind, measure};
     use crate::options::Common;
     use clap::{Args, Command, FromArgMatches};
     use indicatif::ProgressBar;
@@ -369,8 +329,7 @@ mod tests {
         let line = ["study", "--json", file.to_str().unwrap()];
         let common = Common::from_arg_matches(&command.get_matches_from(line)).unwrap();
         let mut output = Output::create("accuracy", &common).unwrap();
-        let mut study = Ensembles::new(2, Scene::Stack, 10, 0.1);
-        study.methods.truncate(2);
+        let mut study = Ensembles::new(2, SceneKind::Stacks, 10, 0.1);
         measure(&mut study, 1..3, &ProgressBar::hidden(), &mut output).unwrap();
         drop(output);
         let text = std::fs::read_to_string(&file).unwrap();
@@ -379,7 +338,7 @@ mod tests {
             .lines()
             .map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
         let rows: Vec<_> = rows.collect();
-        assert_eq!(rows.len(), 2 * 2 * FREQUENCIES.len());
+        assert_eq!(rows.len(), 2 * FINDERS.len() * FREQUENCIES.len());
         assert_eq!(
             (rows[0]["study"].as_str(), rows[0]["seed"].as_u64()),
             (Some("accuracy"), Some(1))

@@ -1,10 +1,11 @@
 //! The comparison of every error in every scene, and what follows from all of them together.
 
-use super::case::Method;
 use super::ensembles::Ensembles;
-use super::scene::Scene;
+use crate::FINDERS;
 use crate::finder::Finder;
 use crate::statistics::{Median, holm, paired_test};
+use serde::Serialize;
+use unisize_scenes::SceneKind;
 
 /// Two methods are told apart if the chance of it is less than that, were they alike: of all tests together.
 pub(crate) const LEVEL: f64 = 0.05;
@@ -13,48 +14,50 @@ pub(crate) const LEVEL: f64 = 0.05;
 pub(crate) const SHOWN: u32 = 60;
 
 /// One error in one scene, with another broad phase than Rapier's own, compared with it on the same starts.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct Comparison {
-    pub(crate) dim: u8,
-    pub(crate) scene: Scene,
+    #[serde(skip)]
+    pub(crate) kind: SceneKind,
+    #[serde(skip)]
+    pub(crate) finder: Finder,
+    pub(crate) dimension: u8,
+    scene: &'static str,
     pub(crate) error: &'static str,
-    pub(crate) method: Method,
+    method: String,
     /// With Rapier's own broad phase, at 60 steps a second.
-    pub(crate) own: Median,
+    rapier: Median,
     /// With the other one.
-    pub(crate) other: Median,
+    other: Median,
     /// How many runs, of all seeds and time steps, were worse with the other one, better, and the same.
-    pub(crate) worse: usize,
-    pub(crate) better: usize,
-    pub(crate) same: usize,
+    worse: usize,
+    better: usize,
+    same: usize,
     /// The chance of a difference as large as this, were both alike.
-    pub(crate) p: f64,
+    p: f64,
     /// The same for all tests together.
-    pub(crate) adjusted: f64,
+    corrected: f64,
 }
 
 impl Comparison {
-    fn new(study: &Ensembles, error: usize, method: Method) -> Self {
-        let reference = Method {
-            finder: Finder::Rapier,
-            ..method
-        };
-        let own = study.samples(reference, error);
-        let other = study.samples(method, error);
+    fn new(study: &Ensembles, error: usize, finder: Finder) -> Self {
+        let own = study.samples(Finder::Rapier, error);
+        let other = study.samples(finder, error);
         let pairs = || own.iter().flatten().zip(other.iter().flatten());
         let p = paired_test(&own, &other);
         Self {
-            dim: study.dim,
-            scene: study.scene,
+            kind: study.kind,
+            finder,
+            dimension: study.dim,
+            scene: study.kind.name(),
             error: study.errors()[error],
-            method,
-            own: study.error(reference, SHOWN, error),
-            other: study.error(method, SHOWN, error),
+            method: finder.name(),
+            rapier: study.error(Finder::Rapier, SHOWN, error),
+            other: study.error(finder, SHOWN, error),
             worse: pairs().filter(|(own, other)| other > own).count(),
             better: pairs().filter(|(own, other)| other < own).count(),
             same: pairs().filter(|(own, other)| other == own).count(),
             p,
-            adjusted: p,
+            corrected: p,
         }
     }
 
@@ -65,7 +68,7 @@ impl Comparison {
 
     /// Whether the two are told apart.
     pub(crate) fn is_told_apart(&self) -> bool {
-        self.adjusted < LEVEL
+        self.corrected < LEVEL
     }
 }
 
@@ -88,27 +91,26 @@ impl Verdict {
         let mut comparisons = Vec::new();
         for study in studies {
             for error in 0..study.errors().len() {
-                let methods = study.methods.iter();
-                let methods = methods.filter(|method| method.finder != Finder::Rapier);
-                comparisons.extend(methods.map(|&method| Comparison::new(study, error, method)));
+                let others = FINDERS.iter().filter(|&&finder| finder != Finder::Rapier);
+                comparisons.extend(others.map(|&finder| Comparison::new(study, error, finder)));
             }
         }
         let tests = |finder: Finder| {
             let comparisons = comparisons.iter();
-            let tests = comparisons.filter(|of| of.method.finder == finder && of.is_test());
+            let tests = comparisons.filter(|of| of.finder == finder && of.is_test());
             tests.map(|of| of.p).collect::<Vec<_>>()
         };
         let ours = tests(Finder::DEFAULT);
         let mut adjusted = holm(&ours).into_iter();
-        let factors = crate::FINDERS.iter();
+        let factors = FINDERS.iter();
         let factors: Vec<_> = factors
             .map(|&finder| (finder, ours.len().max(tests(finder).len()) as f64))
             .collect();
         for (finder, factor) in factors {
             let of_finder = comparisons.iter_mut();
-            let of_finder = of_finder.filter(|of| of.method.finder == finder && of.is_test());
+            let of_finder = of_finder.filter(|of| of.finder == finder && of.is_test());
             for comparison in of_finder {
-                comparison.adjusted = match finder == Finder::DEFAULT {
+                comparison.corrected = match finder == Finder::DEFAULT {
                     true => adjusted.next().unwrap_or(1.0),
                     false => (comparison.p * factor).min(1.0),
                 };
@@ -128,16 +130,15 @@ impl Verdict {
         finder: Finder,
     ) -> impl Iterator<Item = &'a Comparison> {
         let comparisons = self.comparisons.iter();
-        comparisons.filter(move |of| {
-            (of.dim, of.scene, of.method.finder) == (study.dim, study.scene, finder)
-        })
+        comparisons
+            .filter(move |of| (of.dimension, of.kind, of.finder) == (study.dim, study.kind, finder))
     }
 
     /// The least corrected p-value of a scene.
     pub(crate) fn least(&self, study: &Ensembles, finder: Finder) -> f64 {
         let of_scene = self.of_scene(study, finder);
         of_scene
-            .map(|comparison| comparison.adjusted)
+            .map(|comparison| comparison.corrected)
             .fold(1.0, f64::min)
     }
 
@@ -150,18 +151,18 @@ impl Verdict {
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::{Reading, Run, Scalar};
-    use super::{Ensembles, Finder, Scene, Verdict};
+    use super::super::FREQUENCIES;
+    use super::super::case::{Reading, Run};
+    use super::{Comparison, Ensembles, FINDERS, Finder, SceneKind, Verdict};
 
     /// A study of 20 seeds in which the errors of unisize and of the control are larger by these factors.
     fn study(ours: f64, control: f64) -> Ensembles {
-        let mut study = Ensembles::new(2, Scene::Pile, 10, 1.0);
-        study.methods.retain(|method| method.scalar == Scalar::F32);
+        let mut study = Ensembles::new(2, SceneKind::FallingBalls, 10, 1.0);
         for seed in 1..=20 {
-            for &frequency in &study.frequencies.clone() {
-                for method in study.methods.clone() {
-                    let factor = match method.finder {
-                        Finder::Unisize(_) => ours,
+            for frequency in FREQUENCIES {
+                for &finder in FINDERS {
+                    let factor = match finder {
+                        Finder::Unisize(..) => ours,
                         Finder::Lossy => control,
                         _ => 1.0,
                     };
@@ -175,7 +176,7 @@ mod tests {
                         pairs: None,
                         state: 0,
                     };
-                    study.push(method, frequency, run);
+                    study.push(finder, frequency, run);
                 }
             }
         }
@@ -185,17 +186,15 @@ mod tests {
     #[test]
     fn what_is_larger_is_told_apart_and_what_is_equal_is_not() {
         let told_apart = |study: Ensembles| {
-            let verdict = Verdict::of(std::slice::from_ref(&study));
-            let counts = [Finder::DEFAULT, Finder::Lossy]
-                .map(|finder| verdict.told_apart(std::slice::from_ref(&study), finder));
+            let studies = [study];
+            let verdict = Verdict::of(&studies);
+            let finders = [Finder::DEFAULT, Finder::Lossy];
+            let counts = finders.map(|finder| verdict.told_apart(&studies, finder));
             (counts, verdict)
         };
-        let of = |verdict: &Verdict, finder| {
+        let of = |verdict: &Verdict, finder| -> Comparison {
             let mut comparisons = verdict.comparisons.iter();
-            comparisons
-                .find(|of| of.method.finder == finder)
-                .cloned()
-                .unwrap()
+            comparisons.find(|of| of.finder == finder).cloned().unwrap()
         };
         let (counts, verdict) = told_apart(study(1.0, 1.1));
         assert_eq!((counts, verdict.tests), ([0, 1], 0));
@@ -203,13 +202,13 @@ mod tests {
         assert_eq!((control.worse, control.same), (80, 0));
         assert_eq!(of(&verdict, Finder::DEFAULT).same, 80);
         // unisize has no test, and the control has two.
-        assert!((control.adjusted - 2.0 * control.p).abs() < 1e-12);
+        assert!((control.corrected - 2.0 * control.p).abs() < 1e-12);
 
         let (counts, verdict) = told_apart(study(0.9, 1.0));
         assert_eq!((counts, verdict.tests), ([1, 0], 2));
         // Two tests, both at the smallest value.
         let ours = of(&verdict, Finder::DEFAULT);
-        assert!((ours.adjusted - 2.0 * ours.p).abs() < 1e-12);
+        assert!((ours.corrected - 2.0 * ours.p).abs() < 1e-12);
         assert_eq!(ours.better, 80);
     }
 }

@@ -22,12 +22,6 @@ pub(super) struct HashGrid {
     proxies: Vec<Option<Proxy>>,
     /// The pairs held, as sorted keys.
     held: Vec<u64>,
-    /// Scratch memory: all boxes, the sizes of what can move, the boxes with the keys of their cells, and the pairs.
-    by_size: BySize,
-    sizes: Vec<Real>,
-    entries: Vec<Entry>,
-    pairs: Vec<[u32; 2]>,
-    found: Vec<u64>,
 }
 
 /// A collider that a broad phase knows.
@@ -39,7 +33,6 @@ struct Proxy {
 }
 
 /// A box in its cell.
-#[derive(Clone, Copy)]
 struct Entry {
     key: u64,
     slot: u32,
@@ -53,11 +46,6 @@ impl HashGrid {
             cell,
             proxies: Vec::new(),
             held: Vec::new(),
-            by_size: BySize::default(),
-            sizes: Vec::new(),
-            entries: Vec::new(),
-            pairs: Vec::new(),
-            found: Vec::new(),
         }
     }
 
@@ -70,7 +58,7 @@ impl HashGrid {
     }
 
     /// Reports how the sorted pairs found differ from those held, and holds them.
-    fn replace(&mut self, events: &mut Vec<BroadPhasePairEvent>) {
+    fn replace(&mut self, found: Vec<u64>, events: &mut Vec<BroadPhasePairEvent>) {
         let handle = |slot: u32| {
             let proxy = self.proxies[slot as usize];
             proxy
@@ -79,7 +67,7 @@ impl HashGrid {
         };
         let pair = |key: u64| ColliderPair::new(handle((key >> 32) as u32), handle(key as u32));
         let mut before = self.held.iter().copied().peekable();
-        for &key in &self.found {
+        for &key in &found {
             while let Some(gone) = before.next_if(|&other| other < key) {
                 events.push(BroadPhasePairEvent::DeletePair(pair(gone)));
             }
@@ -88,108 +76,115 @@ impl HashGrid {
             }
         }
         events.extend(before.map(|gone| BroadPhasePairEvent::DeletePair(pair(gone))));
-        std::mem::swap(&mut self.held, &mut self.found);
+        self.held = found;
     }
 
-    /// Finds all pairs of indices, the smaller one first.
-    fn find(&mut self) {
-        let (mut by_size, mut pairs) = (
-            std::mem::take(&mut self.by_size),
-            std::mem::take(&mut self.pairs),
-        );
-        by_size.part(&self.proxies);
-        by_size.find_large(&mut pairs);
-        self.find_usual(&by_size.usual, &mut pairs);
-        (self.by_size, self.pairs) = (by_size, pairs);
-    }
-
-    /// Finds the pairs of these boxes, which are not large.
-    fn find_usual(&mut self, boxes: &[(u32, Aabb<Real, DIM>)], pairs: &mut Vec<[u32; 2]>) {
-        let movable = self.proxies.iter().flatten().filter(|proxy| proxy.can_move);
-        let size =
-            |proxy: &Proxy| (0..DIM).fold(0.0, |max: Real, k| max.max(extent(&proxy.aabb, k)));
-        self.sizes.clear();
-        self.sizes.extend(movable.map(size));
-        self.sizes.sort_by(Real::total_cmp);
-        let cell = match self.cell {
-            Cell::Largest => self.sizes.last(),
-            Cell::Median => self.sizes.get(self.sizes.len() / 2),
+    /// All pairs as keys, the smaller index first, in no order.
+    fn find(&self) -> Vec<u64> {
+        let known = || {
+            let slots = (0..).zip(&self.proxies);
+            slots.filter_map(|(slot, proxy)| Some((slot, proxy.as_ref()?)))
         };
-        let Some(&cell) = cell else {
-            return;
-        };
-        let strides = self.enter(boxes, cell);
-        // Half of the rows around a cell, its own first; the other half finds the same pairs.
-        let up = strides[1];
-        let rows: &[u64] = match strides.get(2) {
-            None => &[0, up],
-            Some(&far) => &[0, up, far - up, far, far + up],
-        };
-        for &row in rows {
-            self.find_in_row(row, pairs);
-        }
-    }
-
-    /// Sorts the boxes into cells, and says by how much the key grows from a cell to the next one on each axis.
-    fn enter(&mut self, boxes: &[(u32, Aabb<Real, DIM>)], cell: Real) -> [u64; DIM] {
-        let center = |aabb: &Aabb<Real, DIM>| -> [Real; DIM] {
-            std::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) / 2.0)
-        };
-        let lowest = boxes.iter().fold([Real::MAX; DIM], |low, (_, aabb)| {
-            let center = center(aabb);
-            std::array::from_fn(|k| low[k].min(center[k]))
+        let movable = known().filter(|(_, proxy)| proxy.can_move);
+        let movable: Vec<_> = movable.map(|(_, proxy)| extents(&proxy.aabb)).collect();
+        let largest = movable
+            .iter()
+            .fold([0.0; DIM], |size: [Real; DIM], extents| {
+                std::array::from_fn(|k| size[k].max(extents[k]))
+            });
+        // Those that are larger on some axis than any that can move, and the others.
+        let boxes = known().map(|(slot, proxy)| (slot, proxy.aabb));
+        let (usual, large): (Vec<_>, Vec<_>) = boxes.partition(|(_, aabb)| {
+            let extents = extents(aabb);
+            (0..DIM).all(|k| extents[k] <= largest[k])
         });
-        // The first and the last cell along an axis stay empty, lest a row goes on in the next one.
-        let cells = |aabb| -> [u64; DIM] {
-            let center = center(aabb);
-            std::array::from_fn(|k| {
-                (((center[k] - lowest[k]) / cell) as u64).min(MOST_CELLS - 1) + 1
-            })
+        let mut found = Vec::new();
+        for (index, &(slot, aabb)) in large.iter().enumerate() {
+            let others = usual.iter().chain(&large[..index]);
+            let others = others.filter(|(_, other)| aabb.overlaps(other));
+            found.extend(others.map(|&(other, _)| key(slot, other)));
+        }
+        let size = |extents: &[Real; DIM]| extents.iter().copied().fold(0.0, Real::max);
+        let mut sizes: Vec<_> = movable.iter().map(size).collect();
+        sizes.sort_by(Real::total_cmp);
+        let cell = match self.cell {
+            Cell::Largest => sizes.last(),
+            Cell::Median => sizes.get(sizes.len() / 2),
         };
-        let mut counts = [0; DIM];
-        for (_, aabb) in boxes {
-            let cells = cells(aabb);
-            counts = std::array::from_fn(|k| counts[k].max(cells[k] + 2));
-        }
-        let mut strides = [1; DIM];
-        for k in 1..DIM {
-            strides[k] = strides[k - 1] * counts[k - 1];
-        }
-        self.entries.clear();
-        self.entries.extend(boxes.iter().map(|(slot, aabb)| {
-            let cells = cells(aabb);
-            Entry {
-                key: (0..DIM).map(|k| cells[k] * strides[k]).sum(),
-                slot: *slot,
-                aabb: *aabb,
+        if let Some(&cell) = cell {
+            let (entries, strides) = enter(&usual, cell);
+            // Half of the rows around a cell, its own first; the other half finds the same pairs.
+            let up = strides[1];
+            let rows: &[u64] = match strides.get(2) {
+                None => &[0, up],
+                Some(&far) => &[0, up, far - up, far, far + up],
+            };
+            for &row in rows {
+                find_in_row(&entries, row, &mut found);
             }
-        }));
-        self.entries.sort_unstable_by_key(|entry| entry.key);
-        strides
+        }
+        found
     }
+}
 
-    /// Compares each box with those in three cells of another row, or with those behind it in its own cell and the next.
-    fn find_in_row(&self, row: u64, pairs: &mut Vec<[u32; 2]>) {
-        let mut start = 0;
-        for (index, entry) in self.entries.iter().enumerate() {
-            let middle = entry.key + row;
-            if row == 0 {
-                start = index + 1;
-            } else {
-                let before = |other: &&Entry| other.key + 1 < middle;
-                start += self.entries[start..].iter().take_while(before).count();
-            }
-            for other in &self.entries[start..] {
-                if other.key > middle + 1 {
-                    break;
-                }
-                if entry.aabb.overlaps(&other.aabb) {
-                    let [a, b] = [entry.slot, other.slot];
-                    pairs.push([a.min(b), a.max(b)]);
-                }
-            }
-        }
+/// Sorts boxes into cells, and says by how much the key grows from a cell to the next one on each axis.
+fn enter(boxes: &[(u32, Aabb<Real, DIM>)], cell: Real) -> (Vec<Entry>, [u64; DIM]) {
+    let center = |aabb: &Aabb<Real, DIM>| -> [Real; DIM] {
+        std::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) / 2.0)
+    };
+    let lowest = boxes.iter().fold([Real::MAX; DIM], |low, (_, aabb)| {
+        let center = center(aabb);
+        std::array::from_fn(|k| low[k].min(center[k]))
+    });
+    // The first and the last cell along an axis stay empty, lest a row goes on in the next one.
+    let cells = |aabb: &Aabb<Real, DIM>| -> [u64; DIM] {
+        let center = center(aabb);
+        std::array::from_fn(|k| (((center[k] - lowest[k]) / cell) as u64).min(MOST_CELLS - 1) + 1)
+    };
+    let mut counts = [0; DIM];
+    for (_, aabb) in boxes {
+        let cells = cells(aabb);
+        counts = std::array::from_fn(|k| counts[k].max(cells[k] + 2));
     }
+    let mut strides = [1; DIM];
+    for k in 1..DIM {
+        strides[k] = strides[k - 1] * counts[k - 1];
+    }
+    let entry = |&(slot, aabb): &(u32, Aabb<Real, DIM>)| {
+        let cells = cells(&aabb);
+        let key = (0..DIM).map(|k| cells[k] * strides[k]).sum();
+        Entry { key, slot, aabb }
+    };
+    let mut entries: Vec<_> = boxes.iter().map(entry).collect();
+    entries.sort_unstable_by_key(|entry| entry.key);
+    (entries, strides)
+}
+
+/// Compares each box with those in three cells of another row, or with those behind it in its own cell and the next.
+fn find_in_row(entries: &[Entry], row: u64, found: &mut Vec<u64>) {
+    let mut start = 0;
+    for (index, entry) in entries.iter().enumerate() {
+        let middle = entry.key + row;
+        if row == 0 {
+            start = index + 1;
+        } else {
+            let before = |other: &&Entry| other.key + 1 < middle;
+            start += entries[start..].iter().take_while(before).count();
+        }
+        let near = entries[start..].iter();
+        let near = near.take_while(|other| other.key <= middle + 1);
+        let near = near.filter(|other| entry.aabb.overlaps(&other.aabb));
+        found.extend(near.map(|other| key(entry.slot, other.slot)));
+    }
+}
+
+/// The key of a pair.
+fn key(a: u32, b: u32) -> u64 {
+    u64::from(a.min(b)) << 32 | u64::from(a.max(b))
+}
+
+fn extents(aabb: &Aabb<Real, DIM>) -> [Real; DIM] {
+    std::array::from_fn(|k| aabb.maxs[k] - aabb.mins[k])
 }
 
 impl BroadPhase for HashGrid {
@@ -232,61 +227,10 @@ impl BroadPhase for HashGrid {
             };
             self.place(handle, Some(proxy));
         }
-        self.pairs.clear();
-        self.find();
-        self.found.clear();
-        let keys = self.pairs.iter();
-        self.found
-            .extend(keys.map(|&[a, b]| u64::from(a) << 32 | u64::from(b)));
-        self.found.sort_unstable();
-        self.replace(events);
+        let mut found = self.find();
+        found.sort_unstable();
+        self.replace(found, events);
     }
-}
-
-/// All boxes: those that are larger on some axis than any that can move, and the others.
-#[derive(Default)]
-struct BySize {
-    /// The largest extent of a box that can move, on each axis.
-    largest: [Real; DIM],
-    usual: Vec<(u32, Aabb<Real, DIM>)>,
-    large: Vec<(u32, Aabb<Real, DIM>)>,
-}
-
-impl BySize {
-    /// Parts these boxes, in the order of their slots.
-    fn part(&mut self, proxies: &[Option<Proxy>]) {
-        let movable = proxies.iter().flatten().filter(|p| p.can_move);
-        self.largest = movable.fold([0.0; DIM], |size: [Real; DIM], proxy| {
-            std::array::from_fn(|k| size[k].max(extent(&proxy.aabb, k)))
-        });
-        let slots = (0..).zip(proxies);
-        let boxes = slots.filter_map(|(slot, proxy)| Some((slot, proxy.as_ref()?.aabb)));
-        self.usual.clear();
-        self.large.clear();
-        for (slot, aabb) in boxes {
-            let is_usual = (0..DIM).all(|k| extent(&aabb, k) <= self.largest[k]);
-            let part = if is_usual {
-                &mut self.usual
-            } else {
-                &mut self.large
-            };
-            part.push((slot, aabb));
-        }
-    }
-
-    /// Compares each large box with all others.
-    fn find_large(&self, pairs: &mut Vec<[u32; 2]>) {
-        for (index, &(slot, aabb)) in self.large.iter().enumerate() {
-            let others = self.usual.iter().chain(&self.large[..index]);
-            for &(other, _) in others.filter(|(_, other)| aabb.overlaps(other)) {
-                pairs.push([slot.min(other), slot.max(other)]);
-            }
-        }
-    }
-}
-
-fn extent(aabb: &Aabb<Real, DIM>, axis: usize) -> Real {
-    aabb.maxs[axis] - aabb.mins[axis]
 }
 
 #[cfg(test)]
@@ -305,9 +249,10 @@ mod tests {
         };
         let mut grid = HashGrid::new(cell);
         grid.proxies = boxes.iter().enumerate().map(proxy).collect();
-        grid.find();
-        grid.pairs.sort_unstable();
-        grid.pairs
+        let mut found = grid.find();
+        found.sort_unstable();
+        let pair = |key: u64| [(key >> 32) as u32, key as u32];
+        found.into_iter().map(pair).collect()
     }
 
     fn expected(boxes: &[Aabb<Real, DIM>]) -> Vec<[u32; 2]> {

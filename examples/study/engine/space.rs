@@ -1,5 +1,6 @@
 //! Vectors, spelled alike for every flavour of Rapier, and places in `f64`, which errors are measured in.
 
+use super::scenes::World;
 use super::scenes::rapier::{math::DIM, prelude::*};
 use super::version::Vector;
 use std::borrow::Borrow;
@@ -21,11 +22,6 @@ pub(super) fn place(coordinate: impl FnMut(usize) -> f64) -> Place {
 /// The place at this distance along one axis.
 pub(super) fn along(axis: usize, distance: f64) -> Place {
     place(|other| if other == axis { distance } else { 0.0 })
-}
-
-/// The place that is shifted by this much.
-pub(super) fn plus(from: Place, by: Place) -> Place {
-    place(|axis| from[axis] + by[axis])
 }
 
 /// How far two places are from each other.
@@ -54,9 +50,21 @@ pub(super) fn place_of(body: &RigidBody) -> Place {
     components(body.translation())
 }
 
-/// The axes that gravity does not act along.
-pub(super) fn horizontal() -> impl Iterator<Item = usize> {
-    (0..DIM).filter(|&axis| axis != UP)
+/// The median of the largest extents of all colliders that can move.
+pub(super) fn typical_size(world: &World) -> Real {
+    let can_move = |collider: &&Collider| {
+        let body = collider.parent().map(|parent| &world.bodies[parent]);
+        body.is_some_and(|body| !body.is_fixed())
+    };
+    let colliders = world.colliders.iter().map(|(_, collider)| collider);
+    let size = |collider: &Collider| {
+        let aabb = collider.shape().compute_local_aabb();
+        let extents = components(aabb.extents());
+        extents.into_iter().fold(0.0, f64::max) as Real
+    };
+    let mut sizes: Vec<_> = colliders.filter(can_move).map(size).collect();
+    sizes.sort_by(Real::total_cmp);
+    sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
 }
 
 /// How far apart the two ends are that a joint of these bodies holds together.

@@ -10,8 +10,6 @@
 //! - unisize must not panic from a start from which Rapier's own does not;
 //! - with the events of each update in order, both worlds must end alike to the bit;
 //! - in one world, both must hold the same pairs after each step.
-//!
-//! Then whole worlds are shifted by one vector between two steps, and it is measured what that costs.
 
 pub(crate) mod case;
 pub(crate) mod caught;
@@ -20,8 +18,6 @@ mod discordance;
 pub(crate) mod end;
 pub(crate) mod family;
 pub(crate) mod probe;
-mod rows;
-pub(crate) mod shift;
 mod threshold;
 pub(crate) mod verdict;
 
@@ -38,8 +34,7 @@ use discordance::Discordance;
 use family::Family;
 use probe::{Exact, Probe, Seeds};
 use rayon::ThreadPoolBuilder;
-use rows::{ProbeRow, ShiftRow, ThresholdRow};
-use shift::Scenery;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use threshold::last_sound;
 use verdict::{Failures, Verdict};
@@ -47,11 +42,6 @@ use verdict::{Failures, Verdict};
 /// How many values there are between the ends of a family's range, of a full run and of a quick one.
 const VALUES: usize = 65;
 const QUICK_VALUES: usize = 5;
-
-/// How often a world is shifted, and its bodies.
-const SHIFTS: usize = 8;
-const BODIES: usize = 10_000;
-const QUICK_BODIES: usize = 500;
 
 /// Where small worlds fail, does unisize fail alone?
 ///
@@ -61,8 +51,8 @@ const QUICK_BODIES: usize = 500;
 pub(crate) struct Arguments {
     #[command(flatten)]
     common: Common,
-    /// A family of worlds, or shifts; may be given several times [default: all]
-    #[arg(long, value_name = "NAME", value_parser = names())]
+    /// A family of worlds; may be given several times [default: all]
+    #[arg(long, value_name = "NAME", value_parser = Family::ALL.map(|family| family.name))]
     only: Vec<String>,
     /// How many of the starts are checked exactly as well [default: 5; with --quick 1]
     #[arg(long, value_name = "N")]
@@ -70,11 +60,6 @@ pub(crate) struct Arguments {
     /// How many threads run starts side by side
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = at_least_one())]
     threads: usize,
-}
-
-fn names() -> Vec<&'static str> {
-    let families = Family::ALL.iter().map(|family| family.name);
-    families.chain(["shifts"]).collect()
 }
 
 /// A family in one dimension.
@@ -88,27 +73,48 @@ struct Outcome {
     thresholds: [Option<usize>; 2],
 }
 
+/// A value that was tried.
+#[derive(Serialize)]
+struct ProbeRow<'a> {
+    dimension: u8,
+    family: &'a str,
+    parameter: &'a str,
+    value: f64,
+    rapier_failures: Failures,
+    unisize_failures: Failures,
+    verdict: Verdict,
+    in_order: &'a Exact,
+    pairs: &'a Exact,
+}
+
+/// The threshold of a family; nothing where the first value fails already.
+#[derive(Serialize)]
+struct ThresholdRow<'a> {
+    dimension: u8,
+    family: &'a str,
+    parameter: &'a str,
+    neither_fails_up_to: Option<f64>,
+    rapier: Option<f64>,
+    unisize: Option<f64>,
+    next: Option<f64>,
+    /// Of the starts at the threshold, on either broad phase.
+    failures_at_threshold: Option<Share>,
+}
+
 impl Arguments {
     /// Runs the study; whether unisize has passed.
     pub(crate) fn run(&self) -> Result<bool> {
         let mut output = Output::create("stability", &self.common)?;
         let pool = ThreadPoolBuilder::new().num_threads(self.threads).build()?;
         let outcomes = pool.install(|| self.outcomes());
-        let is_sound = report(&outcomes, &mut output)?;
-        let are_shifts_sound = self.shifts(&mut output)?;
-        Ok(is_sound && are_shifts_sound)
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.only.is_empty() || self.only.iter().any(|only| only == name)
+        report(&outcomes, &mut output)
     }
 
     fn outcomes(&self) -> Vec<Outcome> {
-        let families = || {
-            Family::ALL
-                .into_iter()
-                .filter(|family| self.has(family.name))
+        let is_meant = |family: &Family| {
+            self.only.is_empty() || self.only.iter().any(|only| only == family.name)
         };
+        let families = || Family::ALL.into_iter().filter(is_meant);
         let bar = progress_bar((families().count() * self.common.dims().len()) as u64);
         let mut outcomes = Vec::new();
         for &dim in self.common.dims() {
@@ -157,49 +163,10 @@ impl Arguments {
         let steps = self.common.steps.unwrap_or(usize::MAX);
         case.lasting_at_most(seconds.min(steps as f64 * case.dt))
     }
-
-    fn shifts(&self, output: &mut Output) -> Result<bool> {
-        if !self.has("shifts") {
-            return Ok(true);
-        }
-        let bodies = self.common.usual(QUICK_BODIES, BODIES);
-        let seed = self.common.seed.into();
-        println!("### Worlds of {bodies} bodies that are shifted in one step, {SHIFTS} times\n");
-        let mut table = table(shift::HEAD);
-        let mut is_sound = true;
-        let mut differences = Vec::new();
-        for &dim in self.common.dims() {
-            for scenery in Scenery::ALL {
-                let shift = match dim {
-                    2 => dim2::stability::shift(scenery, bodies, seed, SHIFTS),
-                    _ => dim3::stability::shift(scenery, bodies, seed, SHIFTS),
-                };
-                is_sound &= shift.is_sound();
-                table.add_row(shift.cells(dim));
-                output.row("shift", &ShiftRow::of(&shift, dim))?;
-                differences.extend(shift.difference);
-            }
-        }
-        println!("{table}\n");
-        for difference in differences {
-            println!("DIFFERENCE after a shift: {difference}\n");
-        }
-        println!(
-            "{}",
-            match is_sound {
-                true => "Shifts change no pair, and no contact of what is at rest.",
-                false => "WRONG: a shift changes pairs, or contacts of what is at rest.",
-            }
-        );
-        Ok(is_sound)
-    }
 }
 
 /// Prints and writes what came of all families; whether unisize has passed.
 fn report(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
-    if outcomes.is_empty() {
-        return Ok(true);
-    }
     let cases = outcomes.iter().map(|outcome| outcome.probes.len()).sum();
     let mut discordance = Discordance::default();
     let mut unsound = 0;
@@ -221,14 +188,14 @@ fn report(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
         let criterion = outcome.family.criterion;
         for (&index, probe) in &outcome.probes {
             discordance.count(probe, criterion);
-            output.row("probe", &ProbeRow::of(outcome, index, cases))?;
+            output.row("probe", &outcome.probe_row(index, cases))?;
             if !probe.is_sound(criterion, cases) {
                 unsound += 1;
                 print_fault(outcome, index, cases);
             }
         }
         outcome.add_to(&mut thresholds, cases);
-        output.row("threshold", &ThresholdRow::of(outcome))?;
+        output.row("threshold", &outcome.threshold_row())?;
     }
     println!("### Thresholds, Rapier {}\n\n{thresholds}\n", crate::RAPIER);
     let starts = outcomes[0].probes[&0].ours.len();
@@ -289,6 +256,37 @@ impl Outcome {
     fn failing(&self) -> Option<usize> {
         let next = self.neither().map_or(0, |index| index + 1);
         self.probes.contains_key(&next).then_some(next)
+    }
+
+    fn probe_row(&self, index: usize, cases: usize) -> ProbeRow<'_> {
+        let probe = &self.probes[&index];
+        let [rapier_failures, unisize_failures] = probe.failures(self.family.criterion);
+        ProbeRow {
+            dimension: self.dim,
+            family: self.family.name,
+            parameter: self.family.parameter,
+            value: self.values[index],
+            rapier_failures,
+            unisize_failures,
+            verdict: probe.verdict(self.family.criterion, cases),
+            in_order: &probe.in_order,
+            pairs: &probe.pairs,
+        }
+    }
+
+    fn threshold_row(&self) -> ThresholdRow<'_> {
+        let value = |index: usize| self.values[index];
+        let share = |index: usize| Share::of(0, self.probes[&index].ours.len());
+        ThresholdRow {
+            dimension: self.dim,
+            family: self.family.name,
+            parameter: self.family.parameter,
+            neither_fails_up_to: self.neither().map(value),
+            rapier: self.thresholds[0].map(value),
+            unisize: self.thresholds[1].map(value),
+            next: self.failing().map(value),
+            failures_at_threshold: self.neither().map(share),
+        }
     }
 
     fn add_to(&self, table: &mut Table, cases: usize) {

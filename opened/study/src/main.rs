@@ -8,7 +8,7 @@
 
 #[path = "../../../examples/study/accuracy/mod.rs"]
 mod accuracy;
-#[allow(dead_code)] // Without the studies of frames, and without grids, some of it is not used.
+#[allow(dead_code)] // Some methods are of the study of frames, and a step on a grid finds no tree to ask.
 #[path = "../../../examples/study/finder.rs"]
 mod finder;
 #[path = "../../../examples/study/options.rs"]
@@ -22,8 +22,6 @@ mod stability;
 #[path = "../../../examples/study/statistics/mod.rs"]
 mod statistics;
 
-use accuracy::case::{Case, Run, Scalar};
-use anyhow::{Context, Result};
 use clap::Parser;
 use finder::Finder;
 use std::process::ExitCode;
@@ -42,9 +40,6 @@ const FINDERS: &[Finder] = &[
     Finder::Lossy,
 ];
 
-/// The numbers that there is Rapier for.
-const SCALARS: &[Scalar] = &[Scalar::F32, Scalar::F64];
-
 #[path = "../../../examples/study/engine"]
 mod dim2 {
     //! What runs in rapier2d.
@@ -52,9 +47,9 @@ mod dim2 {
     use unisize_scenes::dim2_036 as scenes;
 
     pub(super) mod accuracy;
-    mod approximate;
     #[path = "flavour/dim2.rs"]
     mod flavour;
+    mod seldom;
     mod space;
     pub(super) mod stability;
     #[path = "version/rapier_036.rs"]
@@ -68,59 +63,13 @@ mod dim3 {
     use unisize_scenes::dim3_036 as scenes;
 
     pub(super) mod accuracy;
-    mod approximate;
     #[path = "flavour/dim3.rs"]
     mod flavour;
+    mod seldom;
     mod space;
     pub(super) mod stability;
     #[path = "version/rapier_036.rs"]
     mod version;
-}
-
-#[path = "../../../examples/study/engine"]
-mod dim2_f64 {
-    //! What runs in rapier2d-f64.
-    use unisize::rapier2d_f64_036 as ours;
-    use unisize_scenes::dim2_f64_036 as scenes;
-
-    pub(super) mod accuracy;
-    mod approximate;
-    #[allow(dead_code)] // Worlds at their limits are simulated in `f32` alone.
-    #[path = "flavour/dim2.rs"]
-    mod flavour;
-    #[allow(dead_code)]
-    mod space;
-    #[allow(dead_code)]
-    #[path = "version/rapier_036.rs"]
-    mod version;
-}
-
-#[path = "../../../examples/study/engine"]
-mod dim3_f64 {
-    //! What runs in rapier3d-f64.
-    use unisize::rapier3d_f64_036 as ours;
-    use unisize_scenes::dim3_f64_036 as scenes;
-
-    pub(super) mod accuracy;
-    mod approximate;
-    #[allow(dead_code)] // Worlds at their limits are simulated in `f32` alone.
-    #[path = "flavour/dim3.rs"]
-    mod flavour;
-    #[allow(dead_code)]
-    mod space;
-    #[allow(dead_code)]
-    #[path = "version/rapier_036.rs"]
-    mod version;
-}
-
-/// Simulates a case in one flavour of Rapier.
-fn simulate(dim: u8, scalar: Scalar, case: &Case) -> Run {
-    match (dim, scalar) {
-        (2, Scalar::F32) => dim2::accuracy::run(case),
-        (_, Scalar::F32) => dim3::accuracy::run(case),
-        (2, Scalar::F64) => dim2_f64::accuracy::run(case),
-        (_, Scalar::F64) => dim3_f64::accuracy::run(case),
-    }
 }
 
 /// Studies of what unisize does to a simulation.
@@ -132,22 +81,8 @@ enum Study {
 }
 
 fn main() -> ExitCode {
-    match run(&Study::parse()) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
-}
-
-fn run(study: &Study) -> Result<bool> {
-    // The processor time of a thread stands still while a pool of others works for it.
-    let threads = rayon::ThreadPoolBuilder::new().num_threads(1);
-    threads.build_global().context("cannot have one thread")?;
-    match study {
+    output::exit_code(|| match Study::parse() {
         Study::Accuracy(study) => study.run(),
         Study::Stability(study) => study.run(),
-    }
+    })
 }

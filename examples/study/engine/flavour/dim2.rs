@@ -3,11 +3,8 @@
 use super::scenes::rapier::prelude::*;
 use super::version::AngVector;
 
-/// What a joint of a chain or a pendulum holds together.
+/// What a joint of a chain holds together.
 pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
-
-/// The moment of inertia of a ball, which is a disc, over m r².
-pub(super) const INERTIA_OF_BALL: f64 = 0.5;
 
 /// A spin or a rotation about the third axis, whatever the other shares are.
 pub(super) fn spin(speed: Real, _share: [Real; 3]) -> AngVector {

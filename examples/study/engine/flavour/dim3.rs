@@ -3,11 +3,8 @@
 use super::scenes::rapier::prelude::*;
 use super::version::AngVector;
 
-/// What a joint of a chain or a pendulum holds together.
+/// What a joint of a chain holds together.
 pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
-
-/// The moment of inertia of a ball over m r².
-pub(super) const INERTIA_OF_BALL: f64 = 0.4;
 
 /// A spin or a rotation at this speed, on each axis this share of it.
 pub(super) fn spin(speed: Real, share: [Real; 3]) -> AngVector {

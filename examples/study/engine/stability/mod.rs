@@ -1,10 +1,9 @@
-//! Small worlds at their limits, and whole worlds that are shifted, in one flavour of Rapier.
+//! Small worlds at their limits, in one flavour of Rapier.
 
 use super::{flavour, ours, scenes, space, version};
 
 mod build;
 mod contender;
-mod shift;
 mod stage;
 mod together;
 
@@ -15,8 +14,6 @@ use crate::stability::probe::{Found, Probe, Seeds};
 use contender::Contender;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use stage::Stage;
-
-pub(crate) use shift::shift;
 
 /// Runs a case from all its starts, on the threads of the current pool.
 pub(crate) fn probe(case: &Case, seeds: &Seeds) -> Probe {

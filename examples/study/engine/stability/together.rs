@@ -42,11 +42,7 @@ pub(super) fn compare(candidate: Contender, case: &Case, seed: u64) -> Found {
 }
 
 /// How the pairs of two broad phases differ in this world, if they do.
-pub(super) fn between<A, B>(
-    world: &World,
-    default: &Observed<A>,
-    ours: &Observed<B>,
-) -> Option<String> {
+fn between<A, B>(world: &World, default: &Observed<A>, ours: &Observed<B>) -> Option<String> {
     if let Some(event) = ours.held_fault() {
         return Some(format!("unisize reports {event:?}, which changes nothing"));
     }

@@ -10,11 +10,6 @@ pub(super) type Vector = math::Vector;
 pub(super) type Point = math::Vector;
 pub(super) type AngVector = math::AngVector;
 
-/// The contacts of a pair.
-pub(super) fn manifolds(pair: &ContactPair) -> &[ContactManifold] {
-    pair.manifolds()
-}
-
 /// The events of one broad phase, and the tree of Rapier's own, through which a step sweeps what is fast.
 struct OnRapiersTree<B> {
     events: B,
@@ -71,16 +66,6 @@ impl<B: BroadPhase> BroadPhase for OnRapiersTree<B> {
     fn clone_box(&self) -> Box<dyn BroadPhase> {
         self.events.clone_box()
     }
-}
-
-/// The impulses of a pair in the last step.
-pub(super) fn impulse(pair: &ContactPair) -> Real {
-    pair.total_impulse_magnitude()
-}
-
-/// The two bodies of a joint.
-pub(super) fn joined(joint: &ImpulseJoint) -> [RigidBodyHandle; 2] {
-    [joint.body1(), joint.body2()]
 }
 
 /// None: a step asks the tree of its broad phase, which a grid does not have.

@@ -3,6 +3,7 @@
 use super::scenes::World;
 use super::scenes::rapier::prelude::*;
 use super::version::BroadPhase;
+use crate::missed::Recall;
 use cpu_time::ThreadTime;
 use std::collections::HashSet;
 use std::time::Duration;
@@ -58,12 +59,13 @@ impl Contestant {
     }
 
     /// How many of these pairs it holds.
-    pub(super) fn found(&self, pairs: &[ColliderPair]) -> usize {
+    pub(super) fn recall(&self, pairs: &[ColliderPair]) -> Recall {
         let held = &self.broad_phase.held;
-        pairs
-            .iter()
-            .filter(|&&pair| held.contains(&ends(pair)))
-            .count()
+        let found = pairs.iter().filter(|&&pair| held.contains(&ends(pair)));
+        Recall {
+            found: found.count(),
+            all: pairs.len(),
+        }
     }
 
     /// How many pairs it holds.

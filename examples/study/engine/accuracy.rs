@@ -1,0 +1,297 @@
+//! Simulates a scene in one flavour of Rapier, and measures its errors. They are read from the world alone, so that what a broad phase
+//! has lost is seen.
+
+use super::scenes::rapier::{
+    parry::{bounding_volume::BoundingVolume, query},
+    prelude::*,
+};
+use super::scenes::{Lossy, Observed, OwnBroadPhase, Sanity, Scene, Steppable, World, install};
+use super::seldom::Seldom;
+use super::space::{Place, distance, motion, place_of, typical_size};
+use super::{ours, version};
+use crate::accuracy::case::{Case, FRAMES, Reading, Run};
+use crate::finder::{Finder, LOST_ONE_IN};
+use cpu_time::ThreadTime;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::time::Duration;
+use unisize_scenes::SceneKind;
+
+/// Simulates a case, and measures its errors.
+pub(crate) fn run(case: &Case) -> Run {
+    match case.finder {
+        Finder::Rapier if case.is_sorted => {
+            let sorted = Observed::new(OwnBroadPhase::new()).sorted();
+            simulate(case, &mut install(sorted))
+        }
+        Finder::Unisize(..) if case.is_sorted => {
+            let settings = ours::Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
+            let ours = ours::UnisizeBroadPhase::with_settings(settings);
+            simulate(case, &mut install(Observed::new(ours).sorted()))
+        }
+        Finder::Rapier => simulate(case, &mut DefaultBroadPhase::new()),
+        Finder::Unisize(..) => simulate(case, &mut install(ours::UnisizeBroadPhase::new())),
+        Finder::Seldom(interval) => {
+            let seldom = Seldom::new(ours::UnisizeBroadPhase::new(), interval);
+            simulate(case, &mut install(seldom))
+        }
+        Finder::Grid(cell) => {
+            let mut grid = version::hash_grid(cell).expect("this version steps on grids");
+            simulate(case, &mut grid)
+        }
+        Finder::Lossy => {
+            // Other pairs with each time step: otherwise a seed that loses none would lose none with any.
+            let seed = case.seed << 32 | u64::from(case.frequency);
+            let lossy = Lossy::new(OwnBroadPhase::new(), LOST_ONE_IN, seed);
+            let mut control = install(lossy);
+            let run = simulate(case, &mut control);
+            Run {
+                pairs: Some([control.found, control.lost]),
+                ..run
+            }
+        }
+    }
+}
+
+/// Steps a scene to its end, and measures at the same simulated times whatever the time step.
+fn simulate(case: &Case, broad_phase: &mut impl Steppable) -> Run {
+    let mut scene = Scene::build(case.kind, case.bodies, case.seed);
+    scene.world.params.dt = 1.0 / case.frequency as Real;
+    let mut gauge = Gauge::new(&scene);
+    let frames = (case.seconds * f64::from(FRAMES)).round() as u32;
+    let mut elapsed = Duration::ZERO;
+    for _ in 0..frames {
+        let start = ThreadTime::now();
+        for _ in 0..case.frequency / FRAMES {
+            scene.step(broad_phase.for_step(), &(), &());
+        }
+        elapsed += start.elapsed();
+        gauge.look(&scene);
+    }
+    Run {
+        milliseconds: elapsed.as_secs_f64() * 1e3 / case.seconds,
+        errors: gauge.read(&scene),
+        pairs: None,
+        state: state(&scene.world),
+    }
+}
+
+/// A hash of the motions of all bodies, and of which of them sleep: it differs if any bit does, unless both are NaN.
+fn state(world: &World) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for (_, body) in world.bodies.iter() {
+        (motion(body), body.is_sleeping()).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// The largest errors, and a mean, of all looks so far.
+struct Gauge {
+    initial: Sanity,
+    /// The median extent of what can move.
+    size: f64,
+    /// Where bodies were at the start.
+    places: Vec<(RigidBodyHandle, Place)>,
+    energy: f64,
+    /// None without joints.
+    stretch: Option<f64>,
+    deepest: f64,
+    depths: (f64, usize),
+}
+
+impl Gauge {
+    fn new(scene: &Scene) -> Self {
+        let bodies = scene.world.bodies.iter();
+        let dynamic = bodies.filter(|(_, body)| body.is_dynamic());
+        Self {
+            initial: scene.sanity(),
+            size: f64::from(typical_size(&scene.world)),
+            places: dynamic
+                .map(|(handle, body)| (handle, place_of(body)))
+                .collect(),
+            energy: 0.0,
+            stretch: None,
+            deepest: 0.0,
+            depths: (0.0, 0),
+        }
+    }
+
+    fn look(&mut self, scene: &Scene) {
+        let sanity = scene.sanity();
+        let start = self.initial.energy();
+        self.energy = larger(self.energy, (sanity.energy() - start) / start);
+        if let Some(stretch) = sanity.max_rope_stretch {
+            self.stretch = Some(larger(self.stretch.unwrap_or(0.0), stretch));
+        }
+        for depth in depths(&scene.world) {
+            self.deepest = larger(self.deepest, depth / self.size);
+            self.depths.0 += depth / self.size;
+            self.depths.1 += 1;
+        }
+    }
+
+    /// The errors, with those first that a lost pair shows in.
+    fn read(&self, scene: &Scene) -> Vec<Reading> {
+        let sanity = scene.sanity();
+        let lost = sanity.fallen_through + sanity.not_finite;
+        let count = self.places.len().max(1) as f64;
+        let mut errors = vec![
+            ("largest penetration, sizes", self.deepest),
+            (
+                "mean penetration, sizes",
+                self.depths.0 / self.depths.1.max(1) as f64,
+            ),
+            ("bodies lost, of all", lost as f64 / count),
+            ("energy gained, of what was put in", self.energy),
+        ];
+        if let Some(stretch) = self.stretch {
+            errors.insert(0, ("largest stretch, links", stretch));
+        }
+        if scene.kind() == SceneKind::Stacks {
+            let way = |&(handle, place): &(RigidBodyHandle, Place)| {
+                distance(place_of(&scene.world.bodies[handle]), place) / self.size
+            };
+            let farthest = self.places.iter().map(way).fold(0.0, larger);
+            errors.insert(0, ("largest distance from its place, sizes", farthest));
+        }
+        let reading = |(name, value): (&'static str, f64)| Reading { name, value };
+        errors
+            .into_iter()
+            .map(reading)
+            .map(Reading::or_infinite)
+            .collect()
+    }
+}
+
+/// The larger error. One that is not a number is infinitely large.
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+/// How deep shapes are in each other that may not be, by Parry's exact queries. Each box is compared with each.
+fn depths(world: &World) -> Vec<f64> {
+    let enabled = world.colliders.iter_enabled();
+    let colliders: Vec<_> = enabled
+        .map(|(_, collider)| (collider.compute_aabb(), collider))
+        .collect();
+    let mut depths = Vec::new();
+    for (index, (aabb, a)) in colliders.iter().enumerate() {
+        for (other, b) in &colliders[..index] {
+            if !aabb.intersects(other) || !may_touch(world, a, b) {
+                continue;
+            }
+            let contact = query::contact(a.position(), a.shape(), b.position(), b.shape(), 0.0);
+            let contact = contact.expect("the shapes of the scenes are supported");
+            depths.extend(contact.map(|contact| f64::from(-contact.dist).max(0.0)));
+        }
+    }
+    depths
+}
+
+/// Whether two colliders should push each other apart: some joints say that they should not.
+fn may_touch(world: &World, a: &Collider, b: &Collider) -> bool {
+    let are_joined = a.parent().zip(b.parent()).is_some_and(|(a, b)| {
+        let mut joints = world.impulse_joints.joints_between(a, b);
+        joints.any(|(_, joint)| !joint.data.contacts_enabled)
+    });
+    !are_joined && world.may_touch(a, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::space::{along, vector};
+    use super::*;
+    use crate::accuracy::SCENES;
+
+    fn case(kind: SceneKind, finder: Finder) -> Case {
+        Case {
+            kind,
+            finder,
+            is_sorted: false,
+            frequency: 60,
+            seed: 1,
+            bodies: 30,
+            seconds: 0.5,
+        }
+    }
+
+    #[test]
+    fn sorted_both_are_the_same_bit_for_bit() {
+        for kind in SCENES {
+            let [own, ours] = [Finder::Rapier, Finder::DEFAULT].map(|finder| {
+                let run = run(&Case {
+                    is_sorted: true,
+                    ..case(kind, finder)
+                });
+                (run.state, run.errors)
+            });
+            assert_eq!(own, ours);
+        }
+    }
+
+    #[test]
+    fn the_state_differs_with_the_smallest_bit() {
+        let mut world = Scene::build(SceneKind::FallingBalls, 30, 1).world;
+        let mut states = vec![state(&world)];
+        assert_eq!(state(&world), states[0]);
+        let handles = world.bodies.iter().map(|(handle, _)| handle);
+        let last = handles.last().expect("there are bodies");
+        let mut place = place_of(&world.bodies[last]);
+        place[0] += place[0].abs() * 2.0 * f64::from(Real::EPSILON);
+        world.bodies[last].set_translation(vector(place), false);
+        states.push(state(&world));
+        world.bodies[last].set_linvel(vector(along(0, 1e-30)), false);
+        states.push(state(&world));
+        states.sort_unstable();
+        states.dedup();
+        assert_eq!(states.len(), 3);
+    }
+
+    #[test]
+    fn errors_are_numbers_and_a_seed_gives_its_own() {
+        for kind in SCENES {
+            for &finder in crate::FINDERS {
+                let run = run(&case(kind, finder));
+                assert!(run.milliseconds > 0.0);
+                assert!(run.errors.iter().all(|error| error.value.is_finite()));
+                assert_eq!(run.pairs.is_some(), finder == Finder::Lossy);
+            }
+            let of_seed = |seed| {
+                run(&Case {
+                    seed,
+                    ..case(kind, Finder::DEFAULT)
+                })
+                .state
+            };
+            assert_eq!(of_seed(2), of_seed(2));
+            assert_ne!(of_seed(2), of_seed(3));
+        }
+    }
+
+    #[test]
+    fn a_broad_phase_that_reports_nothing_shows_in_the_errors() {
+        for kind in SCENES {
+            let case = Case {
+                seconds: 1.5,
+                ..case(kind, Finder::DEFAULT)
+            };
+            let blind = Observed::new(ours::UnisizeBroadPhase::new()).silent();
+            let wrong = simulate(&case, &mut install(blind)).errors;
+            let right = run(&case).errors;
+            let deepest = |errors: &[Reading]| {
+                let mut errors = errors.iter();
+                let deepest = errors.find(|error| error.name.starts_with("largest penetration"));
+                deepest.expect("there is one").value
+            };
+            assert!(
+                deepest(&wrong) > 2.0 * deepest(&right),
+                "{wrong:?} {right:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_infinitely_wrong() {
+        assert_eq!(larger(1.0, f64::NAN), f64::INFINITY);
+        assert_eq!([larger(1.0, 2.0), larger(2.0, 1.0)], [2.0; 2]);
+    }
+}
