@@ -167,10 +167,12 @@ fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
-/// How deep shapes are in each other that may not be, by Parry's exact queries. Each box is compared with each.
+/// How deep shapes are in each other that may not be, by Parry's exact queries. Each box is compared with each. Half-spaces do not
+/// count: what sinks into one is lost.
 fn depths(world: &World) -> Vec<f64> {
     let enabled = world.colliders.iter_enabled();
-    let colliders: Vec<_> = enabled
+    let bounded = enabled.filter(|(_, collider)| collider.shape().as_halfspace().is_none());
+    let colliders: Vec<_> = bounded
         .map(|(_, collider)| (collider.compute_aabb(), collider))
         .collect();
     let mut depths = Vec::new();
@@ -277,15 +279,10 @@ mod tests {
             let blind = Observed::new(ours::UnisizeBroadPhase::new()).silent();
             let wrong = simulate(&case, &mut install(blind)).errors;
             let right = run(&case).errors;
-            let deepest = |errors: &[Reading]| {
-                let mut errors = errors.iter();
-                let deepest = errors.find(|error| error.name.starts_with("largest penetration"));
-                deepest.expect("there is one").value
+            let shows = |(wrong, right): (&Reading, &Reading)| {
+                wrong.value > 0.1 && wrong.value > 2.0 * right.value
             };
-            assert!(
-                deepest(&wrong) > 2.0 * deepest(&right),
-                "{wrong:?} {right:?}"
-            );
+            assert!(wrong.iter().zip(&right).any(shows), "{wrong:?} {right:?}");
         }
     }
 

@@ -14,7 +14,7 @@ use crate::finder::{Cell, Finder};
 use crate::options::{Common, at_least_one};
 use crate::output::{Output, number, percent, table};
 use crate::progress::progress_bar;
-use crate::statistics::Share;
+use crate::statistics::rarer_than;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
@@ -256,7 +256,7 @@ impl Method {
             0 => format!(
                 "none of {}: below {}",
                 self.frames,
-                percent(Share::of(0, self.frames).high)
+                percent(rarer_than(self.frames))
             ),
             count => format!("{count} of {}", self.frames),
         }

@@ -3,9 +3,8 @@
 //! Small worlds are taken to their limits: high stacks, heavy things on light ones, chains with a heavy end, long time steps, places
 //! far from the origin, tiny and huge sizes, fast spin and flight. For each family of worlds a bisection finds the *threshold*: the
 //! largest value of its parameter at which no start fails. A value is tried from several starts on Rapier's own broad phase and on
-//! unisize, alone, and judged by a computed [`criterion`](criterion). Who fails is told by one [rule](verdict) for each value:
-//! neither, both alike, or one alone. What is too little to be told there is told in all values [together](discordance). Three more
-//! checks leave nothing to chance:
+//! unisize, alone, and judged by a computed [`criterion`](criterion). Whether unisize
+//! [fails more often](discordance) is told for each value, and for all of them together. Three more checks leave nothing to chance:
 //!
 //! - unisize must not panic from a start from which Rapier's own does not;
 //! - with the events of each update in order, both worlds must end alike to the bit;
@@ -19,12 +18,11 @@ pub(crate) mod end;
 pub(crate) mod family;
 pub(crate) mod probe;
 mod threshold;
-pub(crate) mod verdict;
 
 use crate::options::{Common, at_least_one};
 use crate::output::{Output, number, percent, table};
 use crate::progress::progress_bar;
-use crate::statistics::Share;
+use crate::statistics::rarer_than;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use case::Case;
@@ -37,7 +35,6 @@ use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use threshold::last_sound;
-use verdict::{Failures, Verdict};
 
 /// How many values there are between the ends of a family's range, of a full run and of a quick one.
 const VALUES: usize = 65;
@@ -80,9 +77,10 @@ struct ProbeRow<'a> {
     family: &'a str,
     parameter: &'a str,
     value: f64,
-    rapier_failures: Failures,
-    unisize_failures: Failures,
-    verdict: Verdict,
+    starts: usize,
+    rapier_failures: usize,
+    unisize_failures: usize,
+    alone: Discordance,
     in_order: &'a Exact,
     pairs: &'a Exact,
 }
@@ -97,8 +95,8 @@ struct ThresholdRow<'a> {
     rapier: Option<f64>,
     unisize: Option<f64>,
     next: Option<f64>,
-    /// Of the starts at the threshold, on either broad phase.
-    failures_at_threshold: Option<Share>,
+    /// The share of failures at the threshold, on either broad phase, is below that.
+    failures_below: Option<f64>,
 }
 
 impl Arguments {
@@ -146,7 +144,7 @@ impl Arguments {
                         _ => dim3::stability::probe(&case, &seeds),
                     }
                 });
-                probe.failures(family.criterion)[side].failed == 0
+                probe.failures(family.criterion)[side] == 0
             })
         });
         Outcome {
@@ -188,7 +186,7 @@ fn report(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
         let criterion = outcome.family.criterion;
         for (&index, probe) in &outcome.probes {
             discordance.count(probe, criterion);
-            output.row("probe", &outcome.probe_row(index, cases))?;
+            output.row("probe", &outcome.probe_row(index))?;
             if !probe.is_sound(criterion, cases) {
                 unsound += 1;
                 print_fault(outcome, index, cases);
@@ -201,7 +199,7 @@ fn report(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
     let starts = outcomes[0].probes[&0].ours.len();
     println!(
         "Where none of {starts} starts fails, fewer than {} of all do, at 95 %.\n",
-        percent(Share::of(0, starts).high)
+        percent(rarer_than(starts))
     );
     println!(
         "All {cases} values together, starts without a panic: unisize alone fails from {}, Rapier's own alone from {}. Sign test, \
@@ -210,7 +208,7 @@ fn report(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
         discordance.default,
         number(discordance.probability()),
     );
-    let is_sound = unsound == 0 && !discordance.is_worse();
+    let is_sound = unsound == 0 && !discordance.is_worse(1);
     match is_sound {
         true => println!(
             "unisize fails alone at none of {cases} values and not more often at all of them, and did what Rapier's own did wherever \
@@ -229,7 +227,7 @@ fn print_fault(outcome: &Outcome, index: usize, cases: usize) {
         family.name,
         number(outcome.values[index])
     );
-    if probe.verdict(family.criterion, cases) == Verdict::OursAlone {
+    if probe.ours_fails_alone(family.criterion, cases) {
         println!("UNISIZE ALONE fails in {place}\n");
     }
     for (what, check) in [
@@ -258,7 +256,7 @@ impl Outcome {
         self.probes.contains_key(&next).then_some(next)
     }
 
-    fn probe_row(&self, index: usize, cases: usize) -> ProbeRow<'_> {
+    fn probe_row(&self, index: usize) -> ProbeRow<'_> {
         let probe = &self.probes[&index];
         let [rapier_failures, unisize_failures] = probe.failures(self.family.criterion);
         ProbeRow {
@@ -266,9 +264,10 @@ impl Outcome {
             family: self.family.name,
             parameter: self.family.parameter,
             value: self.values[index],
+            starts: probe.ours.len(),
             rapier_failures,
             unisize_failures,
-            verdict: probe.verdict(self.family.criterion, cases),
+            alone: Discordance::of(probe, self.family.criterion),
             in_order: &probe.in_order,
             pairs: &probe.pairs,
         }
@@ -276,7 +275,7 @@ impl Outcome {
 
     fn threshold_row(&self) -> ThresholdRow<'_> {
         let value = |index: usize| self.values[index];
-        let share = |index: usize| Share::of(0, self.probes[&index].ours.len());
+        let bound = |index: usize| rarer_than(self.probes[&index].ours.len());
         ThresholdRow {
             dimension: self.dim,
             family: self.family.name,
@@ -285,7 +284,7 @@ impl Outcome {
             rapier: self.thresholds[0].map(value),
             unisize: self.thresholds[1].map(value),
             next: self.failing().map(value),
-            failures_at_threshold: self.neither().map(share),
+            failures_below: self.neither().map(bound),
         }
     }
 
@@ -299,13 +298,19 @@ impl Outcome {
             Some(index) => number(self.values[index]),
         };
         let next = self.failing();
-        let failures = next.map(|index| self.probes[&index].failures(criterion));
         let told = |side: usize| {
-            let told = |of: [Failures; 2]| format!("{} of {}", of[side].failed, of[side].runs);
-            failures.map_or_else(|| "-".to_owned(), told)
+            let told = |index: usize| {
+                let probe = &self.probes[&index];
+                format!(
+                    "{} of {}",
+                    probe.failures(criterion)[side],
+                    probe.ours.len()
+                )
+            };
+            next.map_or_else(|| "-".to_owned(), told)
         };
         let alone = self.probes.values();
-        let alone = alone.filter(|probe| probe.verdict(criterion, cases) == Verdict::OursAlone);
+        let alone = alone.filter(|probe| probe.ours_fails_alone(criterion, cases));
         let sum = |check: fn(&Probe) -> &Exact| {
             let checks = self.probes.values().map(check);
             let [equal, all, by_tree] = checks.fold([0; 3], |[equal, all, by_tree], check| {

@@ -1,8 +1,8 @@
 //! The outcome of a case in one flavour.
 
 use super::criterion::Criterion;
+use super::discordance::Discordance;
 use super::end::End;
-use super::verdict::{Failures, Verdict};
 use serde::Serialize;
 use std::ops::Range;
 
@@ -89,21 +89,17 @@ impl FromIterator<Found> for Exact {
 }
 
 impl Probe {
-    /// The failures on Rapier's own broad phase, and on unisize.
-    pub(crate) fn failures(&self, criterion: Criterion) -> [Failures; 2] {
+    /// From how many starts it failed on Rapier's own broad phase, and on unisize.
+    pub(crate) fn failures(&self, criterion: Criterion) -> [usize; 2] {
         [&self.default, &self.ours].map(|ends| {
             let failed = ends.iter().filter(|end| criterion.is_failed_by(end));
-            Failures {
-                failed: failed.count(),
-                runs: ends.len(),
-            }
+            failed.count()
         })
     }
 
-    /// Who fails, if this is one of so many cases.
-    pub(crate) fn verdict(&self, criterion: Criterion, cases: usize) -> Verdict {
-        let [default, ours] = self.failures(criterion);
-        Verdict::of(default, ours, cases)
+    /// Whether unisize fails alone, if this is one of so many values.
+    pub(crate) fn ours_fails_alone(&self, criterion: Criterion, values: usize) -> bool {
+        Discordance::of(self, criterion).is_worse(values)
     }
 
     /// What unisize said at its first panic from a start from which Rapier's own does not panic.
@@ -119,8 +115,8 @@ impl Probe {
 
     /// Whether unisize neither fails alone nor panics alone, from however few starts, and does exactly what Rapier's does where that
     /// is asked.
-    pub(crate) fn is_sound(&self, criterion: Criterion, cases: usize) -> bool {
-        self.verdict(criterion, cases) != Verdict::OursAlone
+    pub(crate) fn is_sound(&self, criterion: Criterion, values: usize) -> bool {
+        !self.ours_fails_alone(criterion, values)
             && self.panic_alone().is_none()
             && self.in_order.difference.is_none()
             && self.pairs.difference.is_none()
@@ -130,7 +126,7 @@ impl Probe {
 #[cfg(test)]
 mod tests {
     use super::super::end::Measured;
-    use super::{Criterion, End, Exact, Probe, Verdict};
+    use super::{Criterion, End, Exact, Probe};
 
     #[test]
     fn one_panic_alone_is_never_sound() {
@@ -151,7 +147,7 @@ mod tests {
         assert!(probe(&panic, &panic).is_sound(CRITERION, 1));
         assert!(probe(&panic, &calm).is_sound(CRITERION, 1));
         let alone = probe(&calm, &panic);
-        assert_eq!(alone.verdict(CRITERION, 1), Verdict::Alike);
+        assert!(!alone.ours_fails_alone(CRITERION, 1));
         assert_eq!(alone.panic_alone(), Some("why"));
         assert!(!alone.is_sound(CRITERION, 1));
     }
