@@ -1,4 +1,4 @@
-//! Whole worlds stepped with ours and with Rapier's own broad phase, side by side: `suite` in Rapier 0.27, and in `opened/tests` in the
+//! Whole worlds stepped with ours and with Rapier's own broad phase, side by side: `suite` in Rapier 0.27, and in `examples/opened/tests` in the
 //! own pipelines of Rapier 0.36; `only_027` in Rapier 0.27 alone.
 //!
 //! `Twins` steps two equal worlds and compares, after every step, what a user can

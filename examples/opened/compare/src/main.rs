@@ -10,23 +10,23 @@
 //!
 //! With the feature `parallel`, Rapier and unisize share the threads that `--threads` asks for.
 
-#[path = "../../../examples/compare/case.rs"]
+#[path = "../../../compare/case.rs"]
 mod case;
-#[path = "../../../benches/common/json_lines.rs"]
+#[path = "../../../../benches/common/json_lines.rs"]
 mod json_lines;
-#[path = "../../../examples/compare/options.rs"]
+#[path = "../../../compare/options.rs"]
 mod options;
-#[path = "../../../examples/progress/bar.rs"]
+#[path = "../../../progress/bar.rs"]
 mod progress;
-#[path = "../../../examples/compare/report.rs"]
+#[path = "../../../compare/report.rs"]
 mod report;
-#[path = "../../../examples/compare/row.rs"]
+#[path = "../../../compare/row.rs"]
 mod row;
-#[path = "../../../examples/compare/run.rs"]
+#[path = "../../../compare/run.rs"]
 mod run;
-#[path = "../../../examples/compare/spread.rs"]
+#[path = "../../../compare/spread.rs"]
 mod spread;
-#[path = "../../../examples/compare/table.rs"]
+#[path = "../../../compare/table.rs"]
 mod table;
 
 use std::process::ExitCode;
@@ -40,7 +40,7 @@ const FILTER: &str = "shapes";
 /// The level that leaves out what the default broad phase leaves out.
 const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
 
-#[path = "../../../examples/compare"]
+#[path = "../../../compare"]
 mod dim2 {
     use unisize::rapier2d_036 as ours;
     use unisize_scenes::dim2_036 as scenes;
@@ -51,7 +51,7 @@ mod dim2 {
     pub(super) use dimension::compare;
 }
 
-#[path = "../../../examples/compare"]
+#[path = "../../../compare"]
 mod dim3 {
     use unisize::rapier3d_036 as ours;
     use unisize_scenes::dim3_036 as scenes;

@@ -5,7 +5,7 @@ use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic};
 use super::{Settings, UnisizeBroadPhase, install};
 
-#[path = "../../../tests/told/mod.rs"]
+#[path = "../../../../tests/told/mod.rs"]
 mod told;
 use told::told;
 

@@ -6,20 +6,20 @@
 //!
 //! The same program as `examples/study`, which says what is studied, on an opened copy of Rapier.
 
-#[path = "../../../examples/study/accuracy/mod.rs"]
+#[path = "../../../study/accuracy/mod.rs"]
 mod accuracy;
 #[allow(dead_code)] // Some methods are of the study of frames, and a step on a grid finds no tree to ask.
-#[path = "../../../examples/study/finder.rs"]
+#[path = "../../../study/finder.rs"]
 mod finder;
-#[path = "../../../examples/study/options.rs"]
+#[path = "../../../study/options.rs"]
 mod options;
-#[path = "../../../examples/study/output.rs"]
+#[path = "../../../study/output.rs"]
 mod output;
-#[path = "../../../examples/progress/bar.rs"]
+#[path = "../../../progress/bar.rs"]
 mod progress;
-#[path = "../../../examples/study/stability/mod.rs"]
+#[path = "../../../study/stability/mod.rs"]
 mod stability;
-#[path = "../../../examples/study/statistics/mod.rs"]
+#[path = "../../../study/statistics/mod.rs"]
 mod statistics;
 
 use clap::Parser;
@@ -40,7 +40,7 @@ const FINDERS: &[Finder] = &[
     Finder::Lossy,
 ];
 
-#[path = "../../../examples/study/engine"]
+#[path = "../../../study/engine"]
 mod dim2 {
     //! What runs in rapier2d.
     use unisize::rapier2d_036 as ours;
@@ -56,7 +56,7 @@ mod dim2 {
     mod version;
 }
 
-#[path = "../../../examples/study/engine"]
+#[path = "../../../study/engine"]
 mod dim3 {
     //! What runs in rapier3d.
     use unisize::rapier3d_036 as ours;

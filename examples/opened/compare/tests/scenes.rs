@@ -1,7 +1,7 @@
 //! The tests of the scenes in `examples/scenes/tests`, on an opened Rapier 0.36.
 
 #[macro_use]
-#[path = "../../../examples/scenes/tests/suite/mod.rs"]
+#[path = "../../../scenes/tests/suite/mod.rs"]
 mod suite;
 
 scene_tests!(dim2_036);
