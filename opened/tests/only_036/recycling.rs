@@ -5,8 +5,8 @@
 
 use std::collections::BTreeSet;
 
-use super::rapier::parry::query::distance;
 use super::random::Random;
+use super::rapier::parry::query::distance;
 use super::rapier::prelude::*;
 use super::snapshot::{Pair, contacts, pair};
 use super::twins::{Twins, at, cuboid};

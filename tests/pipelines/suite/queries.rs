@@ -84,7 +84,8 @@ impl Asked {
         let handle = self.twins.both(|world| match &body {
             None => world.colliders.insert(collider.clone().position(pose)),
             Some(body) => {
-                let body = body.clone().position(pose).linvel(velocity);
+                let mut body = body.clone().linvel(velocity).build();
+                body.set_position(pose, true);
                 let body = world.insert(body, collider.clone());
                 world.bodies[body].colliders()[0]
             }
