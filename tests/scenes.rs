@@ -1,12 +1,17 @@
 //! Every scene, small, with Rapier's broad phase and each kernel of ours: the pairs held, the contacts and the
 //! intersections are equal after every step. `examples/compare` does the same at full size.
+#![cfg(feature = "_adapter")]
 
-macro_rules! compare {
-    ($dim:ident, $rapier:ident) => {
-        mod $dim {
-            use unisize::$rapier::{Kernel, Settings, UnisizeBroadPhase};
+#[macro_use]
+mod flavours;
+
+#[allow(unused_macros)]
+macro_rules! flavour {
+    ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
+        mod $name {
+            use unisize::$unisize::{Kernel, Settings, UnisizeBroadPhase};
             use unisize_scenes::SceneKind;
-            use unisize_scenes::$dim::{Candidate, Comparison, QueryAccess};
+            use unisize_scenes::$name::{Candidate, Comparison, QueryAccess};
 
             fn compare(kernel: Kernel, bodies: usize, steps: usize) {
                 let mut settings = Settings::default();
@@ -52,7 +57,4 @@ macro_rules! compare {
     };
 }
 
-compare!(dim2, rapier2d_027);
-compare!(dim3, rapier3d_027);
-compare!(dim2_f64, rapier2d_f64_027);
-compare!(dim3_f64, rapier3d_f64_027);
+for_each_027!(flavour);

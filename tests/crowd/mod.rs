@@ -5,8 +5,9 @@
 
 use oorandom::Rand32;
 
+use super::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use super::{PairEvent, UnisizeBroadPhase};
+use super::scenes::PairEvent;
 
 /// A collider without a body. It counts as fixed, and fixed ones meet only if they say so.
 fn ball(radius: Real) -> ColliderBuilder {
@@ -98,6 +99,18 @@ impl Crowd {
     /// Sets the position of the last collider to NaN.
     pub(super) fn spoil_last(&mut self) {
         self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
+    }
+
+    /// Gives each collider a body of its own, and leaves it where it is.
+    pub(super) fn put_on_bodies(&mut self) {
+        for &handle in &self.handles {
+            let place = *self.colliders[handle].translation();
+            let body = RigidBodyBuilder::dynamic().translation(place);
+            let body = self.bodies.insert(body);
+            self.colliders
+                .set_parent(handle, Some(body), &mut self.bodies);
+            self.colliders[handle].set_translation(place);
+        }
     }
 
     fn place(&mut self, i: usize, place: Vector<Real>) {

@@ -1,11 +1,42 @@
 //! The same boxes give the same events in the same order: in another run, on any number of threads, in a clone, on every
 //! platform, in whatever way pairs are searched for and colliders listed, and in every version since a golden hash was taken.
 //!
-//! A changed hash means that the events, or their order, have changed. If that is intended, the test prints the new
-//! table.
+//! A changed hash means that the events, or their order, have changed. If that is intended, the test prints the new one for
+//! `hashes.txt`.
 
-mod dim2;
-mod dim2_f64;
-mod dim3;
-mod dim3_f64;
+#![cfg(any(
+    feature = "rapier2d-027",
+    feature = "rapier3d-027",
+    feature = "rapier2d-f64-027",
+    feature = "rapier3d-f64-027",
+))]
+
 mod hash;
+
+#[path = "../flavours/mod.rs"]
+#[macro_use]
+mod flavours;
+
+#[allow(unused_macros)]
+macro_rules! flavour {
+    ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
+        #[path = "."]
+        mod $name {
+            #[cfg(feature = "enhanced-determinism")]
+            use unisize::$unisize::PairFilter;
+            use unisize::$unisize::{Kernel, Settings, Stats, UnisizeBroadPhase};
+            use unisize_scenes::$name as scenes;
+            use $rapier as rapier;
+
+            const FLAVOUR: &str = stringify!($name);
+
+            mod suite;
+        }
+    };
+}
+
+for_each_027!(flavour);
+
+// It does not look into macros.
+#[cfg(rustfmt)]
+mod suite;

@@ -1,11 +1,11 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::rapier;
-use super::{Kernel, PairEvent, REPLAYS, Settings, UnisizeBroadPhase};
-use crate::hash::Hash;
+use super::{FLAVOUR, Kernel, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
+use crate::hash::{Hash, golden};
 use crowd::Crowd;
 use oorandom::Rand32;
 use rapier::math::{DIM, Real};
+use scenes::PairEvent;
 
 #[path = "../crowd/mod.rs"]
 mod crowd;
@@ -23,14 +23,14 @@ struct Replay {
 }
 
 /// One replay has enough colliders to be worth several threads.
-const ALL: [Replay; REPLAYS.len()] = [
+const ALL: [Replay; 6] = [
     replay("drifting", 1000, 0.05, &[1, 1, 1, 1, 1, 1]),
     replay("fast", 1000, 0.6, &[1, 1, 1, 1]),
     replay("few", 1000, 0.1, &[1, 100, 60, 150, 100, 30]),
-    replay("by turns", 1000, 0.1, &[1, 200, 2, 3, 1, 20, 1, 5]),
+    replay("by-turns", 1000, 0.1, &[1, 200, 2, 3, 1, 20, 1, 5]),
     Replay {
         is_to_and_fro: true,
-        ..replay("to and fro", 1000, 0.02, &[1, 3, 1])
+        ..replay("to-and-fro", 1000, 0.02, &[1, 3, 1])
     },
     replay("many", 20_000, 0.1, &[1]),
 ];
@@ -56,8 +56,10 @@ struct Way {
     settings: Settings,
     /// Whether clones take each other's place.
     is_cloned: bool,
-    /// Whether colliders are listed in another order in each update.
+    /// Whether colliders are listed in another order in each update, as the islands of Rapier list them.
     is_shuffled: bool,
+    /// Whether each is on a body of its own.
+    is_on_bodies: bool,
 }
 
 /// Whether pairs end before others begin, each by the smaller index and then the larger one, those that begin dealt out in two hands.
@@ -93,8 +95,8 @@ fn write(hash: &mut Hash, events: &[PairEvent]) {
 }
 
 impl Replay {
-    /// The hash of all events.
-    fn hash(&self, way: &Way) -> u64 {
+    /// Checks the hash of all events, and returns the statistics of each update.
+    fn check(&self, way: &Way) -> Vec<Stats> {
         // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
@@ -105,10 +107,13 @@ impl Replay {
         let mut crowd = Crowd::new(self.count, side, self.speed);
         // It is refused until it gets a sound position.
         crowd.spoil_last();
+        if way.is_on_bodies {
+            crowd.put_on_bodies();
+        }
         let mut broad_phase = UnisizeBroadPhase::with_settings(way.settings);
         let mut random = Rand32::new(5);
         let mut hash = Hash::default();
-        let mut events = 0;
+        let (mut events, mut stats) = (0, Vec::new());
         for &stride in self.strides {
             for _ in 0..10 {
                 if way.is_cloned {
@@ -124,6 +129,7 @@ impl Replay {
                 assert!(are_in_order(&found), "{}: {found:?}", self.name);
                 write(&mut hash, &found);
                 events += found.len();
+                stats.push(broad_phase.stats());
                 crowd.advance(stride);
                 if self.is_to_and_fro {
                     for velocity in &mut crowd.velocities {
@@ -134,49 +140,46 @@ impl Replay {
         }
         broad_phase.validate();
         assert!(events > self.count, "{}: {events} events", self.name);
-        hash.0
+        golden(FLAVOUR, self.name, &hash);
+        stats
     }
 }
 
-fn hashes(way: &Way) -> [u64; REPLAYS.len()] {
-    ALL.map(|replay| replay.hash(way))
-}
-
-fn check<const N: usize>(found: [u64; N], golden: [u64; N]) {
-    let table = found.map(|hash| format!("    {hash:#018x},\n")).concat();
-    assert!(found == golden, "of {DIM}D:\n{table}");
+fn check(way: &Way) -> Vec<Vec<Stats>> {
+    ALL.iter().map(|replay| replay.check(way)).collect()
 }
 
 #[test]
 fn replays_are_golden() {
-    check(hashes(&Way::default()), REPLAYS);
+    check(&Way::default());
 }
 
 #[test]
-fn clones_go_on_alike() {
-    let way = Way {
-        is_cloned: true,
-        ..Way::default()
-    };
-    check(hashes(&way), REPLAYS);
-}
-
-#[test]
-fn threads_do_not_matter() {
-    for threads in 1..=3 {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.expect("there are threads to be had");
-        check(pool.install(|| hashes(&Way::default())), REPLAYS);
+fn clones_orders_and_bodies_do_not_matter() {
+    for bits in [1, 2, 4, 7] {
+        check(&Way {
+            is_cloned: bits & 1 > 0,
+            is_shuffled: bits & 2 > 0,
+            is_on_bodies: bits & 4 > 0,
+            ..Way::default()
+        });
     }
 }
 
+/// Even the statistics are the same.
 #[test]
-fn the_order_of_the_lists_does_not_matter() {
-    let way = Way {
-        is_shuffled: true,
+fn threads_do_not_matter() {
+    let [plain, shuffled] = [false, true].map(|is_shuffled| Way {
+        is_shuffled,
+        is_on_bodies: is_shuffled,
         ..Way::default()
-    };
-    check(hashes(&way), REPLAYS);
+    });
+    let stats = [1, 2, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.expect("there are threads to be had");
+        pool.install(|| [check(&plain), check(&shuffled)])
+    });
+    assert!(stats[0] == stats[1] && stats[0] == stats[2]);
 }
 
 #[test]
@@ -188,31 +191,23 @@ fn foresight_and_layers_do_not_matter() {
         settings.with_foresight(64),
         settings.with_layers(false),
     ] {
-        let way = Way {
+        check(&Way {
             settings,
             ..Way::default()
-        };
-        check(hashes(&way), REPLAYS);
+        });
     }
 }
 
 #[test]
 fn kernels_do_not_matter() {
-    for kernel in [Kernel::RankSweep, Kernel::BruteForce] {
+    // Brute force takes its time.
+    for (kernel, most) in [(Kernel::RankSweep, usize::MAX), (Kernel::BruteForce, 1000)] {
         let way = Way {
             settings: Settings::default().with_kernel(kernel),
             ..Way::default()
         };
-        for (replay, golden) in ALL.iter().zip(REPLAYS) {
-            // Brute force takes its time.
-            if kernel != Kernel::BruteForce || replay.count <= 1000 {
-                let found = replay.hash(&way);
-                assert!(
-                    found == golden,
-                    "{} with {kernel:?}: {found:#x}",
-                    replay.name
-                );
-            }
+        for replay in ALL.iter().filter(|replay| replay.count <= most) {
+            replay.check(&way);
         }
     }
 }
@@ -221,10 +216,11 @@ fn kernels_do_not_matter() {
 #[cfg(feature = "enhanced-determinism")]
 #[test]
 fn scenes_are_golden() {
-    use super::{Observed, PairFilter, SCENES, Scene};
+    use super::PairFilter;
+    use super::scenes::{Observed, Scene};
     use unisize_scenes::SceneKind;
 
-    let hash = |kind| {
+    for kind in SceneKind::ALL {
         let mut scene = Scene::build(kind, 60, 1);
         // With all pairs, also those that can have no effect.
         let settings = Settings::default().with_filter(PairFilter::Off);
@@ -235,7 +231,6 @@ fn scenes_are_golden() {
             scene.step(&mut broad_phase, &(), &());
             write(&mut hash, &broad_phase.take_events());
         }
-        hash.0
-    };
-    check(SceneKind::ALL.map(hash), SCENES);
+        golden(FLAVOUR, kind.name(), &hash);
+    }
 }

@@ -1,15 +1,13 @@
-//! What must hold for every valid input.
+//! What must hold for every valid input, and the fewest boxes for which it does not.
 
 use std::any::type_name;
+use std::time::{Duration, Instant};
 
-use crate::numbers::Number;
-use unisize::{Aabb, PairFinder};
-
-use crate::guard::guarded;
+use crate::boxes::uniform;
 use crate::inputs::Input;
-use crate::placement;
+use crate::numbers::Number;
 use crate::random::Random;
-use crate::report;
+use unisize::{Aabb, PairFinder};
 
 /// Every overlapping pair, in ascending order, by a definition of its own: boxes overlap unless, on some
 /// axis, one ends before the other begins.
@@ -31,105 +29,118 @@ pub(crate) fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) ->
     pairs
 }
 
-/// Checks every input, then fails with a report on those that went wrong.
-pub(crate) fn every<F, R, const D: usize>(inputs: &[Input<R, D>])
-where
-    F: PairFinder<R, D> + Default,
-    R: Number,
-{
-    let failed: Vec<_> = inputs
-        .iter()
-        .filter(|input| holds::<F, R, D>(&input.boxes).is_err())
-        .collect();
-    let reports: Vec<_> = failed
-        .iter()
-        .take(3)
-        .map(|input| {
-            let boxes = report::fewest(&input.boxes, |boxes| holds::<F, R, D>(boxes).is_err());
-            report::on(&input.name, &input.boxes, &boxes, holds::<F, R, D>)
-        })
-        .collect();
-    assert!(
-        failed.is_empty(),
-        "{} is wrong on {} of {} inputs\n\n{}\n\nall of them: {:#?}",
-        type_name::<F>(),
-        failed.len(),
-        inputs.len(),
-        reports.join("\n\n"),
-        failed.iter().map(|input| &input.name).collect::<Vec<_>>(),
+/// Checks every input.
+pub(crate) fn every<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
+    inputs: &[Input<R, D>],
+) {
+    for Input { name, boxes } in inputs {
+        println!("{name}");
+        let holds = holds::<F, R, D>;
+        if let Err(what) = holds(boxes) {
+            fail::<F, R, D>(&what, boxes, |few| holds(few).is_err());
+        }
+    }
+}
+
+/// Fails with a few of the boxes for which `fails` still is true: as few as leaving out finds in some seconds.
+pub(crate) fn fail<F, R: Number, const D: usize>(
+    what: &str,
+    boxes: &[Aabb<R, D>],
+    fails: impl Fn(&[Aabb<R, D>]) -> bool,
+) -> ! {
+    let end = Instant::now() + Duration::from_secs(5);
+    let mut few = boxes.to_vec();
+    let mut chunk = few.len();
+    while chunk > 0 {
+        let mut start = 0;
+        while start < few.len() && Instant::now() < end {
+            let mut fewer = few.clone();
+            fewer.drain(start..few.len().min(start + chunk));
+            if fails(&fewer) {
+                few = fewer;
+            } else {
+                start += chunk;
+            }
+        }
+        chunk /= 2;
+    }
+    let name = type_name::<F>();
+    panic!(
+        "{name} is wrong on {} boxes: {what}\nand on {few:#?}",
+        boxes.len()
     );
 }
 
 /// Checks that a finder that has seen all earlier inputs answers each input as a new one does.
-pub(crate) fn one_finder_serves<F, R, const D: usize>(inputs: &[Input<R, D>])
-where
-    F: PairFinder<R, D> + Default,
-    R: Number,
-{
+pub(crate) fn one_finder_serves<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
+    inputs: &[Input<R, D>],
+) {
     let mut veteran = F::default();
     for Input { name, boxes } in inputs {
         let fresh = find(&mut F::default(), boxes).expect(name);
         let pairs = find(&mut veteran, boxes).expect(name);
         assert!(
             pairs == fresh,
-            "{}: after other inputs the answer is another on: {name}",
-            type_name::<F>()
+            "after other inputs it answers otherwise: {name}"
         );
     }
 }
 
 /// An error that says what does not hold for these boxes, if anything.
-pub(crate) fn holds<F, R, const D: usize>(boxes: &[Aabb<R, D>]) -> Result<(), String>
-where
-    F: PairFinder<R, D> + Default,
-    R: Number,
-{
+pub(crate) fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
+    boxes: &[Aabb<R, D>],
+) -> Result<(), String> {
     let mut finder = F::default();
     let first = find(&mut finder, boxes)?;
-    report::compare(boxes, &expected_pairs(boxes), &first)?;
+    compare(boxes, &first)?;
 
-    let same = |when: &str, pairs: Vec<[u32; 2]>| {
-        if pairs == first {
-            return Ok(());
-        }
-        let mut sorted = [pairs, first.clone()];
-        sorted.iter_mut().for_each(|pairs| pairs.sort_unstable());
-        let what = if sorted[0] == sorted[1] {
-            "order"
-        } else {
-            "set"
-        };
-        Err(format!("{when}, the {what} of the pairs is another"))
+    let same = |when: &str, pairs: Vec<[u32; 2]>| match pairs == first {
+        true => Ok(()),
+        false => Err(format!("{when}, the pairs or their order are others")),
     };
     same("called again", find(&mut finder, boxes)?)?;
     same("by a new finder", find(&mut F::default(), boxes)?)?;
-    find(&mut finder, &placement::uniform(1, boxes.len() + 65, 0.8))?;
+    find(&mut finder, &uniform(1, boxes.len() + 65, 0.8))?;
     same("after a larger input", find(&mut finder, boxes)?)?;
     find(&mut finder, &boxes[boxes.len() / 2..])?;
     same("after a smaller input", find(&mut finder, boxes)?)?;
 
-    let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
-    Random::new(2).shuffle(&mut order);
-    let shuffled: Vec<_> = order.iter().map(|&i| boxes[i as usize]).collect();
-    report::compare(
-        &shuffled,
-        &expected_pairs(&shuffled),
-        &find(&mut finder, &shuffled)?,
-    )
-    .map_err(|what| format!("in another order of the boxes: {what}"))
+    let mut shuffled = boxes.to_vec();
+    Random::new(2).shuffle(&mut shuffled);
+    let found = find(&mut finder, &shuffled)?;
+    compare(&shuffled, &found).map_err(|what| format!("in another order of the boxes: {what}"))
+}
+
+/// An error that says how pairs differ from those of the oracle, if they do: each once, the smaller index first.
+pub(crate) fn compare<R: Number, const D: usize>(
+    boxes: &[Aabb<R, D>],
+    pairs: &[[u32; 2]],
+) -> Result<(), String> {
+    let expected = expected_pairs(boxes);
+    let mut sorted = pairs.to_vec();
+    sorted.sort_unstable();
+    if sorted == expected {
+        return Ok(());
+    }
+    let lacking = |from: &[[u32; 2]], list: &[[u32; 2]]| -> Vec<_> {
+        let lacking = list.iter().filter(|pair| !from.contains(pair));
+        lacking.copied().take(6).collect()
+    };
+    let (missing, wrong) = (lacking(&sorted, &expected), lacking(&expected, &sorted));
+    let counts = format!("{} pairs expected, {} found", expected.len(), pairs.len());
+    Err(format!(
+        "{counts}; missing {missing:?}, wrong {wrong:?}, or some are found twice"
+    ))
 }
 
 /// The finder's answer, into a list that already holds something; or the error.
-pub(crate) fn find<F, R, const D: usize>(
+pub(crate) fn find<F: PairFinder<R, D>, R: Number, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],
-) -> Result<Vec<[u32; 2]>, String>
-where
-    F: PairFinder<R, D>,
-    R: Number,
-{
+) -> Result<Vec<[u32; 2]>, String> {
     let mut pairs = JUNK.to_vec();
-    guarded(|| finder.find_pairs(boxes, &mut pairs))?.map_err(|e| format!("refused: {e}"))?;
+    let outcome = finder.find_pairs(boxes, &mut pairs);
+    outcome.map_err(|error| format!("refused: {error}"))?;
     Ok(pairs)
 }
 

@@ -1,19 +1,14 @@
 //! What must hold for inputs that must be refused.
 
-use crate::numbers::Number;
 use unisize::InvalidInputReason::{Inverted, NotANumber};
 use unisize::{Aabb, InvalidInputReason, PairFinder};
 
+use crate::boxes::uniform;
 use crate::check::{JUNK, find};
-use crate::numbers::stepped;
-use crate::placement::uniform;
+use crate::numbers::{Number, stepped};
 
 /// Checks that one invalid box anywhere is named, that no pair is given, and that the finder then goes on.
-pub(crate) fn check<F, R, const D: usize>()
-where
-    F: PairFinder<R, D> + Default,
-    R: Number,
-{
+pub(crate) fn check<F: PairFinder<R, D> + Default, R: Number, const D: usize>() {
     for n in [1, 9, 200] {
         let valid = uniform(n as u64, n, 0.8);
         let mut finder = F::default();
@@ -37,15 +32,12 @@ where
 }
 
 /// Checks that the finder refuses the boxes for what is wrong with the one at `index`.
-fn refuses<F, R, const D: usize>(
+fn refuses<F: PairFinder<R, D>, R: Number, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],
     index: usize,
     reason: InvalidInputReason,
-) where
-    F: PairFinder<R, D>,
-    R: Number,
-{
+) {
     let mut pairs = JUNK.to_vec();
     let error = finder
         .find_pairs(boxes, &mut pairs)
@@ -55,42 +47,37 @@ fn refuses<F, R, const D: usize>(
     assert!(pairs.is_empty(), "pairs were left after an error: {bad:?}");
 }
 
-/// Everything that can be wrong with a box, on each axis, with a name.
+/// Everything that can be wrong with a box, on each axis, and why.
 fn invalid_versions<R: Number, const D: usize>(
     valid: Aabb<R, D>,
 ) -> Vec<(Aabb<R, D>, InvalidInputReason)> {
-    let nan = R::from_f64(f64::NAN);
-    let negative_nan = R::from_f64(-f64::NAN);
+    let numbers = [f64::NAN, -f64::NAN, f64::NEG_INFINITY, f64::INFINITY, 0.0];
+    let [nan, negative_nan, below, above, zero] = numbers.map(R::from_f64);
     let mut versions = Vec::new();
     for axis in 0..D {
-        let low = valid.mins[axis];
-        let sides = [
-            (nan, valid.maxs[axis], NotANumber { axis }),
-            (low, nan, NotANumber { axis }),
-            (negative_nan, valid.maxs[axis], NotANumber { axis }),
-            (low, negative_nan, NotANumber { axis }),
-            (nan, nan, NotANumber { axis }),
-            (R::from_f64(f64::NEG_INFINITY), nan, NotANumber { axis }),
-            (nan, R::from_f64(f64::INFINITY), NotANumber { axis }),
-            (low + R::from_f64(1.0), low, Inverted { axis }),
-            (low, stepped(low, -1), Inverted { axis }),
-            (R::from_f64(f64::INFINITY), low, Inverted { axis }),
-            (low, R::from_f64(f64::NEG_INFINITY), Inverted { axis }),
-            (
-                R::from_f64(f64::INFINITY),
-                R::from_f64(f64::NEG_INFINITY),
-                Inverted { axis },
-            ),
-            (
-                R::from_f64(0.0).successor(),
-                R::from_f64(0.0),
-                Inverted { axis },
-            ),
+        let (low, high) = (valid.mins[axis], valid.maxs[axis]);
+        let no_numbers = [
+            (nan, high),
+            (low, nan),
+            (negative_nan, high),
+            (low, negative_nan),
+            (nan, nan),
+            (below, nan),
+            (nan, above),
         ];
-        for (low, high, reason) in sides {
+        let inverted = [
+            (low + R::from_f64(1.0), low),
+            (low, stepped(low, -1)),
+            (above, low),
+            (low, below),
+            (above, below),
+            (zero.successor(), zero),
+        ];
+        let no_numbers = no_numbers.map(|sides| (sides, NotANumber { axis }));
+        let inverted = inverted.map(|sides| (sides, Inverted { axis }));
+        for (sides, reason) in no_numbers.into_iter().chain(inverted) {
             let mut version = valid;
-            version.mins[axis] = low;
-            version.maxs[axis] = high;
+            (version.mins[axis], version.maxs[axis]) = sides;
             versions.push((version, reason));
             // Being flat on the others is valid.
             for other in (0..D).filter(|&other| other != axis) {

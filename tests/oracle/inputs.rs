@@ -1,32 +1,31 @@
-//! The named inputs, in families. Each family is a test of its own in every instantiation of the suite.
+//! The named inputs, in families, those at the limits of numbers in `limits`. Each family is a test of its own in every instantiation of the suite.
 //!
 //! Lists are a few hundred boxes long, since the oracle looks at every pair.
 
-use crate::numbers::Number;
-use unisize::Aabb;
+use core::array::from_fn;
 
-use crate::limits::{self, Side};
-use crate::numbers;
-use crate::order;
-use crate::placement::{self, Meet};
-use crate::shapes;
+use crate::boxes::{self, list, scattered, uniform};
+pub(crate) use crate::limits::{
+    denormals, extremes, far_from_origin, infinite, neighbours, scales, signed_zeros, strays,
+};
+use crate::numbers::{Number, stepped};
+use crate::random::Random;
+use unisize::Aabb;
 
 /// A list of boxes with its name in a report.
 pub(crate) struct Input<R, const D: usize> {
-    /// What kind of boxes these are.
     pub(crate) name: String,
-    /// The boxes.
     pub(crate) boxes: Vec<Aabb<R, D>>,
 }
 
 /// All the inputs of one kind.
-type Family<R, const D: usize> = Vec<Input<R, D>>;
+pub(crate) type Family<R, const D: usize> = Vec<Input<R, D>>;
 
 /// Hands the name of every family, after the tokens given, to another macro.
 macro_rules! for_every_family {
     ($then:ident $tokens:tt) => {
         $then! { $tokens
-            uniform clustered coincident touching lines columns planes diagonals points_and_flat scales
+            uniform_boxes clustered coincident touching lines columns planes diagonals points_and_flat scales
             far_from_origin strays infinite mixed_sizes needles plates signed_zeros denormals extremes
             neighbours counts sorted ties everything_together
         }
@@ -42,338 +41,270 @@ pub(crate) fn all<R: Number, const D: usize>() -> Family<R, D> {
     for_every_family!(concatenated [])
 }
 
-fn input<R, const D: usize>(name: impl Into<String>, boxes: Vec<Aabb<R, D>>) -> Input<R, D> {
-    Input {
-        name: name.into(),
-        boxes,
-    }
+pub(crate) fn input<R, const D: usize>(
+    name: impl Into<String>,
+    boxes: Vec<Aabb<R, D>>,
+) -> Input<R, D> {
+    let name = name.into();
+    Input { name, boxes }
 }
 
-/// Unit boxes anywhere, from lonely to crowded.
-pub(crate) fn uniform<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family = Vec::new();
-    for density in [0.01, 0.1, 0.3, 0.8, 1.5, 3.0] {
-        for n in [100, 1000] {
-            family.push(input(
-                format!("uniform, n = {n}, density {density}"),
-                placement::uniform(n as u64, n, density),
-            ));
-        }
-    }
-    family.push(input("uniform, n = 3000", placement::uniform(1, 3000, 0.5)));
-    family
-}
-
-/// Dense heaps with nothing between them.
-pub(crate) fn clustered<R: Number, const D: usize>() -> Family<R, D> {
-    [10.0, 1e3, 1e6]
-        .map(|distance| {
-            input(
-                format!("100 clusters {distance:e} apart"),
-                placement::clustered(2, 100, 8, distance),
-            )
-        })
-        .into()
-}
-
-/// The same box many times.
-pub(crate) fn coincident<R: Number, const D: usize>() -> Family<R, D> {
-    [(300, 1), (150, 2), (3, 100)]
-        .map(|(n, stacks)| {
-            input(
-                format!("{n} boxes in each of {stacks} stacks"),
-                placement::coincident(n, stacks),
-            )
-        })
-        .into()
-}
-
-/// Boxes side by side that share faces, edges and corners, or miss by one unit in the last place.
-pub(crate) fn touching<R: Number, const D: usize>() -> Family<R, D> {
-    let per_axis = if D == 2 { 24 } else { 8 };
-    let mut family = Vec::new();
-    for pitch in [1.0, 0.1, 3.7] {
-        for meet in [Meet::Exactly, Meet::Short, Meet::Over, Meet::Jittered] {
-            family.push(input(
-                format!("lattice, pitch {pitch}, meeting {meet:?}"),
-                placement::lattice(3, per_axis, pitch, meet),
-            ));
-        }
-    }
-    family
+/// An input of each of these.
+pub(crate) fn each<T: Copy, R, const D: usize>(
+    of: impl IntoIterator<Item = T>,
+    name: impl Fn(T) -> String,
+    boxes: impl Fn(T) -> Vec<Aabb<R, D>>,
+) -> Family<R, D> {
+    let of = of.into_iter();
+    of.map(|it| input(name(it), boxes(it))).collect()
 }
 
 /// One input for each axis.
 fn per_axis<R, const D: usize>(
     name: &str,
     boxes: impl Fn(usize) -> Vec<Aabb<R, D>>,
-) -> impl Iterator<Item = Input<R, D>> {
-    (0..D).map(move |axis| input(format!("{name}, axis {axis}"), boxes(axis)))
+) -> Family<R, D> {
+    each(0..D, |axis| format!("{name}, axis {axis}"), boxes)
+}
+
+/// Unit boxes anywhere, from lonely to crowded.
+pub(crate) fn uniform_boxes<R: Number, const D: usize>() -> Family<R, D> {
+    let densities = [0.01, 0.1, 0.3, 0.8, 1.5, 3.0];
+    let pairs = densities.into_iter().flat_map(|it| [(100, it), (1000, it)]);
+    each(
+        pairs.chain([(3000, 0.5)]),
+        |(n, density)| format!("uniform, n = {n}, density {density}"),
+        |(n, density)| uniform(n as u64, n, density),
+    )
+}
+
+/// Dense heaps with nothing between them.
+pub(crate) fn clustered<R: Number, const D: usize>() -> Family<R, D> {
+    each(
+        [10.0, 1e3, 1e6],
+        |distance| format!("100 clusters {distance:e} apart"),
+        |distance| boxes::clustered(2, 100, distance),
+    )
+}
+
+/// The same box many times.
+pub(crate) fn coincident<R: Number, const D: usize>() -> Family<R, D> {
+    each(
+        [(300, 1), (150, 2), (3, 100)],
+        |(n, stacks)| format!("{n} boxes in each of {stacks} stacks"),
+        |(n, stacks)| boxes::coincident(n, stacks),
+    )
+}
+
+/// Boxes side by side that share faces, edges and corners, or miss or overlap by one unit in the last place, or by random ones. Both sides
+/// of a face are computed in the same way, so that they are equal for any pitch.
+pub(crate) fn touching<R: Number, const D: usize>() -> Family<R, D> {
+    let count = if D == 2 { 24_usize } else { 8 };
+    let lattice = |(pitch, ulps): (f64, Option<i32>)| {
+        let mut random = Random::new(3);
+        let side = |cell: i64, ulps| stepped(R::from_f64(cell as f64 * pitch), ulps);
+        let cells = (0..count.pow(D as u32)).map(|i| {
+            boxes::between(from_fn(|k| {
+                let cell = (i / count.pow(k as u32) % count) as i64 - count as i64 / 2;
+                let jitter = [(); 2].map(|()| random.below(3) as i32 - 1);
+                let [low, high] = ulps.map_or(jitter, |ulps| [0, ulps]);
+                (side(cell, low), side(cell + 1, high))
+            }))
+        });
+        let mut boxes: Vec<_> = cells.collect();
+        random.shuffle(&mut boxes);
+        boxes
+    };
+    let pitches = [1.0, 0.1, 3.7].into_iter();
+    each(
+        pitches.flat_map(|pitch| [Some(0), Some(-1), Some(1), None].map(|ulps| (pitch, ulps))),
+        |(pitch, ulps)| format!("lattice, pitch {pitch}, meeting at {ulps:?} (or random) ulps"),
+        lattice,
+    )
 }
 
 /// Boxes on a line along each axis.
 pub(crate) fn lines<R: Number, const D: usize>() -> Family<R, D> {
-    per_axis("line", |axis| placement::on_line(4, 600, axis)).collect()
+    per_axis("line", |axis| boxes::on_line(4, 600, axis))
 }
 
-/// Boxes in a pile along each axis.
+/// Boxes in a pile along each axis, each nearly on its neighbour, moved a little on the other axes.
 pub(crate) fn columns<R: Number, const D: usize>() -> Family<R, D> {
-    per_axis("column", |axis| placement::in_column(5, 600, axis)).collect()
+    per_axis("column", |axis| {
+        list(5, 600, |random, i| {
+            let mut mins: [f64; D] = random.place(-0.1, 0.1);
+            mins[axis] += i as f64;
+            (mins, [1.0; D])
+        })
+    })
 }
 
 /// Boxes on a plane across each axis (in 2D, another line).
 pub(crate) fn planes<R: Number, const D: usize>() -> Family<R, D> {
-    per_axis("plane", |axis| placement::on_plane(6, 600, axis)).collect()
-}
-
-/// Boxes along each diagonal.
-pub(crate) fn diagonals<R: Number, const D: usize>() -> Family<R, D> {
-    (0..1 << (D - 1))
-        .map(|mirrored| {
-            input(
-                format!("diagonal, axes mirrored {mirrored:#b}"),
-                placement::on_diagonal(7, 600, mirrored),
-            )
+    let extent = 1200_f64.powf(1.0 / (D as f64 - 1.0));
+    per_axis("plane", |axis| {
+        list(6, 600, |random, _| {
+            let mut mins: [f64; D] = random.place(0.0, extent);
+            mins[axis] = -7.5;
+            (mins, [1.0; D])
         })
-        .collect()
+    })
 }
 
-/// Boxes without extent on all axes, or on one.
+/// Boxes along each diagonal; bit `k` of its number turns axis `k` round.
+pub(crate) fn diagonals<R: Number, const D: usize>() -> Family<R, D> {
+    let on_diagonal = |mirrored: usize| {
+        list(7, 600, |random, _| {
+            let along = random.between(-300.0, 300.0);
+            let is_turned = |k: usize| mirrored >> k & 1 == 1;
+            let mins = from_fn(|k| if is_turned(k) { -along } else { along });
+            (mins, [1.0; D])
+        })
+    };
+    let name = |mirrored| format!("diagonal, axes mirrored {mirrored:#b}");
+    each(0..1 << (D - 1), name, on_diagonal)
+}
+
+/// Boxes without extent on all axes, many of them in one place, or on one axis.
 pub(crate) fn points_and_flat<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family: Vec<_> = per_axis("flat", |axis| shapes::flat(8, 400, axis)).collect();
-    for extent in [1, 4, 20, 1000] {
-        family.push(input(
-            format!("points, {extent} per axis"),
-            shapes::points(9, 300, extent),
-        ));
-    }
-    family
-}
-
-/// Scenes of every magnitude, as they are and with a margin that is wide, narrow or nothing beside it.
-pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
-    let max = R::LARGEST.to_f64();
-    let mut family = Vec::new();
-    for scale in [4.0 / max, 1e-38, 1e-6, 1e-3, 1e3, 1e7, 1e30, 1e-8 * max] {
-        for margin in [0.0, 0.01] {
-            family.push(input(
-                format!("side {scale:e}, margin {margin}"),
-                limits::scaled(10, 400, scale, 0.0, margin),
-            ));
-        }
-    }
-    family
-}
-
-/// Unit boxes so far out that coordinates have few digits left for them, or none.
-pub(crate) fn far_from_origin<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family = Vec::new();
-    for offset in [1e5, -1e6, 1e7, -1e8, 1e15, 1e16, -1e30] {
-        for margin in [0.0, 0.01, 0.5] {
-            family.push(input(
-                format!("unit boxes at {offset:e}, margin {margin}"),
-                limits::scaled(11, 300, 1.0, offset, margin),
-            ));
-        }
-    }
-    family
-}
-
-/// One stray box far from the others, or much larger.
-pub(crate) fn strays<R: Number, const D: usize>() -> Family<R, D> {
-    let stray = |name: &str, at, side| input(name, limits::with_stray(12, 500, at, side));
-    let mut family = vec![
-        stray("stray unit box at 1e30", [1e30; D], 1.0),
-        stray("stray unit box at -1e30", [-1e30; D], 1.0),
-        stray("stray box of side 1e30 at 1e30", [1e30; D], 1e30),
-        stray("one box of side 2e30 around all", [-1e30; D], 2e30),
-        stray("one box of side 1e30 over one orthant", [0.0; D], 1e30),
-    ];
-    family.extend(per_axis("stray unit box at 1e30", |axis| {
-        let mut at = [0.0; D];
-        at[axis] = 1e30;
-        limits::with_stray(13, 500, at, 1.0)
-    }));
-    family
-}
-
-/// Boxes with sides at infinity, among unit boxes and alone.
-pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
-    use Side::{Above, AtNegative, AtPositive, Below, Everywhere, Finite};
-    let some_of: [(&str, &[Side]); 10] = [
-        ("whole spaces", &[Everywhere]),
-        ("orthants", &[Below, Above]),
-        ("orthants, all above", &[Above]),
-        ("orthants, all below", &[Below]),
-        ("half spaces and whole", &[Everywhere, Above, Below]),
-        ("half-infinite tubes", &[Finite, Above]),
-        ("boxes at infinity", &[AtPositive]),
-        ("boxes at negative infinity", &[AtNegative]),
-        ("boxes at some infinity", &[Finite, AtPositive, AtNegative]),
-        (
-            "boxes of every infinite kind",
-            &[Finite, Below, Above, Everywhere, AtPositive, AtNegative],
-        ),
-    ];
-    let mut family = Vec::new();
-    for (n, count) in [(300, 1), (300, 20), (0, 100)] {
-        for (name, sides) in some_of {
-            let boxes = limits::with_infinite(14, n, count, sides);
-            family.push(input(format!("{count} {name} among {n} unit boxes"), boxes));
-        }
-        let boxes = limits::with_slabs(15, n, count);
-        family.push(input(format!("{count} slabs among {n} unit boxes"), boxes));
-    }
+    let mut family = per_axis("flat", |axis| {
+        list(8, 400, |random, _| {
+            let mut mins: [f64; D] = random.place(0.0, 20.0);
+            let mut sides: [f64; D] = random.place(1.0, 2.0);
+            (mins[axis], sides[axis]) = (random.whole(-2, 2), 0.0);
+            (mins, sides)
+        })
+    });
+    family.extend(each(
+        [1, 4, 20, 1000],
+        |extent| format!("points, {extent} per axis"),
+        |extent| {
+            list(9, 300, |random, _| {
+                (from_fn(|_| random.whole(0, extent - 1)), [0.0; D])
+            })
+        },
+    ));
     family
 }
 
 /// Boxes of different sizes.
 pub(crate) fn mixed_sizes<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family = Vec::new();
-    for ratio in [1.5, 4.0, 100.0, 1000.0] {
-        let boxes = shapes::mixed_sizes(16, 800, ratio);
-        family.push(input(format!("sides from 1 to {ratio}"), boxes));
-    }
-    for decades in [2.0, 6.0, 30.0] {
-        let boxes = shapes::log_uniform_sizes(17, 800, decades);
-        family.push(input(format!("sides over {decades} decades"), boxes));
-    }
-    for (share, ratio) in [(0.01, 100.0), (0.01, 1e4), (0.5, 100.0)] {
-        let name = format!("a share of {share} that is {ratio} times as large");
-        family.push(input(name, shapes::few_large(18, 1000, share, ratio)));
-    }
-    for period in [2, 3, 4] {
-        family.push(input(
-            format!("one box in {period} 50 times as large, by turns"),
-            shapes::large_by_turns(32, 1200, period, 50.0),
-        ));
-    }
-    let mut boxes = placement::clustered(33, 60, 8, 1e6);
-    boxes.extend(shapes::mixed_sizes::<R, D>(34, 40, 1e6));
-    family.push(input(
-        "clusters 1e6 apart and boxes as large as that",
-        boxes,
+    let mut family = each(
+        [1.5, 4.0, 100.0, 1000.0],
+        |ratio| format!("sides from 1 to {ratio}"),
+        |ratio| boxes::mixed_sizes(16, 800, ratio),
+    );
+    family.extend(each(
+        [1.0, 3.0, 15.0],
+        |decades| format!("cubes of sides over {decades} decades above 1 and below"),
+        |decades| {
+            scattered(17, 0.5, 800, |random, _| {
+                [10_f64.powf(random.between(-decades, decades)); D]
+            })
+        },
     ));
+    family.extend(each(
+        [(0.01, 100.0), (0.01, 1e4), (0.5, 100.0)],
+        |(share, ratio)| format!("a share of {share} that is {ratio} times as large"),
+        |(share, ratio)| {
+            scattered(18, 1.0, 1000, |random, _| {
+                [if random.chance(share) { ratio } else { 1.0 }; D]
+            })
+        },
+    ));
+    // A sample that takes one box in every few sees only the large ones, or none.
+    family.extend(each(
+        [2, 3, 4],
+        |period| format!("one box in {period} 50 times as large, by turns"),
+        |period| {
+            scattered(32, 0.5, 1200, |_, i| {
+                [if i % period == 0 { 50.0 } else { 1.0 }; D]
+            })
+        },
+    ));
+    let mut boxes = boxes::clustered(33, 60, 1e6);
+    boxes.extend(boxes::mixed_sizes::<R, D>(34, 40, 1e6));
+    family.push(input("clusters and boxes as large as their gaps", boxes));
     family
 }
 
-/// Long thin boxes along each axis, and along all.
+/// Long thin boxes along each axis, and each along an axis of its own.
 pub(crate) fn needles<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family = Vec::new();
-    for density in [0.02, 0.3] {
-        let name = format!("needles, density {density}");
-        let along = |axis| shapes::needles(19, 500, axis, density);
-        family.extend(per_axis(&name, |axis| along(Some(axis))));
-        family.push(input(format!("{name}, mixed"), along(None)));
-    }
-    family
+    let axes = (0..D).map(Some).chain([None]);
+    each(
+        axes.flat_map(|axis| [(axis, 0.02), (axis, 0.3)]),
+        |(axis, density)| format!("needles, axis {axis:?}, density {density}"),
+        |(axis, density)| {
+            scattered(19, density, 500, |random, _| {
+                let long = axis.unwrap_or_else(|| random.below(D));
+                from_fn(|k| if k == long { 10.0 } else { 0.1 })
+            })
+        },
+    )
 }
 
 /// Wide plates piled along each axis: apart, touching, and in one another.
 pub(crate) fn plates<R: Number, const D: usize>() -> Family<R, D> {
-    let mut family = Vec::new();
-    for pitch in [1.25, 1.0, 0.25] {
-        family.extend(per_axis(&format!("plates, pitch {pitch}"), |axis| {
-            shapes::plates(20, 300, axis, pitch)
-        }));
-    }
-    family
-}
-
-/// Numbers that are equal but not identical: the two zeros.
-pub(crate) fn signed_zeros<R: Number, const D: usize>() -> Family<R, D> {
-    [2, 10, 200]
-        .map(|n| {
-            let boxes = limits::from_alphabet(21, n, &numbers::signed_zeros());
-            input(format!("{n} boxes from -1, -0, 0 and 1"), boxes)
-        })
-        .into()
-}
-
-/// Numbers too small to have their full precision.
-pub(crate) fn denormals<R: Number, const D: usize>() -> Family<R, D> {
-    let boxes = limits::from_alphabet(22, 200, &numbers::denormals());
-    vec![input("boxes of a few least positive numbers", boxes)]
-}
-
-/// Boxes whose sides overflow.
-pub(crate) fn extremes<R: Number, const D: usize>() -> Family<R, D> {
-    let boxes = limits::from_alphabet(23, 200, &numbers::extremes());
-    let mut among_others = placement::uniform(24, 200, 0.8);
-    among_others.extend_from_slice(&boxes[..20]);
-    vec![
-        input(
-            "boxes anywhere between the extremes",
-            limits::of_all_magnitudes(31, 400),
-        ),
-        input("boxes up to the greatest number", boxes),
-        input(
-            "unit boxes, then boxes up to the greatest number",
-            among_others,
-        ),
-    ]
-}
-
-/// Boxes that differ by a few units in the last place.
-pub(crate) fn neighbours<R: Number, const D: usize>() -> Family<R, D> {
-    [1.0, -1.0, 0.1, 3e-39, 65536.0, 1e7, 16_777_216.0, -1e30]
-        .map(|x| {
-            let boxes = limits::from_alphabet(25, 150, &numbers::neighbours(x));
-            input(
-                format!("boxes a few units in the last place around {x:e}"),
-                boxes,
-            )
-        })
-        .into()
+    each(
+        (0..D).flat_map(|axis| [1.25, 1.0, 0.25].map(|pitch| (axis, pitch))),
+        |(axis, pitch)| format!("plates, pitch {pitch}, axis {axis}"),
+        |(axis, pitch)| {
+            list(20, 300, |random, i| {
+                let mut mins: [f64; D] = random.place(-1.0, 1.0);
+                mins[axis] = pitch * i as f64;
+                (mins, from_fn(|k| if k == axis { 1.0 } else { 500.0 }))
+            })
+        },
+    )
 }
 
 /// List lengths around every power of two, where blocks, lanes and words end.
 pub(crate) fn counts<R: Number, const D: usize>() -> Family<R, D> {
     let around = |bits: u32| (1 << bits) - 1..=(1 << bits) + 1;
-    let mut family = Vec::new();
-    for n in (0..7).chain((3..=12).flat_map(around)) {
-        family.push(input(format!("n = {n}"), placement::uniform(26, n, 0.8)));
-        if n < 300 {
-            let boxes = placement::coincident(n, 1);
-            family.push(input(format!("n = {n}, coincident"), boxes));
-            let boxes = placement::on_line(27, n, n % D);
-            family.push(input(format!("n = {n}, line"), boxes));
-        }
-    }
+    let counts = || (0..7).chain((3..=12).flat_map(around));
+    let few = || counts().filter(|&n| n < 300);
+    let mut family = each(counts(), |n| format!("n = {n}"), |n| uniform(26, n, 0.8));
+    let name = |n| format!("n = {n}, coincident");
+    family.extend(each(few(), name, |n| boxes::coincident(n, 1)));
+    let name = |n| format!("n = {n}, line");
+    family.extend(each(few(), name, |n| boxes::on_line(27, n, n % D)));
     family
 }
 
-/// Lists that are already sorted, or in the worst order.
+/// Lists that are already sorted, in the worst order, or sorted but for a few neighbours, as happens from one frame to the next.
 pub(crate) fn sorted<R: Number, const D: usize>() -> Family<R, D> {
-    let boxes = placement::uniform(28, 500, 0.8);
-    let mut family: Vec<_> =
-        per_axis("sorted", |axis| order::sorted(boxes.clone(), axis)).collect();
+    let sorted = |axis| boxes::sorted(uniform(28, 500, 0.8), axis);
+    let mut family = per_axis("sorted", sorted);
     family.extend(per_axis("reversed", |axis| {
-        order::reversed(order::sorted(boxes.clone(), axis))
+        sorted(axis).into_iter().rev().collect()
     }));
     family.extend(per_axis("almost sorted", |axis| {
-        order::almost_sorted(boxes.clone(), axis)
+        let mut boxes = sorted(axis);
+        for pair in boxes.chunks_exact_mut(2).step_by(5) {
+            pair.swap(0, 1);
+        }
+        boxes
     }));
     family
 }
 
-/// Boxes with whole corners.
+/// Boxes with whole corners and sides of 0, 1 or 2: ties everywhere.
 pub(crate) fn ties<R: Number, const D: usize>() -> Family<R, D> {
-    [(200, 3), (600, 10), (600, 30), (600, 200)]
-        .map(|(n, extent)| {
-            let boxes = shapes::whole_corners(29, n, extent);
-            input(
-                format!("{n} boxes with corners of {extent} numbers per axis"),
-                boxes,
-            )
-        })
-        .into()
+    each(
+        [(200, 3), (600, 10), (600, 30), (600, 200)],
+        |(n, extent)| format!("{n} boxes with corners of {extent} numbers per axis"),
+        |(n, extent)| {
+            list(29, n, |random, _| {
+                let mins = from_fn(|_| random.whole(0, extent - 1));
+                (mins, from_fn(|_| random.whole(0, 2)))
+            })
+        },
+    )
 }
 
 /// A few of nearly everything in one list.
 pub(crate) fn everything_together<R: Number, const D: usize>() -> Family<R, D> {
-    let mut boxes = placement::uniform(30, 300, 0.8);
-    for family in [
+    let families = [
         clustered(),
         coincident(),
         touching(),
@@ -389,10 +320,10 @@ pub(crate) fn everything_together<R: Number, const D: usize>() -> Family<R, D> {
         denormals(),
         extremes(),
         neighbours(),
-    ] {
-        for input in family {
-            boxes.extend(input.boxes.iter().rev().take(5));
-        }
+    ];
+    let mut boxes = uniform(30, 300, 0.8);
+    for input in families.into_iter().flatten() {
+        boxes.extend(input.boxes.iter().rev().take(5));
     }
     vec![input("a few boxes of each input", boxes)]
 }

@@ -1,145 +1,129 @@
-//! The limits of numbers: generators at the limits of floating point, where a difference overflows, a margin
-//! rounds away, or two numbers are equal without being identical.
+//! Inputs at the limits of floating point, where a difference overflows, a margin rounds away, or two numbers are equal without being
+//! identical.
 
 use core::array::from_fn;
 
-use crate::numbers::Number;
-use unisize::Aabb;
-
-use crate::placement::uniform;
+use crate::boxes::Side::{Above, AtNegative, AtPositive, Below, Everywhere, Finite};
+use crate::boxes::{self, Side, uniform};
+use crate::inputs::{Family, each, input};
+use crate::numbers::{self, Number};
 use crate::random::Random;
 
-/// [`uniform`] boxes of density 0.8, side `scale`, moved by `offset` on every axis, loosened by `margin`.
-///
-/// Where `offset` is large the sides round, to 0 in the end, and so does the margin.
-pub(crate) fn scaled<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    scale: f64,
-    offset: f64,
-    margin: f64,
-) -> Vec<Aabb<R, D>> {
-    let [scale, offset, margin] = [scale, offset, margin].map(R::from_f64);
-    uniform(seed, n, 0.8)
-        .into_iter()
-        .map(|b: Aabb<R, D>| {
-            let moved = |x: R| x * scale + offset;
-            Aabb::new(b.mins.map(moved), b.maxs.map(moved)).loosened(margin)
-        })
-        .collect()
+/// Scenes of every magnitude, as they are and with a margin that is wide, narrow or nothing beside it.
+pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
+    let max = R::LARGEST.to_f64();
+    let scales = [4.0 / max, 1e-38, 1e-6, 1e-3, 1e3, 1e7, 1e30, 1e-8 * max].into_iter();
+    each(
+        scales.flat_map(|scale| [(scale, 0.0), (scale, 0.01)]),
+        |(scale, margin)| format!("side {scale:e}, margin {margin}"),
+        |(scale, margin)| boxes::scaled(10, 400, [scale, 0.0, margin]),
+    )
 }
 
-/// `n` unit boxes and one stray at `at`, `side` large, in the middle of the list.
-pub(crate) fn with_stray<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    at: [f64; D],
-    side: f64,
-) -> Vec<Aabb<R, D>> {
-    let mut boxes = uniform(seed, n, 0.8);
-    let mins = at.map(R::from_f64);
-    let stray = Aabb::new(mins, mins.map(|x| x + R::from_f64(side)));
-    boxes.insert(n / 2, stray);
-    boxes
+/// Unit boxes so far out that coordinates have few digits left for them, or none.
+pub(crate) fn far_from_origin<R: Number, const D: usize>() -> Family<R, D> {
+    let offsets = [1e5, -1e6, 1e7, -1e8, 1e15, 1e16, -1e30].into_iter();
+    each(
+        offsets.flat_map(|offset| [0.0, 0.01, 0.5].map(|margin| (offset, margin))),
+        |(offset, margin)| format!("unit boxes at {offset:e}, margin {margin}"),
+        |(offset, margin)| boxes::scaled(11, 300, [1.0, offset, margin]),
+    )
 }
 
-/// What a box does on one axis.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Side {
-    /// It is 1 long.
-    Finite,
-    /// It reaches to negative infinity.
-    Below,
-    /// It reaches to infinity.
-    Above,
-    /// It reaches to both.
-    Everywhere,
-    /// Both its sides are negative infinity.
-    AtNegative,
-    /// Both its sides are infinity.
-    AtPositive,
-}
-
-/// `n` unit boxes among which are `infinite` that do, on each axis, one of what `sides` lists, at random.
-pub(crate) fn with_infinite<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    infinite: usize,
-    sides: &[Side],
-) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
-    let mut boxes = uniform(seed + 1, n, 0.5);
-    boxes.extend((0..infinite).map(|_| {
-        infinite_box(
-            from_fn(|_| R::from_f64(random.between(-12.0, 12.0))),
-            from_fn(|_| random.pick(sides)),
-        )
+/// One stray box far from the others, or much larger, in the middle of the list.
+pub(crate) fn strays<R: Number, const D: usize>() -> Family<R, D> {
+    let stray = |(_, at, side): (&str, [f64; D], f64)| {
+        let mut boxes = uniform(12, 500, 0.8);
+        boxes.insert(250, boxes::sized(at, [side; D]));
+        boxes
+    };
+    let mut strays = vec![
+        ("unit box at 1e30", [1e30; D], 1.0),
+        ("unit box at -1e30", [-1e30; D], 1.0),
+        ("box of side 1e30 at 1e30", [1e30; D], 1e30),
+        ("box of side 2e30 around all", [-1e30; D], 2e30),
+        ("box of side 1e30 over one orthant", [0.0; D], 1e30),
+    ];
+    strays.extend((0..D).map(|axis| {
+        let at = from_fn(|k| if k == axis { 1e30 } else { 0.0 });
+        ("unit box at 1e30 on one axis", at, 1.0)
     }));
-    random.shuffle(&mut boxes);
-    boxes
+    each(strays, |(name, at, _)| format!("one {name}, {at:?}"), stray)
 }
 
-/// `n` unit boxes among which are `slabs`: infinite on every axis but one.
-pub(crate) fn with_slabs<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    slabs: usize,
-) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
-    let mut boxes = uniform(seed + 1, n, 0.5);
-    boxes.extend((0..slabs).map(|_| {
-        let mut sides = [Side::Everywhere; D];
-        sides[random.below(D)] = Side::Finite;
-        infinite_box(from_fn(|_| R::from_f64(random.between(-12.0, 12.0))), sides)
-    }));
-    random.shuffle(&mut boxes);
-    boxes
-}
-
-/// The box that does on each axis what `sides` says, at the corner `at`.
-fn infinite_box<R: Number, const D: usize>(at: [R; D], sides: [Side; D]) -> Aabb<R, D> {
-    let ends: [(R, R); D] = from_fn(|k| match sides[k] {
-        Side::Finite => (at[k], at[k] + R::from_f64(1.0)),
-        Side::Below => (R::from_f64(f64::NEG_INFINITY), at[k]),
-        Side::Above => (at[k], R::from_f64(f64::INFINITY)),
-        Side::Everywhere => (R::from_f64(f64::NEG_INFINITY), R::from_f64(f64::INFINITY)),
-        Side::AtNegative => (
-            R::from_f64(f64::NEG_INFINITY),
-            R::from_f64(f64::NEG_INFINITY),
+/// Boxes with sides at infinity, among unit boxes and alone.
+pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
+    let some_of: [(&str, &[Side]); 10] = [
+        ("whole spaces", &[Everywhere]),
+        ("orthants", &[Below, Above]),
+        ("orthants, all above", &[Above]),
+        ("orthants, all below", &[Below]),
+        ("half spaces and whole", &[Everywhere, Above, Below]),
+        ("half-infinite tubes", &[Finite, Above]),
+        ("boxes at infinity", &[AtPositive]),
+        ("boxes at negative infinity", &[AtNegative]),
+        ("boxes at some infinity", &[Finite, AtPositive, AtNegative]),
+        (
+            "boxes of every infinite kind",
+            &[Finite, Below, Above, Everywhere, AtPositive, AtNegative],
         ),
-        Side::AtPositive => (R::from_f64(f64::INFINITY), R::from_f64(f64::INFINITY)),
-    });
-    Aabb::new(ends.map(|(low, _)| low), ends.map(|(_, high)| high))
+    ];
+    let mut family = Vec::new();
+    for (n, count) in [(300, 1), (300, 20), (0, 100)] {
+        for (name, sides) in some_of {
+            let boxes = boxes::with_infinite(n, count, |random| from_fn(|_| random.pick(sides)));
+            family.push(input(format!("{count} {name} among {n} unit boxes"), boxes));
+        }
+        // Infinite on every axis but one.
+        let boxes = boxes::with_infinite(n, count, |random| {
+            let finite = random.below(D);
+            from_fn(|k| if k == finite { Finite } else { Everywhere })
+        });
+        family.push(input(format!("{count} slabs among {n} unit boxes"), boxes));
+    }
+    family
 }
 
-/// `n` boxes with every coordinate one of `alphabet`, so that they meet exactly or not at all.
-pub(crate) fn from_alphabet<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    alphabet: &[R],
-) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
-    (0..n)
-        .map(|_| {
-            let ends: [(R, R); D] = from_fn(|_| {
-                let (a, b) = (random.pick(alphabet), random.pick(alphabet));
-                // Equal zeros of different sign are left in either order: `mins = +0, maxs = -0` is valid.
-                if a <= b { (a, b) } else { (b, a) }
-            });
-            Aabb::new(ends.map(|(low, _)| low), ends.map(|(_, high)| high))
-        })
-        .collect()
+/// Numbers that are equal but not identical: the two zeros.
+pub(crate) fn signed_zeros<R: Number, const D: usize>() -> Family<R, D> {
+    each(
+        [2, 10, 200],
+        |n| format!("{n} boxes from -1, -0, 0 and 1"),
+        |n| boxes::from_alphabet(21, n, &numbers::signed_zeros()),
+    )
 }
 
-/// `n` boxes whose coordinates are log-uniform over everything that is a number, and of either sign.
-pub(crate) fn of_all_magnitudes<R: Number, const D: usize>(seed: u64, n: usize) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
+/// Numbers too small to have their full precision.
+pub(crate) fn denormals<R: Number, const D: usize>() -> Family<R, D> {
+    let boxes = boxes::from_alphabet(22, 200, &numbers::denormals());
+    vec![input("boxes of a few least positive numbers", boxes)]
+}
+
+/// Boxes whose sides overflow, and boxes whose coordinates are log-uniform over all numbers, and of either sign.
+pub(crate) fn extremes<R: Number, const D: usize>() -> Family<R, D> {
+    let mut random = Random::new(31);
     let decades = R::LARGEST.to_f64().log10();
-    let numbers: Vec<R> = (0..2 * D * n)
-        .map(|_| {
-            let size = 10_f64.powf(random.between(-decades, decades));
-            R::from_f64(if random.chance(0.5) { -size } else { size })
-        })
-        .collect();
-    from_alphabet(seed, n, &numbers)
+    let mut number = || {
+        let size = 10_f64.powf(random.between(-decades, decades));
+        R::from_f64(if random.chance(0.5) { -size } else { size })
+    };
+    let numbers: Vec<R> = (0..800 * D).map(|_| number()).collect();
+    let boxes = boxes::from_alphabet(23, 200, &numbers::extremes());
+    let mut among_others = uniform(24, 200, 0.8);
+    among_others.extend_from_slice(&boxes[..20]);
+    let anywhere = boxes::from_alphabet(31, 400, &numbers);
+    vec![
+        input("boxes anywhere between the extremes", anywhere),
+        input("boxes up to the greatest number", boxes),
+        input("unit boxes, then up to the greatest number", among_others),
+    ]
+}
+
+/// Boxes that differ by a few units in the last place.
+pub(crate) fn neighbours<R: Number, const D: usize>() -> Family<R, D> {
+    each(
+        [1.0, -1.0, 0.1, 3e-39, 65536.0, 1e7, 16_777_216.0, -1e30],
+        |x| format!("boxes a few units in the last place around {x:e}"),
+        |x| boxes::from_alphabet(25, 150, &numbers::neighbours(x)),
+    )
 }

@@ -1,25 +1,24 @@
 //! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
 //!
-//! Inputs have names (`inputs`, with the generators that it draws from), so a failure says which kind of scene went
-//! wrong, and shows the fewest boxes found that still fail. `check` lists what must hold for every input, and `errors`
-//! what must be refused. `arbitrary` makes random inputs; raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs
-//! that the fuzzer has kept.
+//! Inputs have names (`inputs`, and `limits`, made of the lists of `boxes`), so a failure says which kind of scene went wrong, and shows
+//! the fewest boxes found that still fail. `check` lists what must hold for every input, `coherence` for inputs that
+//! hardly change from one to the next, and `errors` for inputs that must be refused. `arbitrary` makes random inputs;
+//! raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs that the fuzzer
+//! has kept.
 
 mod arbitrary;
+mod boxes;
 mod census;
 mod check;
+mod coherence;
 mod errors;
 mod fuzzed;
-mod guard;
 mod inputs;
 mod limits;
 mod numbers;
-mod order;
-mod placement;
+mod paper;
 mod random;
 mod replay;
-mod report;
-mod shapes;
 mod slabs;
 
 use slabs::InSlabs;
@@ -39,7 +38,12 @@ macro_rules! oracle_suite {
             }
 
             #[test]
-            fn invalid_inputes_are_refused() {
+            fn lists_that_hardly_change() {
+                coherence::check::<$finder, $real, $dim>();
+            }
+
+            #[test]
+            fn invalid_inputs_are_refused() {
                 errors::check::<$finder, $real, $dim>();
             }
 
@@ -63,40 +67,38 @@ macro_rules! test_family {
     };
 }
 
-oracle_suite!(brute_force_f32_2, BruteForce, f32, 2);
-oracle_suite!(brute_force_f32_3, BruteForce, f32, 3);
-oracle_suite!(brute_force_f64_2, BruteForce, f64, 2);
-oracle_suite!(brute_force_f64_3, BruteForce, f64, 3);
+/// The suite for a kernel in two and three dimensions and both scalars, and for whatever else is named.
+macro_rules! suites {
+    ($name:ident, $finder:ident $(, $more:ident $real:ty, $dim:literal)*) => {
+        mod $name {
+            use super::*;
 
-oracle_suite!(grid_sweep_f32_2, GridSweep<f32, 2>, f32, 2);
-oracle_suite!(grid_sweep_f32_3, GridSweep<f32, 3>, f32, 3);
-oracle_suite!(grid_sweep_f64_2, GridSweep<f64, 2>, f64, 2);
-oracle_suite!(grid_sweep_f64_3, GridSweep<f64, 3>, f64, 3);
+            oracle_suite!(f32_2, $finder<f32, 2>, f32, 2);
+            oracle_suite!(f32_3, $finder<f32, 3>, f32, 3);
+            oracle_suite!(f64_2, $finder<f64, 2>, f64, 2);
+            oracle_suite!(f64_3, $finder<f64, 3>, f64, 3);
+            $(oracle_suite!($more, $finder<$real, $dim>, $real, $dim);)*
+        }
+    };
+}
 
-oracle_suite!(grid_sweep_in_slabs_f32_2, InSlabs<f32, 2>, f32, 2);
-oracle_suite!(grid_sweep_in_slabs_f32_3, InSlabs<f32, 3>, f32, 3);
-oracle_suite!(grid_sweep_in_slabs_f64_2, InSlabs<f64, 2>, f64, 2);
-oracle_suite!(grid_sweep_in_slabs_f64_3, InSlabs<f64, 3>, f64, 3);
+mod brute_force {
+    use super::*;
 
-// Unusual dimensions, but allowed ones.
-oracle_suite!(grid_sweep_f32_1, GridSweep<f32, 1>, f32, 1);
-oracle_suite!(grid_sweep_f64_4, GridSweep<f64, 4>, f64, 4);
+    oracle_suite!(f32_2, BruteForce, f32, 2);
+    oracle_suite!(f32_3, BruteForce, f32, 3);
+    oracle_suite!(f64_2, BruteForce, f64, 2);
+    oracle_suite!(f64_3, BruteForce, f64, 3);
+}
 
-oracle_suite!(rank_sweep_f32_2, RankSweep<f32, 2>, f32, 2);
-oracle_suite!(rank_sweep_f32_3, RankSweep<f32, 3>, f32, 3);
-oracle_suite!(rank_sweep_f64_2, RankSweep<f64, 2>, f64, 2);
-oracle_suite!(rank_sweep_f64_3, RankSweep<f64, 3>, f64, 3);
+// One dimension and four are unusual, but allowed.
+suites!(grid_sweep, GridSweep, f32_1 f32, 1, f64_4 f64, 4);
+suites!(grid_sweep_in_slabs, InSlabs);
+suites!(rank_sweep, RankSweep);
 
 mod references {
     use super::*;
     use unisize_reference::SweepAndPrune;
 
-    oracle_suite!(sweep_and_prune_f32_2, SweepAndPrune<f32, 2>, f32, 2);
-    oracle_suite!(sweep_and_prune_f32_3, SweepAndPrune<f32, 3>, f32, 3);
-    oracle_suite!(sweep_and_prune_f64_2, SweepAndPrune<f64, 2>, f64, 2);
-    oracle_suite!(sweep_and_prune_f64_3, SweepAndPrune<f64, 3>, f64, 3);
-
-    // Unusual for these as well.
-    oracle_suite!(sweep_and_prune_f32_1, SweepAndPrune<f32, 1>, f32, 1);
-    oracle_suite!(sweep_and_prune_f64_4, SweepAndPrune<f64, 4>, f64, 4);
+    suites!(sweep_and_prune, SweepAndPrune, f32_1 f32, 1, f64_4 f64, 4);
 }

@@ -16,6 +16,11 @@ impl Random {
         low + (high - low) * self.0.rand_float()
     }
 
+    /// Numbers in `low..high`.
+    pub(crate) fn place<const D: usize>(&mut self, low: f64, high: f64) -> [f64; D] {
+        [(); D].map(|()| self.between(low, high))
+    }
+
     /// A whole number in `0..count`.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         self.0.rand_range(0..count as u64) as usize

@@ -1,121 +1,50 @@
-//! The suite in each flavour of Rapier, with what depends on its version. The fuzzer compiles this file as well.
+//! The suite in each flavour of Rapier whose feature is on, with what depends on its version. The fuzzer compiles this file as well.
 
-#[path = "."]
-pub(crate) mod dim2 {
-    use rapier2d as rapier;
-    use unisize::rapier2d_027::{Kernel, Settings, UnisizeBroadPhase};
+#[path = "../flavours/mod.rs"]
+#[macro_use]
+mod flavours;
 
-    #[cfg(test)]
-    #[path = "plane.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_027/mod.rs"]
-    mod version;
+use crate::ops::Sequence;
 
-    pub(crate) use suite::play;
+#[allow(unused_macros)]
+macro_rules! flavour {
+    ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
+        #[path = "."]
+        mod $name {
+            use unisize::$unisize::{Kernel, Settings, UnisizeBroadPhase};
+            use $rapier as rapier;
+
+            #[path = $dim]
+            mod dim;
+            pub(super) mod suite;
+            #[path = $version]
+            mod version;
+        }
+    };
 }
 
-#[path = "."]
-pub(crate) mod dim3 {
-    use rapier3d as rapier;
-    use unisize::rapier3d_027::{Kernel, Settings, UnisizeBroadPhase};
+for_each_027!(flavour);
+for_each_036!(flavour);
 
-    #[cfg(test)]
-    #[path = "space.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_027/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim2_f64 {
-    use rapier2d_f64 as rapier;
-    use unisize::rapier2d_f64_027::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "plane.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_027/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim3_f64 {
-    use rapier3d_f64 as rapier;
-    use unisize::rapier3d_f64_027::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "space.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_027/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim2_036 {
-    use rapier2d_036 as rapier;
-    use unisize::rapier2d_036::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "plane.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_036/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim3_036 {
-    use rapier3d_036 as rapier;
-    use unisize::rapier3d_036::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "space.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_036/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim2_f64_036 {
-    use rapier2d_f64_036 as rapier;
-    use unisize::rapier2d_f64_036::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "plane.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_036/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
-}
-
-#[path = "."]
-pub(crate) mod dim3_f64_036 {
-    use rapier3d_f64_036 as rapier;
-    use unisize::rapier3d_f64_036::{Kernel, Settings, UnisizeBroadPhase};
-
-    #[cfg(test)]
-    #[path = "space.rs"]
-    mod solids;
-    mod suite;
-    #[path = "rapier_036/mod.rs"]
-    mod version;
-
-    pub(crate) use suite::play;
+/// Plays a sequence with lists made by hand and one of the kernels, in one of the eight flavours, if its feature is on.
+pub(crate) fn play(sequence: &Sequence, flavour: usize, kernel: usize) {
+    match flavour {
+        #[cfg(feature = "rapier2d-027")]
+        0 => dim2::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier3d-027")]
+        1 => dim3::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier2d-f64-027")]
+        2 => dim2_f64::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier3d-f64-027")]
+        3 => dim3_f64::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier2d-036")]
+        4 => dim2_036::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier3d-036")]
+        5 => dim3_036::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier2d-f64-036")]
+        6 => dim2_f64_036::suite::play(sequence, kernel),
+        #[cfg(feature = "rapier3d-f64-036")]
+        7 => dim3_f64_036::suite::play(sequence, kernel),
+        _ => {}
+    }
 }

@@ -6,9 +6,7 @@
 
 use arbitrary::{Result, Unstructured};
 
-use crate::flavours::{
-    dim2, dim2_036, dim2_f64, dim2_f64_036, dim3, dim3_036, dim3_f64, dim3_f64_036,
-};
+use crate::flavours;
 use crate::ops::{
     ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
     List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape,
@@ -31,17 +29,7 @@ pub(crate) fn play(bytes: &[u8]) {
     let Ok((way, sequence)) = bytes.way_and_sequence() else {
         return;
     };
-    let kernel = way / 8;
-    match way % 8 {
-        0 => dim2::play(&sequence, kernel),
-        1 => dim3::play(&sequence, kernel),
-        2 => dim2_f64::play(&sequence, kernel),
-        3 => dim3_f64::play(&sequence, kernel),
-        4 => dim2_036::play(&sequence, kernel),
-        5 => dim3_036::play(&sequence, kernel),
-        6 => dim2_f64_036::play(&sequence, kernel),
-        _ => dim3_f64_036::play(&sequence, kernel),
-    }
+    flavours::play(&sequence, way % 8, way / 8);
 }
 
 struct Bytes<'a>(Unstructured<'a>);
@@ -153,11 +141,8 @@ impl Bytes<'_> {
     }
 
     fn triple(&mut self, lengths: &[f32]) -> Result<Triple> {
-        Ok([
-            self.one_of(lengths)?,
-            self.one_of(lengths)?,
-            self.one_of(lengths)?,
-        ])
+        let mut one = || self.one_of(lengths);
+        Ok([one()?, one()?, one()?])
     }
 
     fn pick(&mut self) -> Result<Pick> {
@@ -165,11 +150,8 @@ impl Bytes<'_> {
     }
 
     fn other_pick(&mut self) -> Result<Option<Pick>> {
-        Ok(if self.flag()? {
-            Some(self.pick()?)
-        } else {
-            None
-        })
+        let is_some = self.flag()?;
+        is_some.then(|| self.pick()).transpose()
     }
 
     fn list(&mut self) -> Result<List> {

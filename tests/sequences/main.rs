@@ -10,6 +10,7 @@
 //!
 //! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` is
 //! what the fuzzer plays, and `replay` plays the inputs that the fuzzer has kept.
+#![cfg(feature = "_adapter")]
 
 // With this attribute, its modules are looked for beside it and not in a folder of its name.
 #[path = "flavours.rs"]
@@ -18,3 +19,17 @@ mod fuzzed;
 mod ops;
 mod replay;
 mod strategies;
+
+// It does not look into macros.
+#[cfg(rustfmt)]
+mod dim2;
+#[cfg(rustfmt)]
+mod dim3;
+#[cfg(rustfmt)]
+mod pipelines;
+#[cfg(rustfmt)]
+mod rapier_027;
+#[cfg(rustfmt)]
+mod rapier_036;
+#[cfg(rustfmt)]
+mod suite;

@@ -19,7 +19,7 @@ macro_rules! flavour {
             mod only_036;
             #[path = "../../../tests/pipelines/suite/mod.rs"]
             mod suite;
-            #[path = "../../../tests/pipelines/version/rapier_036.rs"]
+            #[path = "../../../tests/pipelines/rapier_036.rs"]
             mod version;
         }
     };
@@ -30,28 +30,28 @@ flavour!(
     rapier2d_036,
     dim2_036,
     "dim2.rs",
-    "../../../tests/pipelines/dim2/mod.rs"
+    "../../../tests/pipelines/dim2.rs"
 );
 flavour!(
     rapier3d,
     rapier3d_036,
     dim3_036,
     "dim3.rs",
-    "../../../tests/pipelines/dim3/mod.rs"
+    "../../../tests/pipelines/dim3.rs"
 );
 flavour!(
     rapier2d_f64,
     rapier2d_f64_036,
     dim2_f64_036,
     "dim2.rs",
-    "../../../tests/pipelines/dim2/mod.rs"
+    "../../../tests/pipelines/dim2.rs"
 );
 flavour!(
     rapier3d_f64,
     rapier3d_f64_036,
     dim3_f64_036,
     "dim3.rs",
-    "../../../tests/pipelines/dim3/mod.rs"
+    "../../../tests/pipelines/dim3.rs"
 );
 
 // It does not look into macros.

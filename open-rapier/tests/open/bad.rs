@@ -8,10 +8,10 @@ use crate::seam::EDITS;
 /// Runs with `--write`, and makes sure that neither copies nor the manifest were touched.
 #[track_caller]
 fn refused(fixture: &Fixture) -> Outcome {
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     let before = fixture.state("project/copies");
     let outcome = fixture.run(&["--write"]);
-    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    fixture.check_manifest(&manifest);
     assert!(fixture.state("project/copies") == before);
     outcome
 }
@@ -100,14 +100,14 @@ fn a_fork() {
     for (uses, refuses) in [("rapier3d", true), ("rapier3d-f64", false)] {
         let fixture = Fixture::new(&[("rapier2d", "0.36.1"), (uses, "0.36.1")]);
         fixture.fork("0.36.1");
-        let manifest = fixture.read("project/Cargo.toml");
+        let manifest = fixture.manifest();
         let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
-        fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+        fixture.write_manifest(&format!("{manifest}\n{patch}"));
         if refuses {
             refused(&fixture).bad(&["rapier3d", "fork", "only that can be opened"]);
         } else {
             fixture.run(&["--write"]).good();
-            assert!(fixture.folder_of("rapier2d").ends_with("copies/rapier2d"));
+            fixture.check_folder("rapier2d", "copies/rapier2d");
         }
     }
 }
@@ -115,7 +115,7 @@ fn a_fork() {
 #[test]
 fn a_fork_of_another_patch_release() {
     let fixture = Fixture::new(BOTH);
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     fixture.fork("0.36.4");
     let patch = "[patch.crates-io]\nrapier3d.path = \"../fork\"\n";
     // Cargo takes it at once, or not until an update.
@@ -124,7 +124,7 @@ fn a_fork_of_another_patch_release() {
         ("=0.36.1", ["rapier3d is patched", "0.36.4"]),
     ] {
         let manifest = manifest.replace("=0.36.1", version);
-        fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+        fixture.write_manifest(&format!("{manifest}\n{patch}"));
         let outcome = refused(&fixture);
         assert!(outcome.stderr.contains("only that can be opened"));
         outcome.bad(&words);
@@ -134,13 +134,10 @@ fn a_fork_of_another_patch_release() {
 /// A workspace without a package of its own, and its one member.
 fn workspace(lines: &str) -> Fixture {
     let fixture = Fixture::new(BOTH);
-    let member = fixture.read("project/Cargo.toml");
+    let member = fixture.manifest();
     fixture.write("project/crates/game/Cargo.toml", &member);
     fixture.write("project/crates/game/src/lib.rs", "");
-    fixture.write(
-        "project/Cargo.toml",
-        &format!("[workspace]\nresolver = \"3\"\n{lines}\n"),
-    );
+    fixture.write_manifest(&format!("[workspace]\nresolver = \"3\"\n{lines}\n"));
     fixture
 }
 
@@ -168,13 +165,13 @@ fn copies_that_would_be_members() {
         ),
     ] {
         let fixture = workspace(lines);
-        let manifest = fixture.read("project/Cargo.toml");
+        let manifest = fixture.manifest();
         for options in [&["--out", out, "--write"][..], &["--out", out]] {
             fixture.run_in("project", options).bad(&words);
         }
         assert!(!fixture.path("project/crates/opened").exists());
         assert!(!fixture.path("project/crates/rapier2d").exists());
-        assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+        fixture.check_manifest(&manifest);
     }
 }
 
@@ -185,26 +182,22 @@ fn copies_that_are_members() {
     let options = ["--out", "crates/opened", "--write"];
     for _ in 0..2 {
         fixture.run_in("project", &options).good();
-        assert!(
-            fixture
-                .folder_of("rapier3d")
-                .ends_with("crates/opened/rapier3d")
-        );
+        fixture.check_folder("rapier3d", "crates/opened/rapier3d");
     }
     // By a list, without which nothing was made; and as the dependency of a member.
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     let lists = manifest.replace(excluded, "members = [\"crates/game\", \"crates/opened/*\"]");
-    fixture.write("project/Cargo.toml", &lists);
+    fixture.write_manifest(&lists);
     let words = ["\"crates/opened/*\" of `members`", "rapier2d"];
     fixture.run_in("project", &options).bad(&words);
-    assert_eq!(fixture.read("project/Cargo.toml"), lists);
+    fixture.check_manifest(&lists);
 
     let fixture = Fixture::new(BOTH);
     fixture.run(&[]).good();
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     let manifest = manifest.replace("3d = \"=0.36.1\"", "3d.path = \"copies/rapier3d\"");
-    fixture.write("project/Cargo.toml", &manifest);
+    fixture.write_manifest(&manifest);
     fixture.run(&["--check"]).good();
-    fixture.write("project/Cargo.toml", &format!("{manifest}\n[workspace]\n"));
+    fixture.write_manifest(&format!("{manifest}\n[workspace]\n"));
     refused(&fixture).bad(&["copies/rapier3d is a member of the workspace", "`exclude`"]);
 }

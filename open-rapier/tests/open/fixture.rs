@@ -38,11 +38,8 @@ impl Outcome {
     pub(crate) fn bad(self, words: &[&str]) {
         assert!(!self.success, "{self:?}");
         for word in words {
-            assert!(
-                self.stderr.contains(word),
-                "no {word:?} in: {}",
-                self.stderr
-            );
+            let stderr = &self.stderr;
+            assert!(stderr.contains(word), "no {word:?} in: {stderr}");
         }
     }
 }
@@ -97,11 +94,39 @@ impl Fixture {
         }
     }
 
+    /// Another package, in a folder beside the project.
+    pub(crate) fn package(&self, folder: &str, name: &str, version: &str) {
+        let lines = format!("name = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n");
+        self.write(
+            &format!("{folder}/Cargo.toml"),
+            &format!("[package]\n{lines}"),
+        );
+        self.write(&format!("{folder}/src/lib.rs"), "");
+    }
+
     /// Somebody else's rapier3d, beside the project.
     pub(crate) fn fork(&self, version: &str) {
-        let package = format!("name = \"rapier3d\"\nversion = \"{version}\"\nedition = \"2024\"\n");
-        self.write("fork/Cargo.toml", &format!("[package]\n{package}"));
-        self.write("fork/src/lib.rs", "");
+        self.package("fork", "rapier3d", version);
+    }
+
+    pub(crate) fn manifest(&self) -> String {
+        self.read("project/Cargo.toml")
+    }
+
+    pub(crate) fn write_manifest(&self, contents: &str) {
+        self.write("project/Cargo.toml", contents);
+    }
+
+    #[track_caller]
+    pub(crate) fn check_manifest(&self, expected: &str) {
+        assert_eq!(self.manifest(), expected);
+    }
+
+    /// Checks from which folder Cargo takes a package of the project.
+    #[track_caller]
+    pub(crate) fn check_folder(&self, package: &str, folder: &str) {
+        let found = self.folders_of(package).remove(0);
+        assert!(found.ends_with(folder), "{package} is from {found:?}");
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -133,12 +158,7 @@ impl Fixture {
         outcome(command.current_dir(self.path(folder)))
     }
 
-    /// The folder from which Cargo takes a package of the project.
-    pub(crate) fn folder_of(&self, package: &str) -> PathBuf {
-        self.folders_of(package).remove(0)
-    }
-
-    /// The folders of all its versions.
+    /// The folders from which Cargo takes all versions of a package of the project.
     pub(crate) fn folders_of(&self, package: &str) -> Vec<PathBuf> {
         let mut command = cargo_metadata::MetadataCommand::new();
         let metadata = command
@@ -159,12 +179,8 @@ impl Fixture {
             .into_iter()
             .filter_map(Result::ok);
         let files = files.filter(|entry| !entry.file_type().is_dir());
-        let state = |path: &Path| {
-            (
-                fs::read(path).unwrap(),
-                fs::metadata(path).unwrap().modified().unwrap(),
-            )
-        };
+        let written = |path: &Path| fs::metadata(path).unwrap().modified().unwrap();
+        let state = |path: &Path| (fs::read(path).unwrap(), written(path));
         files
             .map(|entry| (entry.path().to_owned(), state(entry.path())))
             .collect()

@@ -10,9 +10,9 @@ const LINES: &str = "[patch.crates-io]\nrapier2d = { path = \"copies/rapier2d\" 
 #[test]
 fn copies_and_prints_the_lines() {
     let fixture = Fixture::new(BOTH);
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     assert_eq!(fixture.run(&[]).good(), LINES);
-    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    fixture.check_manifest(&manifest);
     for package in ["rapier2d", "rapier3d"] {
         let copy = format!("project/copies/{package}");
         for (name, contents, _) in FILES {
@@ -57,36 +57,22 @@ fn takes_what_the_project_uses() {
 fn writes_the_manifest_and_keeps_its_format() {
     let fixture = Fixture::new(BOTH);
     let odd = "# My game.\n[package]\nname   = 'game' # odd\nedition=\"2024\"\n\n\n[dependencies]\nrapier2d=\"0.36\"\n  rapier3d = { version = \"0.36.1\" }\n";
-    fixture.write("project/Cargo.toml", odd);
+    fixture.write_manifest(odd);
     assert_eq!(fixture.run(&["--write"]).good(), "");
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        format!("{odd}\n{LINES}")
-    );
-    assert!(
-        fixture
-            .folder_of("rapier3d")
-            .ends_with("project/copies/rapier3d")
-    );
+    fixture.check_manifest(&format!("{odd}\n{LINES}"));
+    fixture.check_folder("rapier3d", "project/copies/rapier3d");
 }
 
 #[test]
 fn adds_to_a_patch() {
     let fixture = Fixture::new(BOTH);
-    let manifest = fixture.read("project/Cargo.toml");
-    fixture.write(
-        "other/Cargo.toml",
-        "[package]\nname = \"other\"\nedition = \"2024\"\n",
-    );
-    fixture.write("other/src/lib.rs", "");
+    let manifest = fixture.manifest();
+    fixture.package("other", "other", "0.1.0");
     let patch = "\n[patch.crates-io] # mine\nother = { path = \"../other\" }\n";
-    fixture.write("project/Cargo.toml", &format!("{manifest}{patch}"));
+    fixture.write_manifest(&format!("{manifest}{patch}"));
     fixture.run(&["--write"]).good();
     let lines = LINES.split_once('\n').unwrap().1;
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        format!("{manifest}{patch}{lines}")
-    );
+    fixture.check_manifest(&format!("{manifest}{patch}{lines}"));
 }
 
 #[test]
@@ -94,7 +80,7 @@ fn changes_nothing_the_second_time() {
     let fixture = Fixture::new(BOTH);
     fixture.run(&["--write"]).good();
     // Cargo writes the lock file of the patched project.
-    fixture.folder_of("rapier3d");
+    fixture.folders_of("rapier3d");
     let state = fixture.state("project");
     fixture.run(&["--check"]).good();
     fixture.run(&["--write"]).good();
@@ -106,7 +92,7 @@ fn changes_nothing_the_second_time() {
 fn makes_copies_that_the_manifest_misses() {
     let fixture = Fixture::new(BOTH);
     fixture.run(&["--write"]).good();
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     fixture.remove("project/copies");
     fixture
         .run(&["--check"])
@@ -117,40 +103,29 @@ fn makes_copies_that_the_manifest_misses() {
     fixture.remove("project/copies/rapier3d");
     fixture.run(&["--write"]).good();
     fixture.run(&["--check"]).good();
-    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    fixture.check_manifest(&manifest);
 }
 
 #[test]
 fn follows_a_patch_by_another_name_or_in_the_configuration() {
     let fixture = Fixture::new(BOTH);
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     let patch =
         "[patch.crates-io]\nflat = { package = \"rapier2d\", path = \"./copies/rapier2d\" }\n";
-    fixture.write("project/Cargo.toml", &format!("{manifest}\n{patch}"));
+    fixture.write_manifest(&format!("{manifest}\n{patch}"));
     fixture.run(&["--write"]).good();
-    assert!(
-        fixture
-            .folder_of("rapier2d")
-            .ends_with("project/copies/rapier2d")
-    );
-    assert!(
-        fixture
-            .folder_of("rapier3d")
-            .ends_with("project/copies/rapier3d")
-    );
+    fixture.check_folder("rapier2d", "project/copies/rapier2d");
+    fixture.check_folder("rapier3d", "project/copies/rapier3d");
     fixture.run(&["--check"]).good();
 }
 
 #[test]
 fn patches_the_root_of_a_workspace() {
     let fixture = Fixture::new(BOTH);
-    let member = fixture.read("project/Cargo.toml");
+    let member = fixture.manifest();
     fixture.write("project/games/first/Cargo.toml", &member);
     fixture.write("project/games/first/src/lib.rs", "");
-    fixture.write(
-        "project/Cargo.toml",
-        "[workspace]\nresolver = \"3\"\nmembers = [\"games/*\"]\n",
-    );
+    fixture.write_manifest("[workspace]\nresolver = \"3\"\nmembers = [\"games/*\"]\n");
     fixture
         .run_in(
             "project/games/first",
@@ -183,7 +158,7 @@ fn patches_the_root_of_a_workspace() {
 #[test]
 fn keeps_line_ends_and_a_byte_order_mark() {
     let fixture = Fixture::new(BOTH);
-    let unix = fixture.read("project/Cargo.toml");
+    let unix = fixture.manifest();
     let windows = unix.replace('\n', "\r\n");
     for (manifest, end) in [
         (format!("\u{feff}{unix}"), "\n"),
@@ -192,19 +167,15 @@ fn keeps_line_ends_and_a_byte_order_mark() {
         (windows.trim_end().to_owned(), "\r\n"),
         (unix.replacen('\n', "\r\n", 2), "\n"),
     ] {
-        fixture.write("project/Cargo.toml", &manifest);
+        fixture.write_manifest(&manifest);
         fixture.run(&["--write"]).good();
-        let written = fixture.read("project/Cargo.toml");
+        let written = fixture.manifest();
         let added = written.strip_prefix(manifest.trim_end());
         assert_eq!(
             added.unwrap_or(&written),
             format!("\n\n{LINES}").replace('\n', end)
         );
-        assert!(
-            fixture
-                .folder_of("rapier3d")
-                .ends_with("project/copies/rapier3d")
-        );
+        fixture.check_folder("rapier3d", "project/copies/rapier3d");
     }
 
     // In the midst of a patch; and two entries that are not neighbours, when they are moved.
@@ -214,18 +185,11 @@ fn keeps_line_ends_and_a_byte_order_mark() {
             "{windows}\r\n[patch.crates-io]\r\nrapier2d = {{ path = \"{out}/rapier2d\" }} # flat\r\n# solid:\nrapier3d.path='{out}/rapier3d'\n{rest}"
         )
     };
-    fixture.write(
-        "other/Cargo.toml",
-        "[package]\nname = \"other\"\nedition = \"2024\"\n",
-    );
-    fixture.write("other/src/lib.rs", "");
-    fixture.write("project/Cargo.toml", &entries("copies"));
+    fixture.package("other", "other", "0.1.0");
+    fixture.write_manifest(&entries("copies"));
     let options = ["--out", "copy", "--write"];
     fixture.run_in("project", &options).good();
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        entries("copy").replace("'copy/rapier3d'", "\"copy/rapier3d\"")
-    );
+    fixture.check_manifest(&entries("copy").replace("'copy/rapier3d'", "\"copy/rapier3d\""));
 }
 
 #[test]
@@ -234,16 +198,13 @@ fn goes_beside_a_fork_of_another_version() {
     fixture.fork("0.27.3");
     let old = "old = { package = \"rapier3d\", version = \"0.27\" }\n";
     let patch = "\n[patch.crates-io]\nrapier3d = { path = \"../fork\" }\n";
-    let manifest = fixture.read("project/Cargo.toml") + old + patch;
-    fixture.write("project/Cargo.toml", &manifest);
+    let manifest = fixture.manifest() + old + patch;
+    fixture.write_manifest(&manifest);
     let line = "rapier3d-036 = { package = \"rapier3d\", path = \"copies/rapier3d\" }\n";
     let lines = format!("[patch.crates-io]\n{line}");
     assert_eq!(fixture.run(&[]).good(), lines);
     fixture.run(&["--write"]).good();
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        format!("{manifest}{line}")
-    );
+    fixture.check_manifest(&format!("{manifest}{line}"));
     let folders = fixture.folders_of("rapier3d");
     assert!(folders.iter().any(|folder| folder.ends_with("fork")));
     assert!(
@@ -260,22 +221,15 @@ fn goes_beside_a_fork_of_another_version() {
     assert!(fixture.state("project") == state);
     let options = ["--out", "elsewhere", "--write"];
     fixture.run_in("project", &options).good();
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        format!("{manifest}{}", line.replace("copies", "elsewhere"))
-    );
+    fixture.check_manifest(&format!(
+        "{manifest}{}",
+        line.replace("copies", "elsewhere")
+    ));
 
     // That key may be taken too.
     let taken = manifest.replace(patch, &format!("{patch}rapier3d-036 = \"1\"\n"));
-    fixture.write(
-        "project/Cargo.toml",
-        &taken.replace("\"1\"", "{ package = \"other\", path = \"../other\" }"),
-    );
-    fixture.write(
-        "other/Cargo.toml",
-        "[package]\nname = \"other\"\nedition = \"2024\"\n",
-    );
-    fixture.write("other/src/lib.rs", "");
+    fixture.write_manifest(&taken.replace("\"1\"", "{ package = \"other\", path = \"../other\" }"));
+    fixture.package("other", "other", "0.1.0");
     let lines = fixture.run(&[]).good();
     assert!(lines.contains("\nrapier3d-036-036 = { package = \"rapier3d\""));
 }
@@ -284,26 +238,19 @@ fn goes_beside_a_fork_of_another_version() {
 fn moves_to_another_folder() {
     let fixture = Fixture::new(BOTH);
     fixture.run(&["--write"]).good();
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     let copies = fixture.state("project/copies");
 
     let printed = fixture.run_in("project", &["--out", "elsewhere"]);
     assert!(printed.stderr.contains("the manifest takes rapier3d from"));
     assert_eq!(printed.good(), LINES.replace("copies", "elsewhere"));
-    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    fixture.check_manifest(&manifest);
 
     let written = fixture.run_in("project", &["--out", "elsewhere", "--write"]);
     assert!(written.stderr.contains("copies/rapier3d is left as it is"));
     written.good();
-    assert_eq!(
-        fixture.read("project/Cargo.toml"),
-        manifest.replace("copies", "elsewhere")
-    );
-    assert!(
-        fixture
-            .folder_of("rapier3d")
-            .ends_with("project/elsewhere/rapier3d")
-    );
+    fixture.check_manifest(&manifest.replace("copies", "elsewhere"));
+    fixture.check_folder("rapier3d", "project/elsewhere/rapier3d");
     assert!(fixture.state("project/copies") == copies);
     fixture
         .run_in("project", &["--out", "elsewhere", "--check"])
@@ -318,14 +265,14 @@ fn moves_to_another_folder() {
     }
     // And back.
     fixture.run(&["--write"]).good();
-    assert_eq!(fixture.read("project/Cargo.toml"), manifest);
+    fixture.check_manifest(&manifest);
 }
 
 #[cfg(unix)]
 #[test]
 fn writes_what_a_linked_manifest_leads_to() {
     let fixture = Fixture::new(BOTH);
-    let manifest = fixture.read("project/Cargo.toml");
+    let manifest = fixture.manifest();
     fs::create_dir(fixture.path("project/manifests")).unwrap();
     let (link, target) = ("project/Cargo.toml", "project/manifests/game.toml");
     fs::rename(fixture.path(link), fixture.path(target)).unwrap();
@@ -334,11 +281,7 @@ fn writes_what_a_linked_manifest_leads_to() {
         fixture.run(&["--write"]).good();
         assert!(fixture.path(link).is_symlink());
         assert_eq!(fixture.read(target), format!("{manifest}\n{LINES}"));
-        assert!(
-            fixture
-                .folder_of("rapier3d")
-                .ends_with("project/copies/rapier3d")
-        );
+        fixture.check_folder("rapier3d", "project/copies/rapier3d");
     }
     fixture.run(&["--check"]).good();
 }

@@ -1,6 +1,7 @@
 //! What the broad phase chooses by itself shows in its statistics, and its settings can fix it.
 
 use super::rapier::prelude::*;
+use super::twins::{Twins, at, cube, dynamic};
 use super::{Settings, UnisizeBroadPhase};
 
 /// Balls on a lattice in the plane of the first two axes that all move on, or one of them.
@@ -100,4 +101,20 @@ fn few_movers_are_a_layer_unless_there_are_to_be_none() {
     };
     assert_eq!(outcome_with(true), (1, 25));
     assert_eq!(outcome_with(false), (2, 0));
+}
+
+#[test]
+fn a_step_makes_two_updates() {
+    let mut twins = Twins::heavy();
+    twins.insert_floor();
+    let (body, _) = twins.insert(dynamic(0.0, 0.5), cube());
+    for step in 1..10 {
+        twins.step();
+        // There is nothing to list before the second step and after it.
+        assert_eq!(twins.unisize.stats().updates, step + 1);
+    }
+    twins.change_body(body, |body| body.set_linvel(at(1.0, 0.0), true));
+    twins.change_body(body, |body| body.set_translation(at(1.0, 0.5), true));
+    twins.step();
+    assert_eq!(twins.unisize.stats().updates, 12);
 }

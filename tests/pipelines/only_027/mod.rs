@@ -3,17 +3,13 @@
 #[cfg(feature = "_debug-render")]
 use super::hinge;
 use super::rapier;
-use super::suite::{snapshot, twins};
-use super::{PairFilter, Settings, Tee, UnisizeBroadPhase, World};
+use super::suite::twins;
+use super::{PairFilter, Settings, UnisizeBroadPhase, World};
 use super::{height_field, mesh_floor, spin, version};
 
-mod answers;
 mod choices;
 #[cfg(feature = "_debug-render")]
 mod debug_render;
 mod exchange;
 mod floors;
-mod inquiries;
-mod odd_updates;
 mod turning_casts;
-mod watched;

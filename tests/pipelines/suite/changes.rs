@@ -1,111 +1,75 @@
-//! What a user changes about a collider or body while it touches another.
+//! What a user changes about a collider or body while it touches another, and pairs that are left out because they can have no effect:
+//! with each filter, what can be seen is the same as with Rapier's own broad phase.
 
-use super::PairFilter;
 use super::rapier::prelude::*;
-use super::snapshot::Snapshot;
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
-use super::version::{self, pose};
+use super::version::{groups, pose};
+use super::{PairFilter, World};
 
-/// A cube on a fixed floor, touching it.
-struct Resting {
-    twins: Twins,
-    body: RigidBodyHandle,
-    cube: ColliderHandle,
-    floor_body: RigidBodyHandle,
-    floor: ColliderHandle,
+/// How many steps are made after each change.
+const STEPS: usize = 3;
+
+fn for_each_filter(test: impl Fn(Twins)) {
+    for filter in [
+        PairFilter::Off,
+        PairFilter::Bodies,
+        PairFilter::Groups,
+        PairFilter::Shapes,
+    ] {
+        test(Twins::with_filter(filter));
+    }
 }
 
-impl Resting {
-    fn with(filter: PairFilter) -> Self {
-        let mut twins = Twins::with_filter(filter);
+/// A body that stays awake.
+fn sleepless(x: Real) -> RigidBodyBuilder {
+    dynamic(x, 0.0).can_sleep(false)
+}
+
+/// The handles of a fixed floor, and of a cube that touches it.
+type Bodies = [RigidBodyHandle; 2];
+type Colliders = [ColliderHandle; 2];
+
+/// Makes a change that must end a contact, and, told that the two are to meet, one that must restore it.
+fn part_and_meet(removes: bool, change: impl Fn(&mut World, Bodies, Colliders, bool)) {
+    for_each_filter(|mut twins| {
         let (floor_body, floor) = twins.insert_floor();
         let (body, cube) = twins.insert(dynamic(0.0, 0.5), cube());
+        let (bodies, colliders) = ([floor_body, body], [floor, cube]);
         assert!(twins.steps(10).touches(cube, floor));
-        Self {
-            twins,
-            body,
-            cube,
-            floor_body,
-            floor,
+        for _ in 0..3 {
+            twins.both(|world| change(world, bodies, colliders, false));
+            let seen = twins.step();
+            assert!(!seen.touches(cube, floor));
+            assert!(seen.stopped(cube, floor, removes));
+            twins.steps(2);
+            twins.both(|world| change(world, bodies, colliders, true));
+            let seen = twins.step();
+            assert!(seen.touches(cube, floor) && seen.started(cube, floor));
+            twins.steps(2);
         }
-    }
-
-    /// Makes a change that must end the contact, and one that must restore it, with every filter.
-    fn part_and_meet(part: impl Fn(&mut Self), meet: impl Fn(&mut Self), removed: bool) {
-        for filter in [PairFilter::Off, PairFilter::Bodies, PairFilter::Groups] {
-            let mut resting = Self::with(filter);
-            for _ in 0..3 {
-                part(&mut resting);
-                let seen = resting.twins.step();
-                assert!(!seen.touches(resting.cube, resting.floor));
-                assert!(seen.stopped(resting.cube, resting.floor, removed));
-                resting.twins.steps(2);
-                meet(&mut resting);
-                let seen = resting.twins.step();
-                assert!(seen.touches(resting.cube, resting.floor));
-                assert!(seen.started(resting.cube, resting.floor));
-                resting.twins.steps(2);
-            }
-        }
-    }
-}
-
-fn groups(bits: Group) -> InteractionGroups {
-    version::groups(bits, bits)
+    });
 }
 
 #[test]
-fn disabled_colliders() {
-    Resting::part_and_meet(
-        |it| it.twins.change(it.cube, |cube| cube.set_enabled(false)),
-        |it| it.twins.change(it.cube, |cube| cube.set_enabled(true)),
-        true,
-    );
-    Resting::part_and_meet(
-        |it| it.twins.change(it.floor, |floor| floor.set_enabled(false)),
-        |it| it.twins.change(it.floor, |floor| floor.set_enabled(true)),
-        true,
-    );
-}
-
-#[test]
-fn disabled_bodies() {
-    Resting::part_and_meet(
-        |it| {
-            it.twins
-                .change_body(it.body, |body| body.set_enabled(false))
-        },
-        |it| it.twins.change_body(it.body, |body| body.set_enabled(true)),
-        true,
-    );
-    Resting::part_and_meet(
-        |it| {
-            it.twins
-                .change_body(it.floor_body, |body| body.set_enabled(false))
-        },
-        |it| {
-            it.twins
-                .change_body(it.floor_body, |body| body.set_enabled(true))
-        },
-        true,
-    );
+fn enabling() {
+    for which in [0, 1] {
+        part_and_meet(true, |world, _, colliders, meet| {
+            world.colliders[colliders[which]].set_enabled(meet);
+        });
+        part_and_meet(true, |world, bodies, _, meet| {
+            world.bodies[bodies[which]].set_enabled(meet);
+        });
+    }
 }
 
 #[test]
 fn collision_groups() {
-    Resting::part_and_meet(
-        |it| {
-            let [floor, cube] = [groups(Group::GROUP_1), groups(Group::GROUP_2)];
-            it.twins
-                .change(it.floor, |it| it.set_collision_groups(floor));
-            it.twins.change(it.cube, |it| it.set_collision_groups(cube));
-        },
-        |it| {
-            let all = InteractionGroups::all();
-            it.twins.change(it.cube, |it| it.set_collision_groups(all));
-        },
-        false,
-    );
+    part_and_meet(false, |world, _, [floor, cube], meet| {
+        let other = if meet { Group::ALL } else { Group::GROUP_2 };
+        let [one, other] = [Group::GROUP_1, other].map(|bits| groups(bits, bits));
+        world.colliders[floor].set_collision_groups(one);
+        world.colliders[cube].set_collision_groups(other);
+    });
 }
 
 #[test]
@@ -115,17 +79,10 @@ fn body_types() {
         RigidBodyType::KinematicPositionBased,
         RigidBodyType::KinematicVelocityBased,
     ] {
-        Resting::part_and_meet(
-            |it| {
-                it.twins
-                    .change_body(it.body, |body| body.set_body_type(kind, true))
-            },
-            |it| {
-                let set = |body: &mut RigidBody| body.set_body_type(RigidBodyType::Dynamic, true);
-                it.twins.change_body(it.body, set);
-            },
-            false,
-        );
+        part_and_meet(false, |world, [_, body], _, meet| {
+            let kind = if meet { RigidBodyType::Dynamic } else { kind };
+            world.bodies[body].set_body_type(kind, true);
+        });
     }
 }
 
@@ -155,87 +112,150 @@ fn body_types_in_flight() {
 }
 
 #[test]
-fn pairs_forbidden_from_the_start() {
-    let mut twins = Twins::weightless();
-    let (left_body, left) = twins.insert(fixed(0.0, 0.0), cube());
-    let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
-    assert!(!twins.steps(3).touches(left, right));
-    twins.change_body(left_body, |body| {
-        body.set_body_type(RigidBodyType::Dynamic, true)
+fn collision_types() {
+    for_each_filter(|twins| {
+        let mut twins = twins.without_gravity();
+        let (body, left) = twins.insert(fixed(0.0, 0.0), cube());
+        let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
+        assert!(!twins.steps(STEPS).touches(left, right));
+        for (kind, types, x) in [
+            (RigidBodyType::Fixed, ActiveCollisionTypes::all(), 0.01),
+            (RigidBodyType::Fixed, ActiveCollisionTypes::empty(), 0.0),
+            (
+                RigidBodyType::Fixed,
+                ActiveCollisionTypes::FIXED_FIXED,
+                0.01,
+            ),
+            (
+                RigidBodyType::KinematicPositionBased,
+                ActiveCollisionTypes::default(),
+                0.0,
+            ),
+            (
+                RigidBodyType::KinematicPositionBased,
+                ActiveCollisionTypes::KINEMATIC_FIXED,
+                0.01,
+            ),
+        ] {
+            twins.change_body(body, |body| body.set_body_type(kind, true));
+            twins.change(left, |left| {
+                left.set_active_collision_types(types);
+                // Rapier looks at the types again when the collider moves.
+                left.set_translation_wrt_parent(at(x, 0.0));
+            });
+            let touches = x > 0.0;
+            assert_eq!(twins.step().touches(left, right), touches);
+            assert_eq!(twins.steps(STEPS).touches(left, right), touches);
+        }
     });
-    assert!(twins.step().touches(left, right));
-}
-
-#[test]
-fn active_collision_types() {
-    let mut twins = Twins::weightless();
-    let (_, left) = twins.insert(RigidBodyBuilder::kinematic_velocity_based(), cube());
-    let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
-    assert!(!twins.steps(3).touches(left, right));
-    for (types, x) in [
-        (ActiveCollisionTypes::all(), 0.01),
-        (ActiveCollisionTypes::empty(), 0.0),
-        (ActiveCollisionTypes::KINEMATIC_FIXED, 0.01),
-    ] {
-        twins.change(left, |left| {
-            left.set_active_collision_types(types);
-            // Rapier looks at the types again when the collider moves.
-            left.set_translation_wrt_parent(at(x, 0.3));
-        });
-        assert_eq!(twins.step().touches(left, right), !types.is_empty());
-        twins.steps(2);
-    }
 }
 
 #[test]
 fn parents() {
-    let mut twins = Twins::weightless();
-    let (first, left) = twins.insert(dynamic(0.0, 0.0), cube());
-    let right = twins.insert_part(first, cube().translation(at(0.9, 0.0)));
-    let second = twins.both(|world| world.bodies.insert(dynamic(0.0, 0.0)));
-    assert!(!twins.steps(3).touches(left, right));
-    for _ in 0..2 {
-        twins.set_parent(right, Some(second));
-        let seen = twins.step();
-        assert!(seen.touches(left, right) && seen.started(left, right));
-        twins.set_parent(right, Some(first));
-        let seen = twins.step();
-        assert!(!seen.touches(left, right) && seen.stopped(left, right, false));
-        for body in [first, second] {
-            twins.change_body(body, |body| {
-                body.set_position(pose(at(0.0, 0.0)), true);
-                body.set_vels(RigidBodyVelocity::zero(), true);
+    for_each_filter(|twins| {
+        let mut twins = twins.without_gravity();
+        let (body, whole) = twins.insert(sleepless(0.0), cube());
+        let (other, _) = twins.insert(sleepless(9.0), cube());
+        let part = twins.insert_part(body, cuboid([0.1; 3]).translation(at(0.5, 0.0)));
+        assert!(!twins.steps(STEPS).touches(whole, part));
+        // The part stays where it is.
+        for (parent, x) in [(other, -8.5), (body, 0.5), (other, -8.5)] {
+            twins.set_parent(part, Some(parent));
+            twins.both(|world| {
+                world.colliders[part].set_translation_wrt_parent(at(x, 0.0));
+                for (body, x) in [(body, 0.0), (other, 9.0)] {
+                    world.bodies[body].set_position(pose(at(x, 0.0)), true);
+                    world.bodies[body].set_vels(RigidBodyVelocity::zero(), true);
+                }
             });
+            let seen = twins.step();
+            assert_eq!(seen.touches(whole, part), parent == other);
+            assert_eq!(seen.started(whole, part), parent == other);
+            assert_eq!(seen.stopped(whole, part, false), parent == body);
+            twins.steps(STEPS);
         }
-    }
-    twins.set_parent(right, None);
-    assert!(twins.step().touches(left, right));
+        twins.set_parent(part, None);
+        twins.change(part, |part| part.set_translation(at(0.5, 0.0)));
+        twins.change_body(body, |body| body.set_translation(at(0.0, 0.0), true));
+        assert!(twins.step().touches(whole, part));
+    });
 }
 
 #[test]
 fn sensors() {
-    let mut twins = Twins::weightless();
-    let (_, gate) = twins.insert(fixed(0.0, 0.0), cube().sensor(true));
-    let (_, ball) = twins.insert(
-        dynamic(-3.0, 0.0).linvel(at(4.0, 0.0)),
-        ColliderBuilder::ball(0.5),
-    );
-    let inside = |seen: &Snapshot| seen.intersects(gate, ball);
-    assert!(twins.step_until(inside).contacts.is_empty());
-    twins.step_until(|seen| !inside(seen));
+    for_each_filter(|twins| {
+        let mut twins = twins.without_gravity();
+        let (_, left) = twins.insert(fixed(0.0, 0.0), cube());
+        let (body, right) = twins.insert(sleepless(0.999), cube());
+        assert!(twins.steps(STEPS).touches(left, right));
+        for is_sensor in [true, false, true] {
+            twins.change(right, |right| right.set_sensor(is_sensor));
+            twins.change_body(body, |body| body.set_translation(at(0.95, 0.0), true));
+            let seen = twins.steps(STEPS);
+            assert_eq!(seen.intersects(left, right), is_sensor);
+            assert_eq!(seen.touches(left, right), !is_sensor);
+        }
+        // Two fixed ones do not meet, whether one of them is a sensor or not.
+        twins.change_body(body, |body| body.set_body_type(RigidBodyType::Fixed, true));
+        assert!(!twins.steps(STEPS).intersects(left, right));
+        twins.change(right, |right| right.set_sensor(false));
+        assert!(!twins.steps(STEPS).touches(left, right));
+    });
 }
 
+/// What was left out may have moved in the meantime, here or there.
 #[test]
-fn sensors_toggled() {
-    let mut twins = Twins::heavy();
-    let (_, floor) = twins.insert_floor();
-    let (_, cube) = twins.insert(dynamic(0.0, 0.5), cube());
-    for is_sensor in [false, true, false, true] {
-        twins.change(cube, |cube| cube.set_sensor(is_sensor));
-        let seen = twins.steps(2);
-        assert_eq!(seen.intersects(cube, floor), is_sensor);
-        assert_eq!(seen.touches(cube, floor), !is_sensor);
-    }
+fn moves_while_it_is_left_out() {
+    for_each_filter(|twins| {
+        let mut twins = twins.without_gravity();
+        let (body, left) = twins.insert(sleepless(0.0), cube());
+        let (_, right) = twins.insert(fixed(0.95, 0.0), cube());
+        let [none, all] = [InteractionGroups::none(), InteractionGroups::all()];
+        for (groups, x, touches) in [
+            (none, 0.0, false),
+            (none, -5.0, false),
+            (all, -5.0, false),
+            (all, 0.0, true),
+            (none, -5.0, false),
+            (none, 0.0, false),
+            (all, 0.0, true),
+        ] {
+            twins.change(left, |left| left.set_collision_groups(groups));
+            twins.change_body(body, |body| {
+                body.set_linvel(at(0.0, 0.0), true);
+                body.set_translation(at(x, 0.0), true);
+            });
+            assert_eq!(twins.step().touches(left, right), touches);
+            twins.steps(STEPS);
+        }
+    });
+}
+
+/// Nothing is held that can have no effect.
+#[test]
+fn what_is_left_out_is_not_held() {
+    let pairs_with = |filter| {
+        let mut twins = Twins::with_filter(filter).without_gravity();
+        for x in 0..4 {
+            twins.insert(fixed(0.9 * x as Real, 0.0), cube());
+        }
+        let thin = InteractionGroups::none();
+        twins.insert(
+            sleepless(0.5).translation(at(0.5, 0.9)),
+            cube().collision_groups(thin),
+        );
+        // Beside its corner.
+        let ball = ColliderBuilder::ball(0.5);
+        twins.insert(sleepless(0.5).translation(at(-0.9, -0.9)), ball);
+        twins.steps(STEPS);
+        let stats = twins.unisize.stats();
+        assert!(stats.candidates >= stats.pairs);
+        stats.pairs
+    };
+    assert_eq!(pairs_with(PairFilter::Off), 6);
+    assert_eq!(pairs_with(PairFilter::Bodies), 3);
+    assert_eq!(pairs_with(PairFilter::Groups), 1);
+    assert_eq!(pairs_with(PairFilter::Shapes), 0);
 }
 
 /// After a step its box has been handed over; then the user moves it, and it is listed as well.

@@ -3,7 +3,7 @@
 use super::rapier::prelude::*;
 use super::snapshot::Event;
 use super::twins::{Twins, at, cube, dynamic, fixed};
-use super::{PairFilter, World, version};
+use super::{PairFilter, World};
 
 /// Lets nothing with odd user data touch anything.
 struct OddIsThin;
@@ -63,49 +63,6 @@ fn contact_force_events() {
     let is_force = |event: &Event| matches!(event, Event::Force(..));
     twins.step_until(|seen| seen.events.iter().any(is_force));
     twins.steps(60);
-}
-
-/// Only an engine that loses none can hand each collider that has moved over to its filters.
-#[test]
-fn groups_decide_what_falls_through() {
-    for filter in [PairFilter::Off, PairFilter::Bodies, PairFilter::Groups] {
-        let mut twins = Twins::with_filter(filter);
-        let (_, floor) = twins.insert_floor();
-        let groups = |bits| {
-            let bits = Group::from_bits_truncate(bits);
-            version::groups(bits, bits)
-        };
-        twins.change(floor, |floor| floor.set_collision_groups(groups(0b110)));
-        let cubes: Vec<_> = (0..8)
-            .map(|i| {
-                let cube = cube().collision_groups(groups(i));
-                twins.insert(dynamic(3.0 * i as Real, 1.0), cube).0
-            })
-            .collect();
-        let seen = twins.steps(120);
-        for (i, &cube) in cubes.iter().enumerate() {
-            assert_eq!(seen.height(cube) > 0.0, i & 0b110 != 0, "{filter:?} {i}");
-        }
-    }
-}
-
-/// Nothing is held that can have no effect, as in the own broad phase of Rapier 0.36.
-#[test]
-fn a_map_has_no_pairs() {
-    let mut twins = Twins::with_filter(PairFilter::Groups);
-    for i in 0..20 {
-        for j in 0..20 {
-            twins.insert(fixed(i as Real, -(j as Real)), cube());
-        }
-    }
-    let (ship, _) = twins.insert(dynamic(5.0, 30.0), cube());
-    for i in 1..10 {
-        twins.insert_part(ship, cube().translation(at(i as Real, 0.0)));
-    }
-    twins.steps(5);
-    let stats = twins.unisize.stats();
-    assert_eq!([stats.pairs, stats.candidates], [0, 0]);
-    assert_eq!(stats.proxies, 410);
 }
 
 /// Who asks a hook wants to be asked about all pairs of boxes, also if what asks rests and was told to by nothing but that.

@@ -3,19 +3,19 @@
 use super::rapier;
 use super::version;
 use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
-use super::{hinge, spin};
+use super::{hinge, mesh_floor, spin};
 
 mod bullets;
 mod changes;
 mod characters;
 mod collisions;
-mod filter_levels;
 mod filters;
 mod hostile;
 mod joints;
 mod odd_numbers;
 mod piles;
 mod queries;
+pub(super) mod random;
 mod removals;
 pub(super) mod snapshot;
 pub(super) mod twins;

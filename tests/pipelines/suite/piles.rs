@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::random::Random;
 use super::rapier::parry::query::contact;
 use super::rapier::prelude::*;
 use super::snapshot::{Pair, pair};
@@ -132,18 +133,13 @@ fn many_small_piles() {
 /// So many that ours uses its threads, if it has any: what flies about is seen by sensors alone, so no order matters.
 #[test]
 fn a_swarm() {
-    let mut random = oorandom::Rand32::new(3);
+    let mut random = Random::new(3);
     let mut twins = Twins::weightless();
     let side = if DIM == 2 { 160.0 } else { 60.0 };
     for i in 0..20_000 {
-        let mut vector = |length: Real| {
-            triple(std::array::from_fn(|_| {
-                length * (random.rand_float() - 0.5) as Real
-            }))
-        };
         let body = RigidBodyBuilder::kinematic_velocity_based()
-            .translation(vector(side))
-            .linvel(vector(20.0));
+            .translation(random.within(side / 2.0))
+            .linvel(random.within(10.0));
         let types = ActiveCollisionTypes::all();
         let ball = ColliderBuilder::ball(0.5).active_collision_types(types);
         let ball = ball.sensor(i % 100 != 0);

@@ -113,20 +113,33 @@ impl Twins {
 
     /// The answers of both worlds, ours first.
     pub(crate) fn answers<T>(&mut self, ask: impl Fn(&World, QueryPipeline<'_>) -> T) -> [T; 2] {
-        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
-        let World {
-            bodies, colliders, ..
-        } = &self.ours;
-        let unisize = version::asked(&mut self.unisize);
-        let scene = unisize.as_query_pipeline(dispatcher, bodies, colliders, filter);
-        let answer = ask(&self.ours, scene);
-        let World {
-            bodies, colliders, ..
-        } = &self.theirs;
-        let scene = self
-            .default
-            .as_query_pipeline(dispatcher, bodies, colliders, filter);
-        [answer, ask(&self.theirs, scene)]
+        self.answers_with(QueryFilter::default(), ask)
+    }
+
+    /// The answers of both worlds to what is asked with a filter, ours first.
+    pub(crate) fn answers_with<T>(
+        &mut self,
+        filter: QueryFilter<'_>,
+        ask: impl Fn(&World, QueryPipeline<'_>) -> T,
+    ) -> [T; 2] {
+        let (dispatcher, ours, theirs) = (&DefaultQueryDispatcher, &self.ours, &self.theirs);
+        let (bodies, colliders) = (&ours.bodies, &ours.colliders);
+        let asked = version::asked(&mut self.unisize);
+        let answer = ask(
+            ours,
+            asked.as_query_pipeline(dispatcher, bodies, colliders, filter),
+        );
+        let (asked, bodies, colliders) = (&self.default, &theirs.bodies, &theirs.colliders);
+        let scene = asked.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        [answer, ask(theirs, scene)]
+    }
+
+    /// Asks both worlds the same; the answers must be equal.
+    #[track_caller]
+    pub(crate) fn same<T: PartialEq + Debug>(&mut self, ask: impl Fn(QueryPipeline<'_>) -> T) -> T {
+        let [ours, theirs] = self.answers(|_, scene| ask(scene));
+        assert_eq!(ours, theirs);
+        ours
     }
 
     /// Asks both worlds the same, ours first, and changes them alike; the results must be equal, to the last bit.

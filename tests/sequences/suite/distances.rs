@@ -72,7 +72,7 @@ impl Colliders {
     fn put(&mut self, i: usize) {
         let extent = 3.0 * self.random.unit;
         let place = version::translation(self.random.triple(extent));
-        let pose = place * version::rotation(self.random.angles());
+        let pose = place * super::rotation(self.random.angles());
         self.get_mut(i).set_position(pose);
     }
 
@@ -99,7 +99,7 @@ impl Colliders {
                 return false;
             }
             2 => {
-                let pose = pose * version::rotation(self.random.angles());
+                let pose = pose * super::rotation(self.random.angles());
                 self.get_mut(i).set_position(pose);
             }
             3 => self.nudge(i),

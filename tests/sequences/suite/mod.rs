@@ -1,9 +1,7 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`, and what depends on
 //! Rapier's version as `version`.
 
-#[cfg(test)]
-use super::solids;
-use super::{Kernel, Settings, UnisizeBroadPhase, rapier, version};
+use super::{Kernel, Settings, UnisizeBroadPhase, dim, rapier, version};
 
 pub(super) mod checked;
 mod direct;
@@ -27,14 +25,16 @@ pub(crate) fn play(sequence: &crate::ops::Sequence, kernel: usize) {
     direct::play(sequence, kernels[kernel % kernels.len()]);
 }
 
-#[cfg(test)]
-#[test]
-fn lists_made_by_hand_with_grid_sweep() {
-    runner::check(|sequence| direct::play(sequence, Kernel::GridSweep));
+/// A turn.
+fn rotation(angles: crate::ops::Triple) -> version::Pose {
+    let collider = rapier::prelude::ColliderBuilder::ball(1.0).rotation(dim::turn(angles));
+    *collider.build().position()
 }
 
 #[cfg(test)]
 #[test]
-fn lists_made_by_hand_with_rank_sweep() {
-    runner::check(|sequence| direct::play(sequence, Kernel::RankSweep));
+fn lists_made_by_hand() {
+    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
+        runner::check(|sequence| direct::play(sequence, kernel));
+    }
 }

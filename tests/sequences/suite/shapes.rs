@@ -3,7 +3,7 @@
 use oorandom::Rand32;
 
 use super::rapier::prelude::*;
-use super::{solids, version};
+use super::{dim, version};
 use crate::ops::Triple;
 
 /// Makes a shape from three lengths.
@@ -80,7 +80,7 @@ pub(super) const HALF_SPACE: usize = 10;
 /// Those that have no volume but their box.
 pub(super) const BOXES: std::ops::RangeInclusive<usize> = 11..=12;
 
-pub(super) const KINDS: usize = SHAPES.len() + solids::SOLIDS.len();
+pub(super) const KINDS: usize = SHAPES.len() + dim::SOLIDS.len();
 
 /// Random numbers for a world of this length unit.
 pub(super) struct Random {
@@ -137,7 +137,7 @@ impl Random {
         };
         let shape = match SHAPES.get(kind) {
             Some((_, shape)) => shape(self),
-            None => solids::SOLIDS[kind - SHAPES.len()].1([(); 3].map(|()| self.length())),
+            None => dim::SOLIDS[kind - SHAPES.len()].1([(); 3].map(|()| self.length())),
         };
         (kind, shape)
     }
@@ -149,6 +149,6 @@ impl Random {
 
 pub(super) fn name(kind: usize) -> &'static str {
     let names = SHAPES.iter().map(|shape| shape.0);
-    let mut names = names.chain(solids::SOLIDS.iter().map(|solid| solid.0));
+    let mut names = names.chain(dim::SOLIDS.iter().map(|solid| solid.0));
     names.nth(kind).expect("there are no other kinds")
 }

@@ -172,7 +172,7 @@ impl World {
             }
             Op::Teleport(_, to) => self.place(handle, translation(to)),
             Op::Turn(_, angles) => {
-                let pose = self.pose(handle) * version::rotation(angles);
+                let pose = self.pose(handle) * super::rotation(angles);
                 self.place(handle, pose);
             }
             Op::Spoil(_) => self.place(handle, translation([f32::NAN; 3])),

@@ -21,6 +21,7 @@ fn drift(kernel: Kernel, count: usize, speed: Real) {
     let settings = Settings::default().with_kernel(kernel);
     let side = (count as f64 * if DIM == 2 { 1.5 } else { 2.5 }).powf(1.0 / DIM as f64);
     let mut crowd = Crowd::new(count, side as Real, speed);
+    crowd.put_on_bodies();
     let mut ours = UnisizeBroadPhase::with_settings(settings);
     let mut twin = UnisizeBroadPhase::with_settings(settings);
     let (mut pairs, mut above_base) = (0, 0);

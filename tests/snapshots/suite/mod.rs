@@ -1,7 +1,6 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::rapier;
-use super::{Kernel, Observed, PairEvent, PairFilter, Scene, Settings, Stats, UnisizeBroadPhase};
+use super::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
 
 mod damage;
 mod drift;

@@ -3,7 +3,8 @@
 use unisize_scenes::SceneKind;
 
 use super::rapier::prelude::*;
-use super::{Observed, Scene, UnisizeBroadPhase, told};
+use super::scenes::{Observed, Scene};
+use super::{UnisizeBroadPhase, told};
 
 const BODIES: usize = 100;
 

@@ -2,7 +2,7 @@
 
 use super::dim::soft_body;
 use super::rapier;
-use super::suite::{snapshot, twins};
+use super::suite::{random, snapshot, twins};
 use super::{
     PairFilter, Settings, Steppable, UnisizeBroadPhase, World, height_field, install, mesh_floor,
 };

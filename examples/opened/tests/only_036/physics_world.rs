@@ -1,10 +1,9 @@
 //! Rapier's `PhysicsWorld`, with ours in the place of its broad phase.
 
-use std::fmt::Debug;
-
 use super::UnisizeBroadPhase;
+use super::random::Random;
 use super::rapier::prelude::*;
-use super::twins::{at, cube, dynamic, triple};
+use super::twins::{at, cube, dynamic};
 
 /// A world with our broad phase.
 pub(super) fn world_with(broad_phase: UnisizeBroadPhase) -> PhysicsWorld {
@@ -20,15 +19,10 @@ pub(super) fn unisize(world: &PhysicsWorld) -> &UnisizeBroadPhase {
     custom.expect("the world was made with it")
 }
 
-/// It asks its broad phase.
+/// It asks its broad phase, by its own filtered queries.
 #[test]
 fn its_queries() {
-    let mut random = oorandom::Rand32::new(2);
-    let mut within = |distance: Real| {
-        triple(std::array::from_fn(|_| {
-            distance * (2.0 * random.rand_float() - 1.0) as Real
-        }))
-    };
+    let mut random = Random::new(2);
     let mut worlds = [
         world_with(UnisizeBroadPhase::new()),
         PhysicsWorld::default(),
@@ -36,9 +30,9 @@ fn its_queries() {
     for i in 0..150 {
         let body = match i % 5 {
             0 => RigidBodyBuilder::fixed(),
-            _ => RigidBodyBuilder::dynamic().linvel(within(2.0)),
+            _ => RigidBodyBuilder::dynamic().linvel(random.within(2.0)),
         };
-        let body = body.translation(within(8.0));
+        let body = body.translation(random.within(8.0));
         // They pass through each other, so no order matters.
         let ball = ColliderBuilder::ball(0.4).sensor(true);
         for world in &mut worlds {
@@ -46,39 +40,25 @@ fn its_queries() {
         }
     }
     let mut hits = 0;
-    for _ in 0..20 {
-        worlds.iter_mut().for_each(PhysicsWorld::step);
-        for _ in 0..30 {
-            let (from, to) = (within(9.0), within(1.0));
-            let crossed = same(&worlds, |world| {
-                let filter = QueryFilter::only_dynamic();
-                let crossed = world.intersect_ray(Ray::new(from, to), 20.0, true, filter);
-                sorted(crossed.map(|(handle, ..)| handle))
-            });
-            let around = same(&worlds, |world| {
-                let filter = QueryFilter::exclude_fixed();
-                sorted(
-                    world
-                        .intersect_point(from, filter)
-                        .map(|(handle, ..)| handle),
-                )
-            });
-            hits += crossed.len() + around.len();
+    for _ in 0..600 {
+        if random.below(30) == 0 {
+            worlds.iter_mut().for_each(PhysicsWorld::step);
         }
+        let (from, to) = (random.within(9.0), random.within(1.0));
+        let [ours, theirs] = worlds.each_ref().map(|world| {
+            let (ray, filter) = (Ray::new(from, to), QueryFilter::only_dynamic());
+            let crossed = world.intersect_ray(ray, 20.0, true, filter);
+            let around = world.intersect_point(from, QueryFilter::exclude_fixed());
+            let found = crossed.map(|(handle, ..)| handle);
+            let found = found.chain(around.map(|(handle, ..)| handle));
+            let mut found: Vec<_> = found.map(|handle| handle.into_raw_parts()).collect();
+            found.sort_unstable();
+            found
+        });
+        assert_eq!(ours, theirs);
+        hits += ours.len();
     }
     assert!(hits > 30, "only {hits} hits");
-}
-
-fn same<T: PartialEq + Debug>(worlds: &[PhysicsWorld; 2], ask: impl Fn(&PhysicsWorld) -> T) -> T {
-    let [ours, theirs] = worlds.each_ref().map(ask);
-    assert_eq!(ours, theirs);
-    ours
-}
-
-fn sorted(found: impl Iterator<Item = ColliderHandle>) -> Vec<(u32, u32)> {
-    let mut found: Vec<_> = found.map(|handle| handle.into_raw_parts()).collect();
-    found.sort_unstable();
-    found
 }
 
 /// `set_aabb` by hand, before the first update, as Rapier's docs do: queries find it at once.

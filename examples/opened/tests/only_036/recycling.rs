@@ -5,10 +5,11 @@
 
 use std::collections::BTreeSet;
 
+use super::random::Random;
 use super::rapier::parry::query::distance;
 use super::rapier::prelude::*;
 use super::snapshot::{Pair, contacts, pair};
-use super::twins::{Twins, at, cuboid, triple};
+use super::twins::{Twins, at, cuboid};
 use super::{Steppable, World};
 
 /// Bodies that fall into a box, in two worlds of which ours is given the poses and velocities of the other's before each step.
@@ -28,19 +29,14 @@ impl Followed {
             let wall = cuboid([0.5, 20.0, 20.0]).translation(at(4.0 * side, 15.0));
             twins.insert(RigidBodyBuilder::fixed(), wall);
         }
-        let mut random = oorandom::Rand32::new(7);
+        let mut random = Random::new(7);
         let mut bodies = Vec::new();
         for i in 0..60 {
-            let mut vector = |length: Real| {
-                triple(std::array::from_fn(|_| {
-                    length * (random.rand_float() - 0.5) as Real
-                }))
-            };
             let (column, row) = ((i % 5) as Real, (i / 5) as Real);
             let place = at(1.2 * column - 2.4, 1.2 * row + 0.8);
             let body = RigidBodyBuilder::dynamic()
-                .translation(place + vector(0.2))
-                .linvel(vector(2.0));
+                .translation(place + random.within(0.1))
+                .linvel(random.within(1.0));
             let shape = match i % 3 {
                 0 => ColliderBuilder::ball(0.4),
                 1 => cuboid([0.3, 0.4, 0.5]),

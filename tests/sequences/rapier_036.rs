@@ -1,14 +1,13 @@
 //! What the suite needs of Rapier 0.36 in particular.
 
 use super::UnisizeBroadPhase;
-use super::rapier::math::Vector;
 use super::rapier::parry::query;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::prelude::*;
 use super::suite::World;
 use crate::ops::Triple;
 
-pub(super) use super::rapier::math::Pose;
+pub(super) use super::rapier::math::{Pose, Vector};
 pub(super) type Point = Vector;
 
 /// Whether a collider of other groups, or of another body, gets a new box.
@@ -28,29 +27,6 @@ pub(super) fn point(triple: Triple) -> Point {
 
 pub(super) fn translation(triple: Triple) -> Pose {
     Pose::from_translation(vector(triple))
-}
-
-/// A turn; in the plane by the first angle.
-pub(super) fn rotation(angles: Triple) -> Pose {
-    let collider = ColliderBuilder::ball(1.0).rotation(Angles::new(angles));
-    *collider.build().position()
-}
-
-/// What a turn is given by, in the plane and in space.
-trait Angles {
-    fn new(angles: Triple) -> Self;
-}
-
-impl Angles for Real {
-    fn new(angles: Triple) -> Self {
-        angles[0].into()
-    }
-}
-
-impl Angles for Vector {
-    fn new(angles: Triple) -> Self {
-        vector(angles)
-    }
 }
 
 /// The pose moved along the axes of the world.
@@ -133,12 +109,8 @@ pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 }
 
 pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {
-    let World {
-        islands,
-        bodies,
-        colliders,
-        ..
-    } = world;
+    let (islands, bodies) = (&mut world.islands, &mut world.bodies);
+    let colliders = &mut world.colliders;
     colliders.remove(handle, islands, bodies, &mut SoftBodySet::new(), false);
 }
 

@@ -6,27 +6,19 @@ use super::super::suite::checked::CheckedBroadPhase;
 use super::super::suite::{World, runner};
 use crate::ops::Sequence;
 
-/// Instantiates the tests for one kernel.
-macro_rules! steps_with {
-    ($name:ident, $kernel:expr) => {
-        mod $name {
-            use super::*;
-
-            #[test]
-            fn steps_of_the_collision_pipeline() {
-                runner::check(|sequence| play_collisions(sequence, $kernel));
-            }
-
-            #[test]
-            fn steps_of_the_physics_pipeline() {
-                runner::check(|sequence| play_physics(sequence, $kernel));
-            }
-        }
-    };
+#[test]
+fn steps_of_the_collision_pipeline() {
+    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
+        runner::check(|sequence| play_collisions(sequence, kernel));
+    }
 }
 
-steps_with!(grid_sweep, Kernel::GridSweep);
-steps_with!(rank_sweep, Kernel::RankSweep);
+#[test]
+fn steps_of_the_physics_pipeline() {
+    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
+        runner::check(|sequence| play_physics(sequence, kernel));
+    }
+}
 
 /// Plays a sequence with one step for each of its updates, and one more without changes.
 fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)) {

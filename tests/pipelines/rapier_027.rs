@@ -82,20 +82,33 @@ macro_rules! events_of_soft_bodies {
 }
 pub(crate) use events_of_soft_bodies;
 
-pub(crate) fn project_point(scene: &QueryPipeline<'_>, point: Vector) -> Option<PointProjection> {
-    let nearest = scene.project_point(&point.into(), Real::MAX, false);
-    nearest.map(|(_, projection)| projection)
+pub(crate) fn distance(point: Point<Real>, place: Vector) -> Real {
+    (point.coords - place).norm()
 }
 
-pub(crate) fn cast_ball(
+pub(crate) fn project_point(
+    scene: &QueryPipeline<'_>,
+    point: Vector,
+    solid: bool,
+) -> Option<(ColliderHandle, PointProjection)> {
+    scene.project_point(&point.into(), Real::MAX, solid)
+}
+
+pub(crate) fn project_feature(
+    scene: &QueryPipeline<'_>,
+    point: Vector,
+) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
+    scene.project_point_and_get_feature(&point.into())
+}
+
+pub(crate) fn cast_shape(
     scene: &QueryPipeline<'_>,
     from: &Pose,
     velocity: Vector,
-    ball: &Ball,
-) -> Option<ShapeCastHit> {
-    let options = ShapeCastOptions::with_max_time_of_impact(50.0);
-    let hit = scene.cast_shape(from, &velocity, ball, options);
-    hit.map(|(_, hit)| hit)
+    shape: &dyn Shape,
+    options: ShapeCastOptions,
+) -> Option<(ColliderHandle, ShapeCastHit)> {
+    scene.cast_shape(from, &velocity, shape, options)
 }
 
 /// One step of a collision pipeline, without dynamics.

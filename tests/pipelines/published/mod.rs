@@ -1,4 +1,6 @@
-//! The suite: one source for both dimensions, which the module that includes it names as `rapier`.
+//! Rapier 0.36 as it is published, whose pipelines accept no broad phase but their own: `stepped` follows its `PhysicsPipeline` and
+//! compares with what its narrow phase holds, and `updates` has single updates made by hand. `tests/sequences` checks random updates
+//! against a model, and `examples/opened/tests` whole worlds on an opened copy.
 
 use std::collections::BTreeSet;
 
@@ -7,9 +9,8 @@ use oorandom::Rand32;
 use super::rapier::prelude::*;
 use super::{PairFilter, Settings, UnisizeBroadPhase};
 
-mod driven;
-mod queries;
 mod stepped;
+mod updates;
 
 /// Two colliders, by index and generation, the smaller index first.
 type Pair = [(u32, u32); 2];
@@ -25,23 +26,6 @@ fn pairs(broad_phase: &UnisizeBroadPhase) -> BTreeSet<Pair> {
     pairs
         .map(|pair| raw(pair.collider1, pair.collider2))
         .collect()
-}
-
-/// Whether the narrow phase would look at two colliders.
-fn may_meet(pair: Pair, colliders: &ColliderSet, bodies: &RigidBodySet) -> bool {
-    let pair = pair
-        .map(|(index, generation)| &colliders[ColliderHandle::from_raw_parts(index, generation)]);
-    let [first, second] = pair;
-    let are_on_one_body = first.parent().is_some() && first.parent() == second.parent();
-    let [one, other] = pair.map(|collider| match collider.parent() {
-        Some(body) => bodies[body].body_type(),
-        None => RigidBodyType::Fixed,
-    });
-    let mut types = pair
-        .iter()
-        .map(|collider| collider.active_collision_types());
-    let groups_meet = first.collision_groups().test(second.collision_groups());
-    !are_on_one_body && types.any(|types| types.test(one, other)) && groups_meet
 }
 
 /// A vector with each coordinate within this distance of 0.

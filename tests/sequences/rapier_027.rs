@@ -1,6 +1,7 @@
 //! What the suite needs of Rapier 0.27 in particular.
 
 use super::UnisizeBroadPhase;
+use super::rapier::math;
 use super::rapier::parry::query;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::prelude::*;
@@ -9,10 +10,12 @@ use super::suite::checked::CheckedBroadPhase;
 use crate::ops::Triple;
 
 #[cfg(test)]
+#[path = "pipelines.rs"]
 mod pipelines;
 
 pub(super) type Pose = Isometry<Real>;
-pub(super) type Point = super::rapier::math::Point<Real>;
+pub(super) type Point = math::Point<Real>;
+pub(super) type Vector = math::Vector<Real>;
 
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
@@ -20,7 +23,7 @@ pub(super) const REINSERTS: bool = false;
 /// In how many hands pairs that begin are dealt out.
 pub(super) const HANDS: usize = 2;
 
-pub(super) fn vector(triple: Triple) -> Vector<Real> {
+pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from_fn(|i, _| Real::from(triple[i]))
 }
 
@@ -31,29 +34,6 @@ pub(super) fn point(triple: Triple) -> Point {
 
 pub(super) fn translation(triple: Triple) -> Pose {
     Isometry::from_parts(vector(triple).into(), Rotation::identity())
-}
-
-/// A turn; in the plane by the first angle.
-pub(super) fn rotation(angles: Triple) -> Pose {
-    let collider = ColliderBuilder::ball(1.0).rotation(Angles::new(angles));
-    *collider.build().position()
-}
-
-/// What a turn is given by, in the plane and in space.
-trait Angles {
-    fn new(angles: Triple) -> Self;
-}
-
-impl Angles for Real {
-    fn new(angles: Triple) -> Self {
-        angles[0].into()
-    }
-}
-
-impl Angles for Vector<Real> {
-    fn new(angles: Triple) -> Self {
-        vector(angles)
-    }
 }
 
 /// The pose moved along the axes of the world.
@@ -67,16 +47,16 @@ pub(super) fn coordinates(collider: &Collider) -> [Real; DIM] {
 }
 
 /// The origin of a pose.
-pub(super) fn origin(pose: &Pose) -> Vector<Real> {
+pub(super) fn origin(pose: &Pose) -> Vector {
     pose.translation.vector
 }
 
 /// The vector from the origin to a point.
-pub(super) fn arrow(point: Point) -> Vector<Real> {
+pub(super) fn arrow(point: Point) -> Vector {
     point.coords
 }
 
-pub(super) fn normal(half_space: &HalfSpace) -> Vector<Real> {
+pub(super) fn normal(half_space: &HalfSpace) -> Vector {
     *half_space.normal
 }
 
@@ -116,12 +96,8 @@ pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 
 /// Wakes nothing: waking a body whose type has just changed would corrupt the engine's list of active bodies.
 pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {
-    let World {
-        islands,
-        bodies,
-        colliders,
-        ..
-    } = world;
+    let (islands, bodies) = (&mut world.islands, &mut world.bodies);
+    let colliders = &mut world.colliders;
     colliders.remove(handle, islands, bodies, false);
 }
 

@@ -1,0 +1,174 @@
+//! Lists of boxes, from which families of inputs are made.
+
+use core::array::from_fn;
+
+use crate::numbers::Number;
+use crate::random::Random;
+use unisize::Aabb;
+
+/// The box at `mins` with these sides. The far corner is rounded as an engine would round it.
+pub(crate) fn sized<R: Number, const D: usize>(mins: [f64; D], sides: [f64; D]) -> Aabb<R, D> {
+    let mins = mins.map(R::from_f64);
+    Aabb::new(mins, from_fn(|k| mins[k] + R::from_f64(sides[k])))
+}
+
+/// The box that begins and ends there on each axis.
+pub(crate) fn between<R: Number, const D: usize>(ends: [(R, R); D]) -> Aabb<R, D> {
+    Aabb::new(ends.map(|(low, _)| low), ends.map(|(_, high)| high))
+}
+
+/// `n` boxes in random order; `each` says where one begins, and its sides.
+pub(crate) fn list<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    each: impl Fn(&mut Random, usize) -> ([f64; D], [f64; D]),
+) -> Vec<Aabb<R, D>> {
+    let mut random = Random::new(seed);
+    let boxes = (0..n).map(|i| each(&mut random, i));
+    let mut boxes: Vec<_> = boxes.map(|(mins, sides)| sized(mins, sides)).collect();
+    random.shuffle(&mut boxes);
+    boxes
+}
+
+/// Boxes with the given sides, uniform in a cube around the origin whose volume makes the sum of theirs `density` times as large.
+pub(crate) fn scattered<R: Number, const D: usize>(
+    seed: u64,
+    density: f64,
+    n: usize,
+    sides: impl Fn(&mut Random, usize) -> [f64; D],
+) -> Vec<Aabb<R, D>> {
+    let mut random = Random::new(seed);
+    let sides: Vec<_> = (0..n).map(|i| sides(&mut random, i)).collect();
+    let volume: f64 = sides.iter().map(|s| s.iter().product::<f64>()).sum();
+    let half = 0.5 * (volume / density).powf(1.0 / D as f64);
+    let place = |sides| sized(random.place(-half, half), sides);
+    sides.into_iter().map(place).collect()
+}
+
+/// `n` unit boxes, uniform in a cube `n / density` in volume.
+pub(crate) fn uniform<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    density: f64,
+) -> Vec<Aabb<R, D>> {
+    scattered(seed, density, n, |_, _| [1.0; D])
+}
+
+/// Dense heaps of 8 unit boxes each, neighbours `distance` apart on a sparse lattice.
+pub(crate) fn clustered<R: Number, const D: usize>(
+    seed: u64,
+    clusters: usize,
+    distance: f64,
+) -> Vec<Aabb<R, D>> {
+    let mut random = Random::new(seed);
+    let centres = [(); 1000].map(|()| -> [f64; D] { from_fn(|_| distance * random.whole(-5, 5)) });
+    list(seed, 8 * clusters, |random, i| {
+        let near: [f64; D] = random.place(-1.0, 1.0);
+        (from_fn(|k| centres[i / 8][k] + near[k]), [1.0; D])
+    })
+}
+
+/// `n` copies of a unit box in each of `stacks` places, the places far from one another, copies alternating.
+pub(crate) fn coincident<R: Number, const D: usize>(n: usize, stacks: usize) -> Vec<Aabb<R, D>> {
+    let at = |i: usize| [10.0 * (i % stacks) as f64; D];
+    (0..n * stacks).map(|i| sized(at(i), [1.0; D])).collect()
+}
+
+/// `n` unit boxes uniform on a line along `axis`: on the other axes all begin at the same number.
+pub(crate) fn on_line<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    axis: usize,
+) -> Vec<Aabb<R, D>> {
+    list(seed, n, |random, _| {
+        let mut mins = [3.25; D];
+        mins[axis] = random.between(0.0, 2.0 * n as f64);
+        (mins, [1.0; D])
+    })
+}
+
+/// `n` boxes whose sides are 1 to `ratio`.
+pub(crate) fn mixed_sizes<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    ratio: f64,
+) -> Vec<Aabb<R, D>> {
+    scattered(seed, 0.5, n, |random, _| random.place(1.0, ratio))
+}
+
+/// [`uniform`] boxes of density 0.8, side `scale`, moved by `offset` on every axis, loosened by `margin`. Where `offset` is large the sides
+/// round, to 0 in the end, and so does the margin.
+pub(crate) fn scaled<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    [scale, offset, margin]: [f64; 3],
+) -> Vec<Aabb<R, D>> {
+    let [scale, offset, margin] = [scale, offset, margin].map(R::from_f64);
+    let moved = |x: R| x * scale + offset;
+    let boxes = uniform(seed, n, 0.8).into_iter();
+    let boxes =
+        boxes.map(|b: Aabb<R, D>| Aabb::new(b.mins.map(moved), b.maxs.map(moved)).loosened(margin));
+    boxes.collect()
+}
+
+/// `n` boxes with every coordinate one of `alphabet`, so that they meet exactly or not at all. Zeros of different sign are left in either
+/// order: `mins = +0, maxs = -0` is valid.
+pub(crate) fn from_alphabet<R: Number, const D: usize>(
+    seed: u64,
+    n: usize,
+    alphabet: &[R],
+) -> Vec<Aabb<R, D>> {
+    let mut random = Random::new(seed);
+    let mut ends = || {
+        let (a, b) = (random.pick(alphabet), random.pick(alphabet));
+        if a <= b { (a, b) } else { (b, a) }
+    };
+    (0..n).map(|_| between(from_fn(|_| ends()))).collect()
+}
+
+/// What a box does on one axis: it is 1 long, reaches to negative infinity, to infinity, to both, or has both its sides at one of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Side {
+    Finite,
+    Below,
+    Above,
+    Everywhere,
+    AtNegative,
+    AtPositive,
+}
+
+/// `n` unit boxes among which are `infinite` that do, on each axis, what `sides` says.
+pub(crate) fn with_infinite<R: Number, const D: usize>(
+    n: usize,
+    infinite: usize,
+    sides: impl Fn(&mut Random) -> [Side; D],
+) -> Vec<Aabb<R, D>> {
+    let mut random = Random::new(14);
+    let [below, above] = [f64::NEG_INFINITY, f64::INFINITY].map(R::from_f64);
+    let mut boxes = uniform(15, n, 0.5);
+    for _ in 0..infinite {
+        boxes.push(between(sides(&mut random).map(|side| {
+            let at = R::from_f64(random.between(-12.0, 12.0));
+            match side {
+                Side::Finite => (at, at + R::from_f64(1.0)),
+                Side::Below => (below, at),
+                Side::Above => (at, above),
+                Side::Everywhere => (below, above),
+                Side::AtNegative => (below, below),
+                Side::AtPositive => (above, above),
+            }
+        })));
+    }
+    random.shuffle(&mut boxes);
+    boxes
+}
+
+/// The boxes by where they begin on `axis`, least first.
+pub(crate) fn sorted<R: Number, const D: usize>(
+    mut boxes: Vec<Aabb<R, D>>,
+    axis: usize,
+) -> Vec<Aabb<R, D>> {
+    let compare = |a: R, b: R| a.partial_cmp(&b).expect("the coordinates are numbers");
+    boxes.sort_by(|a, b| compare(a.mins[axis], b.mins[axis]));
+    boxes
+}
