@@ -61,6 +61,12 @@ impl AddAssign for PhaseTimes {
 /// Whether there is a clock: in WebAssembly without a system to ask there is none, and to read it would be a panic.
 const IS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
+/// The time, if there is a clock.
+#[cfg(feature = "_adapter")]
+pub(crate) fn now() -> Option<Instant> {
+    IS_CLOCK.then(Instant::now)
+}
+
 /// A phase of an update, as in [`PhaseTimes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {

@@ -18,8 +18,11 @@ mod queries;
 mod query_tree;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
+mod trial;
 
 pub use broad_phase::UnisizeBroadPhase;
+pub(crate) use trial::Updated;
+pub use trial::{Difference, Measured, Trial, TrialReport};
 
 /// [`Settings`](crate::Settings) in the numbers of this engine.
 pub type Settings = crate::Settings<rapier::math::Real>;

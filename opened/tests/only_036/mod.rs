@@ -4,7 +4,8 @@ use super::dim::soft_body;
 use super::rapier;
 use super::suite::{snapshot, twins};
 use super::{
-    PairFilter, Settings, Steppable, UnisizeBroadPhase, World, height_field, install, mesh_floor,
+    PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, height_field, install,
+    mesh_floor,
 };
 
 mod changes;
@@ -12,4 +13,5 @@ mod exchange;
 mod misuse;
 mod physics_world;
 mod recycling;
+mod looking_on;
 mod soft_bodies;

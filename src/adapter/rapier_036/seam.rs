@@ -1,6 +1,6 @@
 //! The seam of an opened Rapier 0.36: its pipelines take any broad phase that implements this trait.
 
-use super::adapter::UnisizeBroadPhase;
+use super::adapter::{Trial, UnisizeBroadPhase, Updated};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
@@ -57,6 +57,74 @@ impl CustomBroadPhase for UnisizeBroadPhase {
 
     fn bvh(&self) -> &Bvh {
         self.tree()
+    }
+
+    fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
+        Box::new(self.clone())
+    }
+}
+
+impl CustomBroadPhase for Trial {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let (modified, removed) = (modified_colliders, removed_colliders);
+        let updated = Updated {
+            colliders,
+            bodies,
+            removed,
+            is_busy: !(modified.is_empty() && removed.is_empty()),
+        };
+        self.run(
+            &updated,
+            events,
+            |own, events| own.update(params, colliders, bodies, modified, removed, events),
+            |tried: &mut UnisizeBroadPhase, events| {
+                CustomBroadPhase::update(
+                    tried, params, colliders, bodies, modified, removed, events,
+                )
+            },
+        );
+    }
+
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        for tried in &mut self.tried {
+            tried.note_changes(reinserted, unmoved);
+        }
+    }
+
+    fn is_new(&self) -> bool {
+        self.tried[0].is_new()
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        Trial::set_aabbs(self, params, &[(handle, aabb)]);
+    }
+
+    fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        aabbs: &[(ColliderHandle, Aabb)],
+    ) {
+        self.prepare(
+            |own| {
+                for (handle, aabb) in aabbs {
+                    own.set_aabb(params, *handle, *aabb);
+                }
+            },
+            |tried| CustomBroadPhase::set_aabbs(tried, params, colliders, aabbs),
+        );
+    }
+
+    fn bvh(&self) -> &Bvh {
+        self.own.bvh()
     }
 
     fn clone_box(&self) -> Box<dyn CustomBroadPhase> {

@@ -1,0 +1,30 @@
+//! A trial that looks on while a world runs on Rapier's own broad phase, as it has to where Rapier is not opened.
+
+use super::rapier::prelude::*;
+use super::twins::{cube, cuboid, dynamic};
+use super::{PairFilter, Trial};
+
+#[test]
+fn pairs_are_compared_from_outside() {
+    let mut world = PhysicsWorld::default();
+    world.insert(RigidBodyBuilder::fixed(), cuboid([10.0, 0.5, 10.0]));
+    let mut trial = Trial::new();
+    let mut cubes = Vec::new();
+    for step in 0..120 {
+        if step % 10 == 0 {
+            let place = dynamic(0.1 * step as Real - 6.0, 3.0);
+            cubes.push(world.insert(place, cube()).0);
+        }
+        if step % 25 == 24 {
+            // The next one gets its index.
+            world.remove_body(cubes.swap_remove(0));
+        }
+        world.step();
+        trial.look_on(&world.integration_parameters, &world.colliders, &world.bodies);
+    }
+    let report = trial.report();
+    assert!(report.is_equal(), "{report}");
+    assert_eq!(report.colliders, world.colliders.len());
+    assert!(report.level(PairFilter::Groups).pairs > 1.0);
+    assert!(report.updates >= 120);
+}
