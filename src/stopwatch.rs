@@ -67,6 +67,12 @@ pub(crate) fn now() -> Option<Instant> {
     IS_CLOCK.then(Instant::now)
 }
 
+/// How long it is since then; zero without a clock.
+#[cfg(feature = "_adapter")]
+pub(crate) fn since(began: Option<Instant>) -> Duration {
+    began.map_or(Duration::ZERO, |began| began.elapsed())
+}
+
 /// A phase of an update, as in [`PhaseTimes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {

@@ -20,8 +20,10 @@ mod query_tree;
 mod snapshot;
 mod trial;
 
+pub(crate) use broad_phase::Input;
 pub use broad_phase::UnisizeBroadPhase;
-pub(crate) use trial::Updated;
+#[allow(unused_imports, reason = "only Rapier 0.36 is looked on at")]
+pub(crate) use trial::key;
 pub use trial::{Difference, Measured, Trial, TrialReport};
 
 /// [`Settings`](crate::Settings) in the numbers of this engine.

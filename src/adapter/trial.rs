@@ -1,23 +1,28 @@
 //! Both broad phases at once, for who wants to know before the exchange.
 
+mod cost;
 mod ledger;
 mod report;
+#[cfg(test)]
+mod tests;
 
 pub use report::{Difference, Measured, TrialReport};
 
+use std::collections::HashMap;
+use std::time::Duration;
+
 use super::Settings;
-use super::broad_phase::UnisizeBroadPhase;
+use super::broad_phase::{Input, UnisizeBroadPhase};
 use super::collider_key::ColliderKey;
 use super::rapier::dynamics::RigidBodySet;
-use super::rapier::geometry::{
-    BroadPhasePairEvent, ColliderHandle, ColliderSet, DefaultBroadPhase,
-};
+// With it comes the trait of which `update` is a method in Rapier 0.27.
+use super::rapier::geometry::*;
 use super::version;
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 use crate::stopwatch;
+use cost::Cost;
 use ledger::{Ledger, Side};
-use report::Cost;
 
 /// The levels of the filter, from the one that leaves out nothing.
 const LEVELS: [PairFilter; 4] = [
@@ -38,10 +43,10 @@ const LEVELS: [PairFilter; 4] = [
 /// println!("{}", broad_phase.report());                              // some hundred steps later
 /// ```
 ///
-/// The simulation is the same to the last bit, only slower: unisize runs once for each [level of the filter](PairFilter), so an
-/// update takes about as long as three of Rapier's own. All of them share the caches of the processor, so each is a little faster without
-/// the others. After each update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own in
-/// **O(events)**.
+/// The simulation is the same to the last bit, only slower: unisize runs once for each [level of the filter](PairFilter), and what that
+/// takes is in the report. All of them share the caches of the processor, so each is a little faster without the others. After each
+/// update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own: **O(events)**, and **O(pairs)** if
+/// colliders were removed.
 #[derive(Clone)]
 pub struct Trial {
     pub(crate) own: DefaultBroadPhase,
@@ -51,22 +56,21 @@ pub struct Trial {
     updates: u64,
     /// Whether boxes were handed over since the last update.
     is_prepared: bool,
+    /// What all has taken, the comparison included.
+    total: Duration,
     ledger: Ledger,
     first_difference: Option<Difference>,
     /// See [`Self::with_allocated`].
     allocated: Option<fn() -> usize>,
     /// The colliders whose boxes were handed over last, where the trial looks on.
     #[allow(dead_code, reason = "in Rapier 0.27 it drives")]
-    pub(crate) looked_at: Vec<ColliderHandle>,
+    pub(crate) looked_at: HashMap<ColliderHandle, ColliderKey>,
 }
 
-/// What an update is about, besides the lists.
-pub(crate) struct Updated<'a> {
-    pub(crate) colliders: &'a ColliderSet,
-    pub(crate) bodies: &'a RigidBodySet,
-    pub(crate) removed: &'a [ColliderHandle],
-    /// Whether there is anything to look at.
-    pub(crate) is_busy: bool,
+/// What decides whom a collider may meet, whatever the level of the filter.
+pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
+    let body = collider.parent().and_then(|body| bodies.get(body));
+    ColliderKey::new(PairFilter::Groups, collider, body)
 }
 
 impl Default for Trial {
@@ -92,10 +96,11 @@ impl Trial {
             costs: [Cost::default(); 4],
             updates: 0,
             is_prepared: false,
+            total: Duration::ZERO,
             ledger: Ledger::default(),
             first_difference: None,
             allocated: None,
-            looked_at: Vec::new(),
+            looked_at: HashMap::new(),
         }
     }
 
@@ -115,13 +120,16 @@ impl Trial {
 
     /// What has been found out so far. **O(1)**.
     pub fn report(&self) -> TrialReport {
+        let measured = |cost: &Cost, level| cost.measured(level, self.updates);
         let levels = LEVELS.into_iter().zip(&self.costs);
+        let own = measured(&self.own_cost, None);
         TrialReport {
             updates: self.updates,
             colliders: self.tried[0].stats().proxies,
-            own: self.own_cost.measured(None),
+            overhead: self.total.saturating_sub(own.total),
+            own,
             levels: levels
-                .map(|(level, cost)| cost.measured(Some(level)))
+                .map(|(level, cost)| measured(cost, Some(level)))
                 .collect(),
             default_level: version::PAIR_FILTER,
             compared_level: version::FILTER_OF_OWN,
@@ -129,65 +137,71 @@ impl Trial {
         }
     }
 
-    /// Runs something on Rapier's own broad phase, and something on each of unisize, clocked, as a part of the next update.
+    /// Runs something on Rapier's own broad phase, and something on each of unisize, as a part of the next update.
     #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
     pub(crate) fn prepare(
         &mut self,
         own: impl FnOnce(&mut DefaultBroadPhase),
         mut tried: impl FnMut(&mut UnisizeBroadPhase),
     ) {
-        let allocated = self.allocated;
+        let began = stopwatch::now();
         self.is_prepared = true;
-        self.own_cost.of(allocated, || own(&mut self.own));
+        let (allocated, no_events) = (self.allocated, &mut Vec::new());
+        self.own_cost
+            .of(allocated, no_events, |_| own(&mut self.own));
         for (broad_phase, cost) in self.tried.iter_mut().zip(&mut self.costs) {
-            cost.of(allocated, || tried(broad_phase));
+            cost.of(allocated, no_events, |_| tried(broad_phase));
         }
+        self.total += stopwatch::since(began);
     }
 
     /// Runs an update on all of them, and compares. The events are those of Rapier's own.
-    pub(crate) fn run(
-        &mut self,
-        updated: &Updated<'_>,
-        events: &mut Vec<BroadPhasePairEvent>,
-        own: impl FnOnce(&mut DefaultBroadPhase, &mut Vec<BroadPhasePairEvent>),
-        mut tried: impl FnMut(&mut UnisizeBroadPhase, &mut Vec<BroadPhasePairEvent>),
-    ) {
-        let allocated = self.allocated;
-        let is_busy = updated.is_busy | std::mem::take(&mut self.is_prepared);
+    pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+        let began = stopwatch::now();
+        let Input {
+            params,
+            colliders,
+            bodies,
+            modified,
+            removed,
+        } = *input;
+        let is_prepared = std::mem::take(&mut self.is_prepared);
+        let is_busy = is_prepared || !(modified.is_empty() && removed.is_empty());
         self.updates += u64::from(is_busy);
-        self.ledger.forget(updated.removed);
-        let earlier = events.len();
-        self.own_cost
-            .of(allocated, || own(&mut self.own, &mut *events));
+        let update = is_busy.then_some(self.updates);
+        self.ledger.forget(removed);
+        let (allocated, earlier) = (self.allocated, events.len());
+        self.own_cost.of(allocated, events, |events| {
+            self.own
+                .update(params, colliders, bodies, modified, removed, events);
+        });
         self.ledger.note(Side::Own, &events[earlier..]);
-        self.own_cost.end_update(is_busy, self.ledger.held_by_own());
+        self.own_cost.end_update(update, self.ledger.held_by_own());
 
-        for (i, level) in LEVELS.into_iter().enumerate() {
+        let tried = self.tried.iter_mut().zip(&mut self.costs);
+        for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();
-            let broad_phase = &mut self.tried[i];
-            self.costs[i].of(allocated, || tried(broad_phase, &mut events));
-            self.costs[i].end_update(is_busy, broad_phase.stats().pairs);
+            cost.of(allocated, &mut events, |events| {
+                broad_phase.update_as_noted(input, events);
+            });
+            cost.end_update(update, broad_phase.stats().pairs);
             if level == version::FILTER_OF_OWN {
                 self.ledger.note(Side::Unisize, &events);
             }
         }
         if self.first_difference.is_none() {
-            self.first_difference = self.difference(updated);
+            self.first_difference = self.difference(input);
         }
+        self.total += stopwatch::since(began);
     }
 
     /// A pair that only one of the two holds, although the narrow phase would not drop it.
-    fn difference(&self, updated: &Updated<'_>) -> Option<Difference> {
-        let Updated {
-            colliders, bodies, ..
-        } = updated;
-        let key = |handle| {
-            let collider = colliders.get(handle)?;
-            let body = collider.parent().and_then(|body| bodies.get(body));
-            Some(ColliderKey::new(PairFilter::Groups, collider, body))
-        };
+    fn difference(&self, input: &Input<'_>) -> Option<Difference> {
         let differing = self.ledger.held_by_one().filter(|(pair, _)| {
-            let keys = pair.map(key);
+            let keys = pair.map(|handle| {
+                let collider = input.colliders.get(handle)?;
+                Some(key(collider, input.bodies))
+            });
             matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
         });
         // The least, so that it is always the same one.
@@ -205,21 +219,5 @@ impl std::fmt::Debug for Trial {
         f.debug_struct("Trial")
             .field("report", &self.report())
             .finish_non_exhaustive()
-    }
-}
-
-impl Cost {
-    /// Runs something that belongs to the current update.
-    fn of(&mut self, allocated: Option<fn() -> usize>, run: impl FnOnce()) {
-        let bytes = allocated.map(|bytes| bytes());
-        let began = stopwatch::now();
-        run();
-        if let Some(began) = began {
-            self.current += began.elapsed();
-        }
-        if let (Some(before), Some(allocated)) = (bytes, allocated) {
-            let bytes = self.bytes.get_or_insert(0);
-            *bytes += allocated() as i64 - before as i64;
-        }
     }
 }

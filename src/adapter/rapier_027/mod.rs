@@ -1,6 +1,6 @@
 //! What the adapter needs of Rapier 0.27 in particular, where [`BroadPhase`] is a trait.
 
-use super::adapter::{Trial, UnisizeBroadPhase, Updated};
+use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 #[cfg(test)]
 use super::rapier::geometry::Group;
@@ -33,6 +33,9 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 
 /// What Rapier's own broad phase leaves out.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
+
+/// Whether pipelines ask which neighbors are not reported.
+pub(super) const ASKS_FOR_NEIGHBORS: bool = false;
 
 /// Its solver takes one contact after the other, unless it is built with SIMD.
 pub(super) const ORDER: Order = Order::Dealt;
@@ -95,18 +98,13 @@ impl BroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let (modified, removed) = (modified_colliders, removed_colliders);
-        let updated = Updated {
+        let input = Input {
+            params,
             colliders,
             bodies,
-            removed,
-            is_busy: !(modified.is_empty() && removed.is_empty()),
+            modified: modified_colliders,
+            removed: removed_colliders,
         };
-        self.run(
-            &updated,
-            events,
-            |own, events| own.update(params, colliders, bodies, modified, removed, events),
-            |tried, events| tried.update(params, colliders, bodies, modified, removed, events),
-        );
+        self.run(&input, events);
     }
 }

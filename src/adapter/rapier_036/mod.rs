@@ -1,7 +1,7 @@
 //! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases unless a copy of it is opened
 //! (`seam.rs`).
 
-use super::adapter::{Trial, UnisizeBroadPhase, Updated};
+use super::adapter::{Input, Trial, UnisizeBroadPhase, key};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 #[cfg(test)]
 use super::rapier::geometry::Group;
@@ -31,6 +31,9 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 
 /// What Rapier's own broad phase leaves out.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
+
+/// Whether pipelines ask which neighbors are not reported.
+pub(super) const ASKS_FOR_NEIGHBORS: bool = true;
 
 /// Its solver takes contacts in groups in which no two share a body.
 pub(super) const ORDER: Order = Order::BySlots;
@@ -141,36 +144,51 @@ impl UnisizeBroadPhase {
 }
 
 impl Trial {
-    /// Brings both up to date; the events are those of Rapier's own. The counterpart of `BroadPhaseBvh::update`, for programs that have no
-    /// pipeline.
-    pub fn update(
+    /// Looks on while a world runs on a Rapier that is not opened: call it after each step. **O(colliders)**.
+    ///
+    /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. The pairs are as they
+    /// would be; the times are those of a world that never sleeps. A collider that is given another shape has its former volume at
+    /// [`PairFilter::Shapes`].
+    pub fn look_on(
         &mut self,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let (modified, removed) = (modified_colliders, removed_colliders);
-        let updated = Updated {
+        let enabled = colliders
+            .iter()
+            .filter(|(_, collider)| collider.is_enabled());
+        let aabbs: Vec<_> = enabled
+            .map(|(handle, collider)| (handle, collider.compute_broad_phase_aabb(params, bodies)))
+            .filter(|(_, aabb)| aabb.mins.is_finite() && aabb.maxs.is_finite())
+            .collect();
+        let seen = aabbs
+            .iter()
+            .map(|(handle, _)| (*handle, key(&colliders[*handle], bodies)));
+        let former = std::mem::replace(&mut self.looked_at, seen.collect());
+        // What may meet others than before comes anew, because nobody tells that it has changed.
+        let is_gone = |(handle, key): (&ColliderHandle, _)| self.looked_at.get(handle) != Some(key);
+        let gone = former.iter().filter(|former| is_gone(*former));
+        let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
+        let mut input = Input {
+            params,
             colliders,
             bodies,
-            removed,
-            is_busy: !(modified.is_empty() && removed.is_empty()),
+            modified: &[],
+            removed: &removed,
         };
-        self.run(
-            &updated,
-            events,
-            |own, events| own.update(params, colliders, bodies, modified, removed, events),
-            |tried, events| tried.update(params, colliders, bodies, modified, removed, events),
-        );
+        // First, for another collider may have the index by now.
+        self.run(&input, &mut Vec::new());
+        self.hand_over(params, Some(colliders), &aabbs);
+        input.removed = &[];
+        self.run(&input, &mut Vec::new());
     }
 
-    /// Hands over boxes in place of listing their colliders as modified: see [`UnisizeBroadPhase::set_aabb`].
-    pub fn set_aabbs(
+    /// Hands over boxes to both.
+    pub(crate) fn hand_over(
         &mut self,
         params: &IntegrationParameters,
+        colliders: Option<&ColliderSet>,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
         self.prepare(
@@ -179,44 +197,7 @@ impl Trial {
                     own.set_aabb(params, *handle, *aabb);
                 }
             },
-            |tried| tried.set_aabbs(params, aabbs),
+            |tried| tried.hand_over(params, colliders, aabbs),
         );
-    }
-
-    /// Looks on while a world runs on a Rapier that is not opened: call it after each step. **O(colliders)**.
-    ///
-    /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. So neither reads
-    /// colliders, both are given bodies at rest, and of [`PairFilter::Shapes`] only balls tell: the pairs are as they would be, and the
-    /// times are those of a world that never sleeps.
-    pub fn look_on(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-    ) {
-        let is_there = |handle: &ColliderHandle| {
-            let collider = colliders.get(*handle);
-            collider.is_some_and(Collider::is_enabled)
-        };
-        let known = std::mem::take(&mut self.looked_at);
-        let removed: Vec<_> = known
-            .into_iter()
-            .filter(|handle| !is_there(handle))
-            .collect();
-        let enabled = colliders
-            .iter()
-            .filter(|(_, collider)| collider.is_enabled());
-        let aabbs: Vec<_> = enabled
-            .map(|(handle, collider)| (handle, collider.compute_broad_phase_aabb(params, bodies)))
-            .filter(|(_, aabb)| aabb.mins.is_finite() && aabb.maxs.is_finite())
-            .collect();
-        self.looked_at = aabbs.iter().map(|(handle, _)| *handle).collect();
-        let events = &mut Vec::new();
-        if !removed.is_empty() {
-            // First, for another collider may have the index by now.
-            self.update(params, colliders, bodies, &[], &removed, events);
-        }
-        self.set_aabbs(params, &aabbs);
-        self.update(params, colliders, bodies, &[], &[], events);
     }
 }

@@ -1,12 +1,11 @@
 //! The seam of an opened Rapier 0.36: its pipelines take any broad phase that implements this trait.
 
-use super::adapter::{Trial, UnisizeBroadPhase, Updated};
+use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
 };
 use super::rapier::parry::partitioning::Bvh;
-use crate::proxy_table::Lists;
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -18,15 +17,14 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let noted = std::mem::take(&mut self.noted);
-        let lists = Lists {
+        let input = Input {
+            params,
+            colliders,
+            bodies,
             modified: modified_colliders,
-            reinserted: &noted.reinserted,
-            unmoved: &noted.unmoved,
             removed: removed_colliders,
         };
-        self.note_neighbors(&lists);
-        self.bring_up_to_date(params, colliders, bodies, &lists, events);
+        self.update_as_noted(&input, events);
     }
 
     fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
@@ -74,23 +72,14 @@ impl CustomBroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let (modified, removed) = (modified_colliders, removed_colliders);
-        let updated = Updated {
+        let input = Input {
+            params,
             colliders,
             bodies,
-            removed,
-            is_busy: !(modified.is_empty() && removed.is_empty()),
+            modified: modified_colliders,
+            removed: removed_colliders,
         };
-        self.run(
-            &updated,
-            events,
-            |own, events| own.update(params, colliders, bodies, modified, removed, events),
-            |tried: &mut UnisizeBroadPhase, events| {
-                CustomBroadPhase::update(
-                    tried, params, colliders, bodies, modified, removed, events,
-                )
-            },
-        );
+        self.run(&input, events);
     }
 
     fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
@@ -104,7 +93,7 @@ impl CustomBroadPhase for Trial {
     }
 
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        Trial::set_aabbs(self, params, &[(handle, aabb)]);
+        self.hand_over(params, None, &[(handle, aabb)]);
     }
 
     fn set_aabbs(
@@ -113,14 +102,7 @@ impl CustomBroadPhase for Trial {
         colliders: &ColliderSet,
         aabbs: &[(ColliderHandle, Aabb)],
     ) {
-        self.prepare(
-            |own| {
-                for (handle, aabb) in aabbs {
-                    own.set_aabb(params, *handle, *aabb);
-                }
-            },
-            |tried| CustomBroadPhase::set_aabbs(tried, params, colliders, aabbs),
-        );
+        self.hand_over(params, Some(colliders), aabbs);
     }
 
     fn bvh(&self) -> &Bvh {

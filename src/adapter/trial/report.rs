@@ -9,7 +9,7 @@ use crate::pair_filter::PairFilter;
 /// The share of pairs by which a level of the filter must differ from another for it to matter.
 const WORTHWHILE: f64 = 0.05;
 
-/// What a [`Trial`](super::Trial) has found out. It prints itself as a table and two sentences.
+/// What a [`Trial`](super::Trial) has found out. It prints itself as a table and some sentences.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct TrialReport {
@@ -17,6 +17,8 @@ pub struct TrialReport {
     pub updates: u64,
     /// Colliders that unisize holds now.
     pub colliders: usize,
+    /// The wall-clock time of all that the trial does besides running Rapier's own broad phase.
+    pub overhead: Duration,
     /// Rapier's own broad phase.
     pub own: Measured,
     /// unisize at each level of the filter, from the one that leaves out nothing.
@@ -43,8 +45,7 @@ pub struct Measured {
     pub longest: Duration,
     /// The mean number of pairs after an update.
     pub pairs: f64,
-    /// Bytes allocated and not given back; see [`Trial::with_allocated`](super::Trial::with_allocated). For Rapier's own with the events
-    /// that it has reported, for unisize without.
+    /// Bytes allocated and not given back; see [`Trial::with_allocated`](super::Trial::with_allocated).
     pub bytes: Option<i64>,
 }
 
@@ -93,12 +94,14 @@ impl TrialReport {
         fitting.level.filter(|_| pays)
     }
 
-    /// How many times as fast whole steps would be at least with this level of the filter, where all steps so far take this long on
-    /// Rapier's own broad phase, without the trial. What the narrow phase saves with fewer pairs comes on top.
+    /// How many times as fast whole steps would be at least with this level of the filter, if all steps so far take this long on Rapier's
+    /// own broad phase: without the [`overhead`](Self::overhead), where the trial ran within them. What the narrow phase saves with fewer
+    /// pairs comes on top. Queries are not in it. NaN if neither steps nor updates have taken any time.
     pub fn least_gain(&self, steps: Duration, level: PairFilter) -> f64 {
-        let times = [steps, self.own.total, self.level(level).total];
-        let [steps, own, ours] = times.map(|time| time.as_secs_f64());
-        steps / (steps - own + ours).max(f64::MIN_POSITIVE)
+        // A step takes no less than its broad phase.
+        let steps = steps.max(self.own.total);
+        let exchanged = steps - self.own.total + self.level(level).total;
+        steps.as_secs_f64() / exchanged.as_secs_f64()
     }
 }
 
@@ -112,6 +115,8 @@ impl fmt::Display for TrialReport {
         for measured in [&self.own].into_iter().chain(&self.levels) {
             writeln!(f, "{measured}")?;
         }
+        let overhead = self.overhead.as_secs_f64() * 1e3 / self.updates.max(1) as f64;
+        writeln!(f, "The trial adds {overhead:.3} ms to an update.")?;
         match self.first_difference {
             None => writeln!(
                 f,
@@ -160,49 +165,9 @@ impl fmt::Display for Difference {
         };
         write!(
             f,
-            "DIFFERENT: after update {} only {holder} held the pair of {first:?} and {second:?}. Please report it.",
+            "DIFFERENT: after update {} only {holder} held the pair of {first:?} and {second:?}. \
+             Please report it, unless the margin is another than Rapier's.",
             self.update
         )
-    }
-}
-
-/// What one of the broad phases has taken so far.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Cost {
-    /// Of the update that is under way.
-    pub(super) current: Duration,
-    total: Duration,
-    longest: Duration,
-    updates: u64,
-    /// Summed over all updates.
-    pairs: u64,
-    pub(super) bytes: Option<i64>,
-}
-
-impl Cost {
-    /// Ends an update, which counts if it was busy, and after which so many pairs are held.
-    pub(super) fn end_update(&mut self, is_busy: bool, pairs: usize) {
-        let time = std::mem::take(&mut self.current);
-        self.total += time;
-        if !is_busy {
-            return;
-        }
-        if self.updates > 0 {
-            self.longest = self.longest.max(time);
-        }
-        self.updates += 1;
-        self.pairs += pairs as u64;
-    }
-
-    pub(super) fn measured(&self, level: Option<PairFilter>) -> Measured {
-        let updates = self.updates.max(1);
-        Measured {
-            level,
-            total: self.total,
-            mean: self.total.div_f64(updates as f64),
-            longest: self.longest,
-            pairs: self.pairs as f64 / updates as f64,
-            bytes: self.bytes,
-        }
     }
 }
