@@ -1,4 +1,4 @@
-//! Both broad phases at once, for who wants to know before the exchange.
+//! Both broad phases at once, to find out what unisize gains in a scene before it is used.
 
 mod cost;
 mod ledger;
@@ -32,10 +32,10 @@ const LEVELS: [PairFilter; 4] = [
     PairFilter::Shapes,
 ];
 
-/// Rapier's own broad phase, which drives the world as before, and unisize beside it, which is given the same: whether the two hold the
-/// same pairs, and what either takes, in a scene of your own, before anything is exchanged.
+/// Rapier's own broad phase, which drives the world as before, with unisize beside it, which is given the same input. It tells whether the
+/// two hold the same pairs and what each takes, in a scene of your own, before you replace anything.
 ///
-/// Put it in the place of the broad phase, let the program run, and print its [`report`](Self::report):
+/// Use it as the broad phase, let the program run, and print its [`report`](Self::report):
 ///
 /// ```text
 /// let mut broad_phase = Trial::new();                                // Rapier 0.27

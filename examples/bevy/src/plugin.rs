@@ -3,19 +3,18 @@
 use bevy::prelude::*;
 use bevy_rapier3d::prelude::RapierContextSimulation;
 use bevy_rapier3d::rapier::geometry::DefaultBroadPhase;
+use unisize::rapier3d_036::UnisizeBroadPhase;
 
-/// Gives every Rapier context the broad phase that this function makes, as soon as the context is there:
-/// `BroadPhasePlugin(|| DefaultBroadPhase::custom(UnisizeBroadPhase::new()))`.
-pub(crate) struct BroadPhasePlugin(pub(crate) fn() -> DefaultBroadPhase);
+/// Puts unisize into every Rapier context when it is made.
+pub(crate) struct UnisizePlugin;
 
-impl Plugin for BroadPhasePlugin {
+impl Plugin for UnisizePlugin {
     fn build(&self, app: &mut App) {
-        let make = self.0;
         app.add_observer(
-            move |added: On<Add<RapierContextSimulation>>,
-                  mut contexts: Query<&mut RapierContextSimulation>| {
+            |added: On<Add<RapierContextSimulation>>,
+             mut contexts: Query<&mut RapierContextSimulation>| {
                 if let Ok(mut context) = contexts.get_mut(added.entity) {
-                    context.broad_phase = make();
+                    context.broad_phase = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
                 }
             },
         );

@@ -13,18 +13,32 @@ fn pairs_are_compared_from_outside() {
     for step in 0..120 {
         if step % 10 == 0 {
             let place = dynamic(0.1 * step as Real - 6.0, 3.0);
-            cubes.push(world.insert(place, cube()).0);
+            cubes.push(world.insert(place, cube()));
+        }
+        if step % 40 == 39 {
+            // Nobody is told that they may meet others than before.
+            let groups = match step {
+                39 => InteractionGroups::none(),
+                _ => InteractionGroups::all(),
+            };
+            world.colliders[cubes[2].1].set_collision_groups(groups);
         }
         if step % 25 == 24 {
             // The next one gets its index.
-            world.remove_body(cubes.swap_remove(0));
+            world.remove_body(cubes.swap_remove(0).0);
         }
         world.step();
-        trial.look_on(&world.integration_parameters, &world.colliders, &world.bodies);
+        trial.look_on(
+            &world.integration_parameters,
+            &world.colliders,
+            &world.bodies,
+        );
     }
     let report = trial.report();
     assert!(report.is_equal(), "{report}");
     assert_eq!(report.colliders, world.colliders.len());
-    assert!(report.level(PairFilter::Groups).pairs > 1.0);
+    let [groups, shapes] =
+        [PairFilter::Groups, PairFilter::Shapes].map(|level| report.level(level).pairs);
+    assert!(groups > 1.0 && shapes < groups, "{report}");
     assert!(report.updates >= 120);
 }

@@ -10,8 +10,8 @@ use super::{
 
 mod changes;
 mod exchange;
+mod looking_on;
 mod misuse;
 mod physics_world;
 mod recycling;
-mod looking_on;
 mod soft_bodies;

@@ -132,7 +132,7 @@ impl fmt::Display for TrialReport {
             }
             Some(level) => write!(
                 f,
-                "PairFilter::{level:?} fits, if you can do with what its documentation says; the default is {:?}.",
+                "PairFilter::{level:?} fits; the default is {:?}, so read first what the level changes.",
                 self.default_level
             ),
         }

@@ -24,11 +24,13 @@ fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u3
         colliders.insert(ball(x));
     }
     let mut trial = Trial::new();
+    let (params, bodies) = (IntegrationParameters::default(), RigidBodySet::new());
+    let all = [0, 1, 2].map(handle);
     let mut input = Input {
-        params: &IntegrationParameters::default(),
+        params: &params,
         colliders: &colliders,
-        bodies: &RigidBodySet::new(),
-        modified: &[0, 1, 2].map(handle),
+        bodies: &bodies,
+        modified: &all,
         removed: &[],
     };
     trial.run(&input, &mut Vec::new());
@@ -37,7 +39,8 @@ fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u3
     let mut moved = colliders.clone();
     moved[handle(2)].set_position(*ball(1.7).position());
     input.colliders = &moved;
-    input.modified = &[handle(2)];
+    let listed = [handle(2)];
+    input.modified = &listed;
     fault(&mut trial.tried[version::FILTER_OF_OWN as usize], &input);
     trial.run(&input, &mut Vec::new());
 
