@@ -21,4 +21,4 @@ mod seam;
 pub use crate::kernel::Kernel;
 pub use crate::pair_filter::PairFilter;
 pub use crate::stats::{Stats, Work};
-pub use adapter::{Settings, UnisizeBroadPhase};
+pub use adapter::{Difference, Measured, Settings, Trial, TrialReport, UnisizeBroadPhase};

@@ -61,6 +61,18 @@ impl AddAssign for PhaseTimes {
 /// Whether there is a clock: in WebAssembly without a system to ask there is none, and to read it would be a panic.
 const IS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
+/// The time, if there is a clock.
+#[cfg(feature = "_adapter")]
+pub(crate) fn now() -> Option<Instant> {
+    IS_CLOCK.then(Instant::now)
+}
+
+/// How long it is since then; zero without a clock.
+#[cfg(feature = "_adapter")]
+pub(crate) fn since(began: Option<Instant>) -> Duration {
+    began.map_or(Duration::ZERO, |began| began.elapsed())
+}
+
 /// A phase of an update, as in [`PhaseTimes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {

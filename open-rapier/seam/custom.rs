@@ -168,7 +168,7 @@ impl BroadPhaseBvh {
     }
 
     /// The tree for queries and CCD.
-    pub(crate) fn bvh(&self) -> &Bvh {
+    pub fn bvh(&self) -> &Bvh {
         match &self.custom.broad_phase {
             Some(custom) => custom.bvh(),
             None => &self.tree,

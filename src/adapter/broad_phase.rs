@@ -42,13 +42,21 @@ pub struct UnisizeBroadPhase {
     /// See [`Self::unreported_neighbors`].
     pub(super) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
     /// What the next update is told of in particular.
-    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 tells")]
     pub(crate) noted: Noted,
+}
+
+/// What an update is given.
+#[derive(Clone, Copy)]
+pub(crate) struct Input<'a> {
+    pub(crate) params: &'a IntegrationParameters,
+    pub(crate) colliders: &'a ColliderSet,
+    pub(crate) bodies: &'a RigidBodySet,
+    pub(crate) modified: &'a [ColliderHandle],
+    pub(crate) removed: &'a [ColliderHandle],
 }
 
 /// Colliders of which more is known than that they have changed; see [`Lists`].
 #[derive(Clone, Default)]
-#[allow(dead_code, reason = "only an opened copy of Rapier 0.36 tells")]
 pub(crate) struct Noted {
     pub(crate) reinserted: Vec<ColliderHandle>,
     pub(crate) unmoved: Vec<ColliderHandle>,
@@ -164,11 +172,28 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
+    /// One update as by the pipelines of an opened Rapier 0.36, which have noted more than the lists say, and ask for the
+    /// [neighbors](Self::unreported_neighbors).
+    pub(crate) fn update_as_noted(
+        &mut self,
+        input: &Input<'_>,
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let noted = std::mem::take(&mut self.noted);
+        let lists = Lists {
+            modified: input.modified,
+            reinserted: &noted.reinserted,
+            unmoved: &noted.unmoved,
+            removed: input.removed,
+        };
+        self.note_neighbors(&lists);
+        self.bring_up_to_date(input.params, input.colliders, input.bodies, &lists, events);
+    }
+
     /// Notes the neighbors that [`Self::unreported_neighbors`] tells of, before an update with these lists.
-    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
-    pub(crate) fn note_neighbors(&mut self, lists: &Lists<'_, ColliderHandle>) {
+    fn note_neighbors(&mut self, lists: &Lists<'_, ColliderHandle>) {
         self.near.clear();
-        if self.filter() < PairFilter::Shapes {
+        if !version::ASKS_FOR_NEIGHBORS || self.filter() < PairFilter::Shapes {
             return;
         }
         let Lists {

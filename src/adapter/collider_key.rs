@@ -13,7 +13,7 @@ use crate::pair_tracker::FilterKey;
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(super) struct ColliderKey {
+pub(crate) struct ColliderKey {
     /// The index of the body; [`NOBODY`] if there is none.
     body: u32,
     /// Of the groups.

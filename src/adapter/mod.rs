@@ -18,8 +18,13 @@ mod queries;
 mod query_tree;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
+mod trial;
 
+pub(crate) use broad_phase::Input;
 pub use broad_phase::UnisizeBroadPhase;
+#[allow(unused_imports, reason = "only Rapier 0.36 is looked on at")]
+pub(crate) use trial::key;
+pub use trial::{Difference, Measured, Trial, TrialReport};
 
 /// [`Settings`](crate::Settings) in the numbers of this engine.
 pub type Settings = crate::Settings<rapier::math::Real>;

@@ -18,7 +18,7 @@ macro_rules! flavour {
         #[path = "."]
         mod $name {
             use flavour::{height_field, hinge, mesh_floor, spin};
-            use unisize::$unisize::{PairFilter, Settings, UnisizeBroadPhase};
+            use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
             use unisize_scenes::$name::{AnyBroadPhase, Installed, Steppable, World, install};
             use $rapier as rapier;
 

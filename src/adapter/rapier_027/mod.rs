@@ -1,6 +1,6 @@
 //! What the adapter needs of Rapier 0.27 in particular, where [`BroadPhase`] is a trait.
 
-use super::adapter::UnisizeBroadPhase;
+use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 #[cfg(test)]
 use super::rapier::geometry::Group;
@@ -30,6 +30,12 @@ pub(super) const REINSERTS: bool = false;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
+
+/// What Rapier's own broad phase leaves out.
+pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
+
+/// Whether pipelines ask which neighbors are not reported.
+pub(super) const ASKS_FOR_NEIGHBORS: bool = false;
 
 /// Its solver takes one contact after the other, unless it is built with SIMD.
 pub(super) const ORDER: Order = Order::Dealt;
@@ -79,5 +85,26 @@ impl BroadPhase for UnisizeBroadPhase {
     ) {
         let lists = Lists::new(modified_colliders, removed_colliders);
         self.bring_up_to_date(params, colliders, bodies, &lists, events);
+    }
+}
+
+impl BroadPhase for Trial {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let input = Input {
+            params,
+            colliders,
+            bodies,
+            modified: modified_colliders,
+            removed: removed_colliders,
+        };
+        self.run(&input, events);
     }
 }

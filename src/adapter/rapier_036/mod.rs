@@ -1,7 +1,7 @@
 //! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases unless a copy of it is opened
 //! (`seam.rs`).
 
-use super::adapter::UnisizeBroadPhase;
+use super::adapter::{Input, Trial, UnisizeBroadPhase, key};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 #[cfg(test)]
 use super::rapier::geometry::Group;
@@ -28,6 +28,12 @@ pub(super) const REINSERTS: bool = true;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
+
+/// What Rapier's own broad phase leaves out.
+pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
+
+/// Whether pipelines ask which neighbors are not reported.
+pub(super) const ASKS_FOR_NEIGHBORS: bool = true;
 
 /// Its solver takes contacts in groups in which no two share a body.
 pub(super) const ORDER: Order = Order::BySlots;
@@ -134,5 +140,64 @@ impl UnisizeBroadPhase {
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
         self.hand_over(params, None, aabbs);
+    }
+}
+
+impl Trial {
+    /// Looks on while a world runs on a Rapier that is not opened: call it after each step. **O(colliders)**.
+    ///
+    /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. The pairs are as they
+    /// would be; the times are those of a world that never sleeps. A collider that is given another shape has its former volume at
+    /// [`PairFilter::Shapes`].
+    pub fn look_on(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+    ) {
+        let enabled = colliders
+            .iter()
+            .filter(|(_, collider)| collider.is_enabled());
+        let aabbs: Vec<_> = enabled
+            .map(|(handle, collider)| (handle, collider.compute_broad_phase_aabb(params, bodies)))
+            .filter(|(_, aabb)| aabb.mins.is_finite() && aabb.maxs.is_finite())
+            .collect();
+        let seen = aabbs
+            .iter()
+            .map(|(handle, _)| (*handle, key(&colliders[*handle], bodies)));
+        let former = std::mem::replace(&mut self.looked_at, seen.collect());
+        // What may meet others than before comes anew, because nobody tells that it has changed.
+        let is_gone = |(handle, key): (&ColliderHandle, _)| self.looked_at.get(handle) != Some(key);
+        let gone = former.iter().filter(|former| is_gone(*former));
+        let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
+        let mut input = Input {
+            params,
+            colliders,
+            bodies,
+            modified: &[],
+            removed: &removed,
+        };
+        // First, for another collider may have the index by now.
+        self.run(&input, &mut Vec::new());
+        self.hand_over(params, Some(colliders), &aabbs);
+        input.removed = &[];
+        self.run(&input, &mut Vec::new());
+    }
+
+    /// Hands over boxes to both.
+    pub(crate) fn hand_over(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: Option<&ColliderSet>,
+        aabbs: &[(ColliderHandle, RapierAabb)],
+    ) {
+        self.prepare(
+            |own| {
+                for (handle, aabb) in aabbs {
+                    own.set_aabb(params, *handle, *aabb);
+                }
+            },
+            |tried| tried.hand_over(params, colliders, aabbs),
+        );
     }
 }

@@ -1,12 +1,11 @@
 //! The seam of an opened Rapier 0.36: its pipelines take any broad phase that implements this trait.
 
-use super::adapter::UnisizeBroadPhase;
+use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
 };
 use super::rapier::parry::partitioning::Bvh;
-use crate::proxy_table::Lists;
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -18,15 +17,14 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let noted = std::mem::take(&mut self.noted);
-        let lists = Lists {
+        let input = Input {
+            params,
+            colliders,
+            bodies,
             modified: modified_colliders,
-            reinserted: &noted.reinserted,
-            unmoved: &noted.unmoved,
             removed: removed_colliders,
         };
-        self.note_neighbors(&lists);
-        self.bring_up_to_date(params, colliders, bodies, &lists, events);
+        self.update_as_noted(&input, events);
     }
 
     fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
@@ -57,6 +55,58 @@ impl CustomBroadPhase for UnisizeBroadPhase {
 
     fn bvh(&self) -> &Bvh {
         self.tree()
+    }
+
+    fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
+        Box::new(self.clone())
+    }
+}
+
+impl CustomBroadPhase for Trial {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+        removed_colliders: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        let input = Input {
+            params,
+            colliders,
+            bodies,
+            modified: modified_colliders,
+            removed: removed_colliders,
+        };
+        self.run(&input, events);
+    }
+
+    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
+        for tried in &mut self.tried {
+            tried.note_changes(reinserted, unmoved);
+        }
+    }
+
+    fn is_new(&self) -> bool {
+        self.tried[0].is_new()
+    }
+
+    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
+        self.hand_over(params, None, &[(handle, aabb)]);
+    }
+
+    fn set_aabbs(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        aabbs: &[(ColliderHandle, Aabb)],
+    ) {
+        self.hand_over(params, Some(colliders), aabbs);
+    }
+
+    fn bvh(&self) -> &Bvh {
+        self.own.bvh()
     }
 
     fn clone_box(&self) -> Box<dyn CustomBroadPhase> {

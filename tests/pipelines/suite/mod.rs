@@ -2,7 +2,7 @@
 
 use super::rapier;
 use super::version;
-use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
+use super::{Installed, PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 use super::{hinge, mesh_floor, spin};
 
 mod bullets;
@@ -18,5 +18,6 @@ mod queries;
 pub(super) mod random;
 mod removals;
 pub(super) mod snapshot;
+mod trial;
 pub(super) mod twins;
 mod wake_ups;

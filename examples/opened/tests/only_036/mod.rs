@@ -4,11 +4,13 @@ use super::dim::soft_body;
 use super::rapier;
 use super::suite::{random, snapshot, twins};
 use super::{
-    PairFilter, Settings, Steppable, UnisizeBroadPhase, World, height_field, install, mesh_floor,
+    PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, height_field, install,
+    mesh_floor,
 };
 
 mod changes;
 mod exchange;
+mod looking_on;
 mod misuse;
 mod physics_world;
 mod recycling;

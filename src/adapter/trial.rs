@@ -1,0 +1,223 @@
+//! Both broad phases at once, to find out what unisize gains in a scene before it is used.
+
+mod cost;
+mod ledger;
+mod report;
+#[cfg(test)]
+mod tests;
+
+pub use report::{Difference, Measured, TrialReport};
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use super::Settings;
+use super::broad_phase::{Input, UnisizeBroadPhase};
+use super::collider_key::ColliderKey;
+use super::rapier::dynamics::RigidBodySet;
+// With it comes the trait of which `update` is a method in Rapier 0.27.
+use super::rapier::geometry::*;
+use super::version;
+use crate::pair_filter::PairFilter;
+use crate::pair_tracker::FilterKey;
+use crate::stopwatch;
+use cost::Cost;
+use ledger::{Ledger, Side};
+
+/// The levels of the filter, from the one that leaves out nothing.
+const LEVELS: [PairFilter; 4] = [
+    PairFilter::Off,
+    PairFilter::Bodies,
+    PairFilter::Groups,
+    PairFilter::Shapes,
+];
+
+/// Rapier's own broad phase, which drives the world as before, with unisize beside it, which is given the same input. It tells whether the
+/// two hold the same pairs and what each takes, in a scene of your own, before you replace anything.
+///
+/// Use it as the broad phase, let the program run, and print its [`report`](Self::report):
+///
+/// ```text
+/// let mut broad_phase = Trial::new();                                // Rapier 0.27
+/// world.broad_phase = DefaultBroadPhase::custom(Trial::new());       // Rapier 0.36, opened
+/// println!("{}", broad_phase.report());                              // some hundred steps later
+/// ```
+///
+/// The simulation is the same to the last bit, only slower: unisize runs once for each [level of the filter](PairFilter), and what that
+/// takes is in the report. All of them share the caches of the processor, so each is a little faster without the others. After each
+/// update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own: **O(events)**, and **O(pairs)** if
+/// colliders were removed.
+#[derive(Clone)]
+pub struct Trial {
+    pub(crate) own: DefaultBroadPhase,
+    own_cost: Cost,
+    pub(crate) tried: [UnisizeBroadPhase; 4],
+    costs: [Cost; 4],
+    updates: u64,
+    /// Whether boxes were handed over since the last update.
+    is_prepared: bool,
+    /// What all has taken, the comparison included.
+    total: Duration,
+    ledger: Ledger,
+    first_difference: Option<Difference>,
+    /// See [`Self::with_allocated`].
+    allocated: Option<fn() -> usize>,
+    /// The colliders whose boxes were handed over last, where the trial looks on.
+    #[allow(dead_code, reason = "in Rapier 0.27 it drives")]
+    pub(crate) looked_at: HashMap<ColliderHandle, ColliderKey>,
+}
+
+/// What decides whom a collider may meet, whatever the level of the filter.
+pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
+    let body = collider.parent().and_then(|body| bodies.get(body));
+    ColliderKey::new(PairFilter::Groups, collider, body)
+}
+
+impl Default for Trial {
+    fn default() -> Self {
+        Self::with_settings(Settings::default())
+    }
+}
+
+impl Trial {
+    /// Both without any colliders, unisize with default settings.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Both without any colliders. Each level of the filter is tried, whatever the settings say of it. With another
+    /// [margin](crate::Settings::margin) than Rapier's own the pairs are not the same, and the report says so.
+    pub fn with_settings(settings: Settings) -> Self {
+        Self {
+            own: DefaultBroadPhase::new(),
+            own_cost: Cost::default(),
+            tried: LEVELS
+                .map(|level| UnisizeBroadPhase::with_settings(settings.with_filter(level))),
+            costs: [Cost::default(); 4],
+            updates: 0,
+            is_prepared: false,
+            total: Duration::ZERO,
+            ledger: Ledger::default(),
+            first_difference: None,
+            allocated: None,
+            looked_at: HashMap::new(),
+        }
+    }
+
+    /// The same, with memory in the report: `allocated` tells how many bytes the program has allocated, as a counting global allocator
+    /// knows.
+    pub fn with_allocated(self, allocated: fn() -> usize) -> Self {
+        Self {
+            allocated: Some(allocated),
+            ..self
+        }
+    }
+
+    /// Rapier's own broad phase, for queries.
+    pub fn own(&self) -> &DefaultBroadPhase {
+        &self.own
+    }
+
+    /// What has been found out so far. **O(1)**.
+    pub fn report(&self) -> TrialReport {
+        let measured = |cost: &Cost, level| cost.measured(level, self.updates);
+        let levels = LEVELS.into_iter().zip(&self.costs);
+        let own = measured(&self.own_cost, None);
+        TrialReport {
+            updates: self.updates,
+            colliders: self.tried[0].stats().proxies,
+            overhead: self.total.saturating_sub(own.total),
+            own,
+            levels: levels
+                .map(|(level, cost)| measured(cost, Some(level)))
+                .collect(),
+            default_level: version::PAIR_FILTER,
+            compared_level: version::FILTER_OF_OWN,
+            first_difference: self.first_difference,
+        }
+    }
+
+    /// Runs something on Rapier's own broad phase, and something on each of unisize, as a part of the next update.
+    #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
+    pub(crate) fn prepare(
+        &mut self,
+        own: impl FnOnce(&mut DefaultBroadPhase),
+        mut tried: impl FnMut(&mut UnisizeBroadPhase),
+    ) {
+        let began = stopwatch::now();
+        self.is_prepared = true;
+        let (allocated, no_events) = (self.allocated, &mut Vec::new());
+        self.own_cost
+            .of(allocated, no_events, |_| own(&mut self.own));
+        for (broad_phase, cost) in self.tried.iter_mut().zip(&mut self.costs) {
+            cost.of(allocated, no_events, |_| tried(broad_phase));
+        }
+        self.total += stopwatch::since(began);
+    }
+
+    /// Runs an update on all of them, and compares. The events are those of Rapier's own.
+    pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+        let began = stopwatch::now();
+        let Input {
+            params,
+            colliders,
+            bodies,
+            modified,
+            removed,
+        } = *input;
+        let is_prepared = std::mem::take(&mut self.is_prepared);
+        let is_busy = is_prepared || !(modified.is_empty() && removed.is_empty());
+        self.updates += u64::from(is_busy);
+        let update = is_busy.then_some(self.updates);
+        self.ledger.forget(removed);
+        let (allocated, earlier) = (self.allocated, events.len());
+        self.own_cost.of(allocated, events, |events| {
+            self.own
+                .update(params, colliders, bodies, modified, removed, events);
+        });
+        self.ledger.note(Side::Own, &events[earlier..]);
+        self.own_cost.end_update(update, self.ledger.held_by_own());
+
+        let tried = self.tried.iter_mut().zip(&mut self.costs);
+        for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
+            let mut events = Vec::new();
+            cost.of(allocated, &mut events, |events| {
+                broad_phase.update_as_noted(input, events);
+            });
+            cost.end_update(update, broad_phase.stats().pairs);
+            if level == version::FILTER_OF_OWN {
+                self.ledger.note(Side::Unisize, &events);
+            }
+        }
+        if self.first_difference.is_none() {
+            self.first_difference = self.difference(input);
+        }
+        self.total += stopwatch::since(began);
+    }
+
+    /// A pair that only one of the two holds, although the narrow phase would not drop it.
+    fn difference(&self, input: &Input<'_>) -> Option<Difference> {
+        let differing = self.ledger.held_by_one().filter(|(pair, _)| {
+            let keys = pair.map(|handle| {
+                let collider = input.colliders.get(handle)?;
+                Some(key(collider, input.bodies))
+            });
+            matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
+        });
+        // The least, so that it is always the same one.
+        let (pair, holder) = differing.min_by_key(|(pair, _)| pair.map(|h| h.into_raw_parts()))?;
+        Some(Difference {
+            update: self.updates,
+            colliders: pair,
+            is_missing: holder == Side::Own,
+        })
+    }
+}
+
+impl std::fmt::Debug for Trial {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Trial")
+            .field("report", &self.report())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,66 @@
+//! What one of the broad phases takes.
+
+use std::time::Duration;
+
+use super::super::rapier::geometry::BroadPhasePairEvent;
+use super::report::Measured;
+use crate::pair_filter::PairFilter;
+use crate::stopwatch;
+
+/// What one of the broad phases has taken so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Cost {
+    /// Of the update that is under way.
+    current: Duration,
+    total: Duration,
+    longest: Duration,
+    /// Summed over all updates.
+    pairs: u64,
+    bytes: Option<i64>,
+}
+
+impl Cost {
+    /// Runs something that belongs to the current update. The memory of events is not counted.
+    pub(super) fn of(
+        &mut self,
+        allocated: Option<fn() -> usize>,
+        events: &mut Vec<BroadPhasePairEvent>,
+        run: impl FnOnce(&mut Vec<BroadPhasePairEvent>),
+    ) {
+        let bytes = |events: &Vec<BroadPhasePairEvent>| {
+            let of_events = events.capacity() * size_of::<BroadPhasePairEvent>();
+            allocated.map(|allocated| allocated() as i64 - of_events as i64)
+        };
+        let before = bytes(events);
+        let began = stopwatch::now();
+        run(events);
+        self.current += stopwatch::since(began);
+        if let (Some(before), Some(after)) = (before, bytes(events)) {
+            *self.bytes.get_or_insert(0) += after - before;
+        }
+    }
+
+    /// Ends an update, after which so many pairs are held. Its number counts from 1; it has none if there was nothing to look at.
+    pub(super) fn end_update(&mut self, update: Option<u64>, pairs: usize) {
+        let time = std::mem::take(&mut self.current);
+        self.total += time;
+        if let Some(update) = update {
+            self.pairs += pairs as u64;
+            if update > 1 {
+                self.longest = self.longest.max(time);
+            }
+        }
+    }
+
+    pub(super) fn measured(&self, level: Option<PairFilter>, updates: u64) -> Measured {
+        let updates = updates.max(1) as f64;
+        Measured {
+            level,
+            total: self.total,
+            mean: self.total.div_f64(updates),
+            longest: self.longest,
+            pairs: self.pairs as f64 / updates,
+            bytes: self.bytes,
+        }
+    }
+}
