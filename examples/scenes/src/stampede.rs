@@ -58,18 +58,8 @@ impl Stampede {
     /// A herd of `count` animals. Equal arguments, and equal pairs in every frame, make an equal stampede. **O(n)**.
     pub fn new(count: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
-        // The area of the ring is 2 π · radius · width.
-        let area = count as f32 / DENSITY;
-        let radius = (area / (std::f32::consts::TAU * WIDTH)).sqrt();
-        let half_width = radius * WIDTH / 2.0;
-        let mut herd = Self {
-            places: Vec::with_capacity(count),
-            velocities: Vec::with_capacity(count),
-            paces: Vec::with_capacity(count),
-            pushes: Vec::new(),
-            radius,
-            half_width,
-        };
+        let mut herd = Self::part(count, []);
+        let (radius, half_width) = (herd.radius, herd.half_width);
         for _ in 0..count {
             let angle: f32 = random.range(0.0, std::f32::consts::TAU);
             // Uniform over the area.
@@ -84,6 +74,31 @@ impl Stampede {
         herd
     }
 
+    /// Some animals of a herd of `count`, each with its place, velocity and pace. They move as they do in the whole herd if
+    /// they are in the same order, and [`advance`](Self::advance) is given all their pairs, in the same order too. **O(n)**.
+    pub fn part(
+        count: usize,
+        animals: impl IntoIterator<Item = ([f32; 2], [f32; 2], f32)>,
+    ) -> Self {
+        // The area of the ring is 2 π · radius · width.
+        let area = count as f32 / DENSITY;
+        let radius = (area / (std::f32::consts::TAU * WIDTH)).sqrt();
+        let mut herd = Self {
+            places: Vec::new(),
+            velocities: Vec::new(),
+            paces: Vec::new(),
+            pushes: Vec::new(),
+            radius,
+            half_width: radius * WIDTH / 2.0,
+        };
+        for (place, velocity, pace) in animals {
+            herd.places.push(place);
+            herd.velocities.push(velocity);
+            herd.paces.push(pace);
+        }
+        herd
+    }
+
     /// Where the animals are.
     pub fn places(&self) -> &[[f32; 2]] {
         &self.places
@@ -92,6 +107,11 @@ impl Stampede {
     /// The velocities, in metres per second.
     pub fn velocities(&self) -> &[[f32; 2]] {
         &self.velocities
+    }
+
+    /// The speeds that the animals would like to run at, in metres per second.
+    pub fn paces(&self) -> &[f32] {
+        &self.paces
     }
 
     /// Moves on to the next frame; animals avoid those that they form a pair with. Pairs that are not near have no
