@@ -67,8 +67,9 @@ impl Bisection {
             Self::Leaf(own) => *own == process,
             Self::Cut { axis, at, sides } => {
                 let mut halves = [*around; 2];
-                halves[0].maxs[*axis] = *at;
-                halves[1].mins[*axis] = *at;
+                // A cut without points may lie outside.
+                halves[0].maxs[*axis] = at.min(around.maxs[*axis]);
+                halves[1].mins[*axis] = at.max(around.mins[*axis]);
                 let found = (0..2).find(|&i| sides[i].narrow(process, &mut halves[i]));
                 found.inspect(|&i| *around = halves[i]).is_some()
             }
