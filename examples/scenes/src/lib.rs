@@ -22,13 +22,14 @@
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
 //! its versions in `version/`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`HardBoxes`] and [`HardFrames`] need no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
 mod converging;
 mod hard_boxes;
 mod hard_motions;
 mod kind;
 mod random;
+mod stampede;
 
 pub mod boxes;
 
@@ -37,6 +38,7 @@ pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
+pub use stampede::Stampede;
 
 #[cfg(feature = "rapier2d-027")]
 pub mod dim2 {
