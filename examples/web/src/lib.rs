@@ -166,7 +166,7 @@ impl Side {
         self.drawing.batches.len()
     }
 
-    /// What the instances of a batch are: `ball`, `cuboid`, `capsule`, `rock`, which is a fixed ball, or `wall`.
+    /// What the bodies of a batch are: `ball`, `cuboid`, `capsule`, `rock`, which is a fixed ball, or `wall`.
     pub fn batch_shape(&self, batch: usize) -> String {
         self.drawing.batches[batch].shape.name().to_owned()
     }
@@ -176,14 +176,10 @@ impl Side {
         self.drawing.batches[batch].shape.length()
     }
 
-    /// The transformations of the instances, each a matrix of 4 by 4, column by column.
-    pub fn batch_matrices(&self, batch: usize) -> Vec<f32> {
-        self.drawing.batches[batch].matrices.clone()
-    }
-
-    /// The brightness of the instances, for red, green and blue.
-    pub fn batch_shades(&self, batch: usize) -> Vec<f32> {
-        self.drawing.batches[batch].shades.clone()
+    /// Sixteen numbers for each body of a batch: the images of the three unit vectors, each and a zero, and where it is, with its
+    /// brightness.
+    pub fn batch_places(&self, batch: usize) -> Vec<f32> {
+        self.drawing.batches[batch].places.clone()
     }
 
     /// The ends of the edges of the boxes of the colliders that move.
