@@ -4,20 +4,11 @@ use crate::published::CONVERGING;
 use crate::race::{race, unit_boxes};
 use crate::{Run, method};
 use anyhow::Result;
-use unisize::{Aabb, GridSweep, PairFinder};
 use unisize_charts::{Axis, Chart, Panel, Series, color};
-use unisize_pictures::{Camera, Drawing, Legend, palette, thousands};
 use unisize_scenes::ConvergingBoxes;
 
 const COUNT: usize = 100_000;
 const FRAMES: usize = 2 * ConvergingBoxes::HALF_WAY;
-
-/// The number of frames that are drawn.
-const PICTURES: usize = 4;
-const PICTURE_SIZE: [usize; 2] = [420, 300];
-
-/// A square with this many pairs has the last colour of the palette.
-const CROWDED: f32 = 24.0;
 
 pub(crate) fn measure(run: &mut Run) -> Result<()> {
     let (count, frames) = run.choose((1000, 25), (COUNT, FRAMES));
@@ -56,45 +47,9 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         Series::new("pairs (right)", color::PALE, by_frame(pairs)),
     );
     let title = format!("{count} squares converge on the centre");
-    Chart::new(title, [panel]).write_svg(&run.pictures.join("figure4.svg"))?;
-    draw_frames(run, count, frames)
+    Chart::new(title, [panel]).write_svg(&run.pictures.join("figure4.svg"))
 }
 
 fn by_frame(values: impl Iterator<Item = f64>) -> impl Iterator<Item = (f64, f64)> {
     (1..).map(f64::from).zip(values)
-}
-
-/// Draws four frames at even intervals, as cubes on a plane coloured by how many others they overlap.
-fn draw_frames(run: &Run, count: usize, frames: usize) -> Result<()> {
-    let mut boxes = ConvergingBoxes::new(count, 7);
-    let camera = Camera::orbit([0.0; 3], boxes.half_side() * 4.2)
-        .turned(0.6)
-        .raised(0.75);
-    let interval = frames / (PICTURES + 1);
-    for picture in 1..=PICTURES {
-        (0..interval).for_each(|_| boxes.advance());
-        let (mut squares, mut pairs) = (Vec::<Aabb<f32, 2>>::new(), Vec::new());
-        unit_boxes(boxes.mins(), &mut squares);
-        GridSweep::default().find_pairs(&squares, &mut pairs)?;
-        let mut degrees = vec![0.0_f32; count];
-        for index in pairs.iter().flatten() {
-            degrees[*index as usize] += 1.0;
-        }
-        let mut drawing = Drawing::new();
-        for (&[x, y], degree) in boxes.mins().iter().zip(degrees) {
-            let color = palette::by_share(degree / CROWDED);
-            drawing.cuboid(
-                [x + 0.5, 0.5, y + 0.5],
-                [0.5; 3],
-                [0.0, 0.0, 0.0, 1.0],
-                color,
-            );
-        }
-        let title = format!("frame {}", picture * interval);
-        let mut image = drawing.picture(&camera, PICTURE_SIZE)?;
-        image.legend(&Legend::new(title).fact("pairs", thousands(pairs.len())));
-        // Named by its place in the row, so that a quick run has the same names.
-        image.write_png(&run.pictures.join(format!("figure4-{picture}.png")))?;
-    }
-    Ok(())
 }
