@@ -1,22 +1,17 @@
-//! A stampede through a gorge: animals avoid each other and rocks.
-//!
-//! The broad phase is the neighbour search: the box of an animal covers what it sees, and its neighbours are those with which
-//! it forms a pair.
+//! Walkers on a plane, each on its way to a goal: a pair is two that may get in each other's way.
 //!
 //! ```text
-//! cargo run --release --features rapier2d-027 --example crowd2d -- --out crowd2d.gif
+//! cargo run --release --features rapier2d-027 --example crowd2d -- --verify-pairs
 //! ```
 
-use unisize::rapier2d_027 as ours;
-use unisize_scenes::dim2 as scenes;
+use unisize::rapier2d_027::UnisizeBroadPhase;
+use unisize_scenes::{SceneKind, dim2 as scenes};
 
-#[path = "show/gorge.rs"]
-mod gorge;
-#[path = "show/mod.rs"]
-mod show;
+#[path = "show/options.rs"]
+mod options;
+#[path = "show/run.rs"]
+mod run;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    show::run::<gorge::Gorge>()
+fn main() -> std::process::ExitCode {
+    run::run(SceneKind::Crowd)
 }

@@ -1,19 +1,17 @@
-//! Grains are poured into a container, colour after colour.
+//! Grains are poured through a funnel.
 //!
 //! ```text
-//! cargo run --release --features rapier3d-027 --example particles3d -- --out particles3d.gif
+//! cargo run --release --features rapier3d-027 --example particles3d -- --verify-pairs
 //! ```
 
-use unisize::rapier3d_027 as ours;
-use unisize_scenes::dim3 as scenes;
+use unisize::rapier3d_027::UnisizeBroadPhase;
+use unisize_scenes::{SceneKind, dim3 as scenes};
 
-#[path = "show/pour.rs"]
-mod pour;
-#[path = "show/mod.rs"]
-mod show;
+#[path = "show/options.rs"]
+mod options;
+#[path = "show/run.rs"]
+mod run;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    show::run::<pour::Pour>()
+fn main() -> std::process::ExitCode {
+    run::run(SceneKind::Hopper)
 }

@@ -1,19 +1,17 @@
-//! Ropes of jointed capsules fall over bars and tangle.
+//! Ropes of jointed capsules hang, fall over bars and tangle.
 //!
 //! ```text
-//! cargo run --release --features rapier3d-027 --example rope3d -- --out rope3d.gif
+//! cargo run --release --features rapier3d-027 --example rope3d -- --verify-pairs
 //! ```
 
-use unisize::rapier3d_027 as ours;
-use unisize_scenes::dim3 as scenes;
+use unisize::rapier3d_027::UnisizeBroadPhase;
+use unisize_scenes::{SceneKind, dim3 as scenes};
 
-#[path = "show/ropes.rs"]
-mod ropes;
-#[path = "show/mod.rs"]
-mod show;
+#[path = "show/options.rs"]
+mod options;
+#[path = "show/run.rs"]
+mod run;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    show::run::<ropes::Ropes>()
+fn main() -> std::process::ExitCode {
+    run::run(SceneKind::Ropes)
 }

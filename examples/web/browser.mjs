@@ -134,6 +134,17 @@ async function switches() {
   });
 }
 
+/** How long a picture of 10,000 bodies takes, both views together. */
+async function drawing() {
+  for (const [scene, space] of [["gas", "3d"], ["gas", "2d"], ["ropes", "3d"], ["stacks", "3d"]]) {
+    await withPage({ query: `film=${scene}&space=${space}&bodies=10000` }, async (page) => {
+      await page.waitForFunction(() => window.film);
+      const taken = await page.evaluate(() => Array.from({ length: 21 }, () => window.film(1)).sort((a, b) => a - b));
+      console.log(`10,000 bodies, ${scene} ${space}: a picture takes ${taken[10].toFixed(0)} ms, at most ${taken[20].toFixed(0)}`);
+    });
+  }
+}
+
 /** What a browser lacks, and what fails, is a sentence on the page. */
 async function troubles() {
   const sentence = async (name, options, pattern, action = () => {}) => {
@@ -217,7 +228,7 @@ try {
     await film();
   } else {
     const only = process.argv[2];
-    for (const part of [scenes, switches, troubles, pictures]) {
+    for (const part of [scenes, switches, drawing, troubles, pictures]) {
       if (only === undefined || only === part.name) await part();
     }
     console.log("the page passed");

@@ -1,57 +1,80 @@
-// What a step takes in WebAssembly without a page: both broad phases in turns, scalar and with vectors, in Node.
+// unisize in WebAssembly without a page, in Node: both broad phases, scalar and with vectors. .ci/browser says how.
 //
-//   node examples/web/node.mjs [steps] [bodies]
-//
-// Needs `site`, which `build` makes. In Rapier 0.27, worlds that are equal to the last bit have as many contacts; later on, and in 0.36,
-// which may find the first contact of a pair a step sooner on unisize, the numbers are near each other. If not, it fails.
+//   node node.mjs check                     contacts of all scenes, as the example `compare` compares them (build --check)
+//   node node.mjs golden                    hashes of all events (build --check)
+//   node node.mjs times [steps [bodies]]    milliseconds a step (build)
 
 import { readFileSync } from "node:fs";
 
-const SCENES = ["ropes", "hopper", "crowd", "gas", "mixed-1.5", "stacks"];
-const [steps, bodies] = [Number(process.argv[2] ?? 120), Number(process.argv[3] ?? 2000)];
-/** The first steps compile, and are not counted. */
-const WARM = Math.min(10, Math.floor(steps / 4));
+const BUILDS = ["scalar", "simd"];
+const ENGINES = ["rapier2d-027", "rapier3d-027", "rapier2d-036", "rapier3d-036"];
+const [part, ...options] = process.argv.slice(2);
+await { check, golden, times }[part](...options);
 
-const site = new URL("site/", import.meta.url);
-const { buildSides, distanceApart, loadEngine, stepInTurns } = await import(new URL("engine.js", site));
+async function loadChecks(build) {
+  const folder = new URL(`check/${build}/`, import.meta.url);
+  const engine = await import(new URL("engine.js", folder));
+  await engine.default({ module_or_path: readFileSync(new URL("engine_bg.wasm", folder)) });
+  return engine;
+}
 
-const columns = [["scene", 10], ["space", 6], ["Rapier", 7], ["build", 7], ["Rapier's own", 13], ["broad", 7], ["unisize", 8], ["broad", 7], ["ratio", 6], ["contacts", 14], ["equal until", 12]];
-const row = (cells) => console.log(cells.map((cell, index) => String(cell).padStart(columns[index][1])).join(" "));
-row(columns.map(([name]) => name));
+/** In each step, pairs are the same, and two narrow phases find the same contacts and intersections in those of each side. */
+async function check(bodies = 200, steps = 60) {
+  for (const build of BUILDS) {
+    const checks = await loadChecks(build);
+    for (const engine of ENGINES) {
+      const scenes = checks.scenes();
+      for (const scene of scenes) {
+        const difference = checks.first_difference(engine, scene, Number(bodies), Number(steps));
+        if (difference !== undefined) throw new Error(`${build}, ${engine}, ${scene}: ${difference}`);
+      }
+      console.log(`${build}, ${engine}: no difference in ${steps} steps of ${scenes.length} scenes`);
+    }
+  }
+}
 
-for (const build of ["scalar", "simd"]) {
-  for (const version of ["027", "036"]) {
-    const engine = await loadEngine(build, version, readFileSync);
-    for (const scene of SCENES) {
-      for (const space of ["2d", "3d"]) {
-        row([scene, space, version, build, ...run(engine, { scene, space, version, bodies, seed: 1 })]);
+/** One line for each scene, the same in both builds. */
+async function golden() {
+  const [scalar, simd] = await Promise.all(BUILDS.map(loadChecks));
+  for (const engine of ENGINES) {
+    for (const scene of scalar.scenes()) {
+      const hashes = [scalar, simd].map((checks) => checks.golden(engine, scene));
+      if (hashes[0] !== hashes[1]) throw new Error(`${engine}, ${scene}: ${hashes.join(" without vectors, with them ")}`);
+      console.log(engine, scene, hashes[0]);
+    }
+  }
+}
+
+async function times(steps = 120, bodies = 2000) {
+  const page = await import(new URL("site/engine.js", import.meta.url));
+  const scenes = ["ropes", "hopper", "crowd", "gas", "mixed-1.5", "stacks"];
+  const widths = [10, 6, 7, 7, 13, 7, 8, 7, 6, 14];
+  const row = (cells) => console.log(cells.map((cell, index) => String(cell).padStart(widths[index])).join(" "));
+  row(["scene", "space", "Rapier", "build", "Rapier's own", "broad", "unisize", "broad", "ratio", "contacts"]);
+  for (const build of BUILDS) {
+    for (const version of ["027", "036"]) {
+      const engine = await page.loadEngine(build, version, readFileSync);
+      for (const scene of scenes) {
+        for (const space of ["2d", "3d"]) {
+          const sides = page.buildSides(engine, { scene, space, version, bodies: Number(bodies), seed: 1 });
+          row([scene, space, version, build, ...clock(page, sides, Number(steps))]);
+          for (const side of Object.values(sides)) side.free();
+        }
       }
     }
   }
 }
 
-function run(engine, setup) {
-  const sides = buildSides(engine, setup);
-  const sums = { rapier: { step: 0, broad: 0 }, unisize: { step: 0, broad: 0 } };
-  let equalUntil = 0;
+/** Means of all steps but the first, which compile. */
+function clock(page, sides, steps) {
+  const warm = Math.min(10, Math.floor(steps / 4));
+  const means = { rapier: { step: 0, broad: 0 }, unisize: { step: 0, broad: 0 } };
   for (let step = 0; step < steps; step += 1) {
-    const times = stepInTurns(sides, step);
-    if (step >= WARM) {
-      for (const [name, taken] of Object.entries(times)) {
-        sums[name].step += taken.step / (steps - WARM);
-        sums[name].broad += taken.broad / (steps - WARM);
-      }
-    }
-    const contacts = [sides.rapier.contacts(), sides.unisize.contacts()];
-    if (equalUntil === step && distanceApart(sides) === 0) equalUntil = step + 1;
-    const isEqual = equalUntil === step + 1 && setup.version === "027";
-    if (isEqual ? contacts[0] !== contacts[1] : 1.5 * Math.min(...contacts) + 20 < Math.max(...contacts)) {
-      throw new Error(`${JSON.stringify(setup)}: ${contacts.join(" and ")} contacts after step ${step + 1}`);
+    for (const [name, taken] of Object.entries(page.stepInTurns(sides, step))) {
+      for (const part of step < warm ? [] : ["step", "broad"]) means[name][part] += taken[part] / (steps - warm);
     }
   }
-  const contacts = `${sides.rapier.contacts()} ${sides.unisize.contacts()}`;
-  for (const side of Object.values(sides)) side.free();
-  const { rapier, unisize } = sums;
-  const times = [rapier.step, rapier.broad, unisize.step, unisize.broad].map((ms) => ms.toFixed(3));
-  return [...times, (rapier.step / unisize.step).toFixed(2), contacts, equalUntil];
+  const { rapier, unisize } = means;
+  const ms = [rapier.step, rapier.broad, unisize.step, unisize.broad].map((time) => time.toFixed(3));
+  return [...ms, (rapier.step / unisize.step).toFixed(2), `${sides.rapier.contacts()} ${sides.unisize.contacts()}`];
 }

@@ -26,8 +26,9 @@ const COUNTED = 0.9;
 const STEPS_PER_MS = 60 / 1000;
 const BUDGET = 12;
 
-/** Pictures that take more milliseconds than this are slow. */
+/** Pictures that take more milliseconds than this are slow; after so many in a row they get coarser. */
 const SLOW = 50;
+const PATIENCE = 5;
 
 /** The numbers are written, and the worlds compared, at these intervals of milliseconds. */
 const INTERVAL = 250;
@@ -159,14 +160,26 @@ let before = 0;
 let due = 0;
 let told = 0;
 let drawn = 0;
+let stepTime = 0;
 let drawTime = 0;
+let slowInARow = 0;
+
+/** Takes down how long the last picture took: from frame to frame, less the steps. */
+function clockPicture(now) {
+  drawTime = now - drawn - stepTime;
+  document.body.dataset.drawing = drawTime.toFixed(1);
+  slowInARow = drawTime > SLOW ? slowInARow + 1 : 0;
+  if (slowInARow < PATIENCE) return;
+  slowInARow = 0;
+  for (const view of views) view.coarsen();
+}
 
 function frame(now) {
   requestAnimationFrame(frame);
   if (isBroken) return;
   guarded(() => {
     // Pictures that take long are drawn in every other stretch of time, so that the page answers in between.
-    if (before === drawn) drawTime = now - drawn;
+    if (before === drawn && drawn > 0) clockPicture(now);
     due = isRunning ? Math.min(due + (now - before) * STEPS_PER_MS, 3) : 0;
     before = now;
     const start = performance.now();
@@ -175,6 +188,7 @@ function frame(now) {
       stepBoth();
       due -= 1;
     }
+    stepTime = performance.now() - start;
     if (drawTime < SLOW || now - drawn > 2 * drawTime) {
       draw();
       drawn = now;
@@ -276,12 +290,16 @@ async function start() {
   listen();
   await restart();
   if (asked.has("film")) {
-    // Whoever records it says when it goes on.
+    // Whoever records it says when it goes on, and is told the milliseconds of the picture.
     document.body.classList.add("film");
     window.film = (count) => {
       for (let step = 0; step < count; step += 1) stepBoth();
+      const start = performance.now();
       draw();
+      for (const view of views) view.finish();
+      const taken = performance.now() - start;
       tell();
+      return taken;
     };
   } else {
     requestAnimationFrame(frame);

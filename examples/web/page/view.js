@@ -1,42 +1,17 @@
-// One view: the bodies of a world as instances of few shapes with few triangles, drawn by three.js.
+// One view of a world, drawn by three.js.
 
 import * as THREE from "three";
+import { Bodies } from "./bodies.js";
 import { OrbitControls } from "./three/OrbitControls.js";
 
-/** With more bodies than this, each is so small that a ball of 20 triangles looks like one. */
-const MANY = 1500;
-/** And with more than this, one of 8. */
-const VERY_MANY = 6000;
+// Colours are those of the style sheet, light is added to them as they are.
+THREE.ColorManagement.enabled = false;
 
 /** Whether a processor draws in place of a graphics card. Smooth edges would double its work. */
 function isDrawnBySoftware() {
   const context = document.createElement("canvas").getContext("webgl");
   const info = context?.getExtension("WEBGL_debug_renderer_info");
   return /SwiftShader|llvmpipe|Basic Render/.test(info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
-}
-
-/** A shape of radius or half width 1. */
-function geometry(shape, length, isFlat, count) {
-  switch (shape) {
-    case "ball":
-    case "rock":
-      return isFlat ? new THREE.CircleGeometry(1, count > MANY ? 10 : 20) : roundSolid(count);
-    case "capsule":
-      return isFlat ? flatCapsule(length) : new THREE.CapsuleGeometry(1, length, 2, 6);
-    default:
-      return isFlat ? new THREE.PlaneGeometry(2, 2) : new THREE.BoxGeometry(2, 2, 2);
-  }
-}
-
-function roundSolid(count) {
-  return count > VERY_MANY ? new THREE.OctahedronGeometry(1) : new THREE.IcosahedronGeometry(1, count > MANY ? 0 : 1);
-}
-
-function flatCapsule(length) {
-  const outline = new THREE.Shape();
-  outline.absarc(0, length / 2, 1, 0, Math.PI);
-  outline.absarc(0, -length / 2, 1, Math.PI, 2 * Math.PI);
-  return new THREE.ShapeGeometry(outline, 5);
 }
 
 /** A camera for all views, so that they show the same part of their worlds. */
@@ -78,8 +53,15 @@ export class View {
   constructor(canvas, name) {
     this.canvas = canvas;
     this.name = name;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !isDrawnBySoftware() });
+    this.isSmooth = !isDrawnBySoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: this.isSmooth });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  }
+
+  /** Draws fewer pixels, down to a quarter of those of the page. */
+  coarsen() {
+    this.renderer.setPixelRatio(Math.max(this.renderer.getPixelRatio() * 0.7, 0.5));
   }
 
   /** Begins with a new world. */
@@ -93,13 +75,10 @@ export class View {
       this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
       this.controls.touches.ONE = THREE.TOUCH.PAN;
     }
-    for (const mesh of this.meshes ?? []) mesh?.dispose();
-    this.meshes = [];
+    for (const bodies of this.batches ?? []) bodies.dispose();
+    this.batches = [];
     this.lines = {};
     this.scene = new THREE.Scene();
-    const sun = new THREE.DirectionalLight(0xffffff, 2);
-    sun.position.set(0.5, 1, 0.8);
-    this.scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x8090a0, 1.6));
     this.recolor();
   }
 
@@ -108,20 +87,18 @@ export class View {
     const style = getComputedStyle(this.canvas);
     this.color = (name) => new THREE.Color(style.getPropertyValue(`--${name}`).trim());
     this.scene.background = this.color("panel");
-    for (const mesh of this.meshes) mesh?.material.color.copy(this.color(mesh.userData.color));
+    for (const bodies of this.batches) bodies.recolor(this.colorOf(bodies));
     for (const line of Object.values(this.lines)) line.material.color.copy(this.color(line.userData.color));
   }
 
   /** Takes over where everything is. */
   update(side, { boxes, pairs }) {
-    const count = side.draw();
-    for (let batch = 0; batch < count; batch += 1) {
-      const matrices = side.batch_matrices(batch);
-      const mesh = this.mesh(side, batch, matrices.length / 16);
-      mesh.instanceMatrix.array.set(matrices);
-      mesh.instanceColor.array.set(side.batch_shades(batch));
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.instanceColor.needsUpdate = true;
+    const batches = side.draw();
+    for (let batch = 0; batch < batches; batch += 1) {
+      const places = side.batch_places(batch);
+      const count = places.length / 16;
+      if (!(this.batches[batch]?.capacity >= count)) this.batches[batch] = this.newBodies(side, batch, count);
+      this.batches[batch].place(places);
     }
     this.draw("boxes", "text", boxes ? side.box_lines() : []);
     this.draw("idle", "idle", pairs ? side.pair_lines(false) : []);
@@ -138,36 +115,24 @@ export class View {
     this.renderer.render(this.scene, this.camera.lens);
   }
 
-  /** The instances of a batch, with room for so many. */
-  mesh(side, batch, count) {
-    let mesh = this.meshes[batch];
-    if (mesh === undefined || mesh.userData.capacity < count) {
-      if (mesh !== undefined) {
-        this.scene.remove(mesh);
-        mesh.geometry.dispose();
-        mesh.dispose();
-      }
-      mesh = this.newMesh(side.batch_shape(batch), side.batch_length(batch), count);
-      this.meshes[batch] = mesh;
-      this.scene.add(mesh);
-    }
-    mesh.count = count;
-    return mesh;
+  /** Waits until the picture is there. */
+  finish() {
+    const context = this.renderer.getContext();
+    context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  newMesh(shape, length, count) {
-    const isFlat = this.camera.isFlat;
-    const isWall = shape === "wall";
-    const color = isWall || shape === "rock" ? "wall" : `${this.name}-body`;
-    const Material = isFlat ? THREE.MeshBasicMaterial : THREE.MeshLambertMaterial;
-    const material = new Material({ color: this.color(color) });
-    if (isWall) Object.assign(material, { transparent: true, opacity: isFlat ? 0.5 : 0.14, depthWrite: false });
-    const capacity = 2 ** Math.ceil(Math.log2(Math.max(count, 16)));
-    const mesh = new THREE.InstancedMesh(geometry(shape, length, isFlat, count), material, capacity);
-    mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3);
-    mesh.frustumCulled = false;
-    mesh.userData = { capacity, color };
-    return mesh;
+  /** The bodies of a batch, with room for so many, in place of those before. */
+  newBodies(side, batch, count) {
+    this.batches[batch]?.dispose();
+    const [shape, length] = [side.batch_shape(batch), side.batch_length(batch)];
+    const bodies = new Bodies({ shape, length, count, isFlat: this.camera.isFlat, isSmooth: this.isSmooth });
+    bodies.recolor(this.colorOf(bodies));
+    this.scene.add(bodies.mesh);
+    return bodies;
+  }
+
+  colorOf(bodies) {
+    return this.color(bodies.isFixed ? "wall" : `${this.name}-body`);
   }
 
   /** Draws lines over everything, from the ends in a list of coordinates. */

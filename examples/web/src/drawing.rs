@@ -1,6 +1,6 @@
-//! What a graphics card draws: instances of a few shapes, each with a matrix and a brightness.
+//! What a graphics card draws: many bodies of a few shapes, each with a place and a brightness.
 
-/// The shape of a batch, in a size of its own that the matrices scale.
+/// The shape of a batch, in a size of its own that the places scale.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Shape {
     /// A ball or disc of radius 1.
@@ -34,11 +34,11 @@ impl Shape {
     }
 }
 
-/// All instances of one shape.
+/// All bodies of one shape.
 pub(crate) struct Batch {
     pub(crate) shape: Shape,
-    pub(crate) matrices: Vec<f32>,
-    pub(crate) shades: Vec<f32>,
+    /// Sixteen numbers for each body: the images of the three unit vectors, each and a zero, and where it is, with its brightness.
+    pub(crate) places: Vec<f32>,
 }
 
 /// A picture of a world.
@@ -51,21 +51,19 @@ impl Drawing {
     /// Empties all batches. They stay, so that the page can keep what belongs to them.
     pub(crate) fn clear(&mut self) {
         for batch in &mut self.batches {
-            batch.matrices.clear();
-            batch.shades.clear();
+            batch.places.clear();
         }
     }
 
-    /// Adds an instance: the images of the three unit vectors, and its place.
+    /// Adds a body: the images of the three unit vectors, and its place.
     pub(crate) fn add(&mut self, shape: Shape, axes: [[f32; 3]; 3], place: [f32; 3], shade: f32) {
         let batch = self.batch(shape);
         for axis in axes {
-            batch.matrices.extend(axis);
-            batch.matrices.push(0.0);
+            batch.places.extend(axis);
+            batch.places.push(0.0);
         }
-        batch.matrices.extend(place);
-        batch.matrices.push(1.0);
-        batch.shades.extend([shade; 3]);
+        batch.places.extend(place);
+        batch.places.push(shade);
     }
 
     fn batch(&mut self, shape: Shape) -> &mut Batch {
@@ -73,8 +71,7 @@ impl Drawing {
         let index = found.unwrap_or_else(|| {
             self.batches.push(Batch {
                 shape,
-                matrices: Vec::new(),
-                shades: Vec::new(),
+                places: Vec::new(),
             });
             self.batches.len() - 1
         });

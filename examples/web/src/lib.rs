@@ -1,10 +1,18 @@
 //! Scenes in WebAssembly: worlds on Rapier's own broad phase or on unisize, which a page steps, clocks and draws.
 //!
 //! A [`Side`] is one world. The page makes two that differ in the broad phase alone. `engine` is one source, compiled once for each
-//! of the four flavours of Rapier; [`World`] hides which it is. Each version is a feature, so that a page need not load both. What is drawn leaves as a [`Drawing`]: arrays of numbers
-//! that a graphics card takes as they are.
+//! of the four flavours of Rapier; [`World`] hides which it is. Each version is a feature, so that a page need not load both. What is drawn
+//! leaves as a [`Drawing`]: arrays of numbers that a graphics card takes as they are.
 
+#[cfg(feature = "check")]
+mod check;
 mod drawing;
+#[cfg(feature = "check")]
+#[path = "../../../tests/golden/hash.rs"]
+mod hash;
+
+#[cfg(feature = "check")]
+pub use check::{first_difference, golden, scenes};
 
 use drawing::Drawing;
 use unisize_scenes::SceneKind;
@@ -17,6 +25,8 @@ mod dim2_027 {
     use unisize::rapier2d_027::UnisizeBroadPhase;
     use unisize_scenes::dim2 as scenes;
 
+    #[cfg(feature = "check")]
+    pub(crate) mod check;
     #[path = "rapier_027.rs"]
     mod version;
     pub(crate) mod world;
@@ -29,6 +39,8 @@ mod dim3_027 {
     use unisize::rapier3d_027::UnisizeBroadPhase;
     use unisize_scenes::dim3 as scenes;
 
+    #[cfg(feature = "check")]
+    pub(crate) mod check;
     #[path = "rapier_027.rs"]
     mod version;
     pub(crate) mod world;
@@ -41,6 +53,8 @@ mod dim2_036 {
     use unisize::rapier2d_036::UnisizeBroadPhase;
     use unisize_scenes::dim2_036 as scenes;
 
+    #[cfg(feature = "check")]
+    pub(crate) mod check;
     #[path = "rapier_036.rs"]
     mod version;
     pub(crate) mod world;
@@ -53,9 +67,34 @@ mod dim3_036 {
     use unisize::rapier3d_036::UnisizeBroadPhase;
     use unisize_scenes::dim3_036 as scenes;
 
+    #[cfg(feature = "check")]
+    pub(crate) mod check;
     #[path = "rapier_036.rs"]
     mod version;
     pub(crate) mod world;
+}
+
+/// A function of the engine of this name, `rapier2d-027` or another; returns a sentence if there is none.
+macro_rules! for_engine {
+    ($engine:expr, $module:ident :: $item:ident) => {
+        match $engine {
+            #[cfg(feature = "rapier-027")]
+            "rapier2d-027" => crate::dim2_027::$module::$item,
+            #[cfg(feature = "rapier-027")]
+            "rapier3d-027" => crate::dim3_027::$module::$item,
+            #[cfg(feature = "rapier-036")]
+            "rapier2d-036" => crate::dim2_036::$module::$item,
+            #[cfg(feature = "rapier-036")]
+            "rapier3d-036" => crate::dim3_036::$module::$item,
+            other => return Err(JsError::new(&format!("there is no engine {other}"))),
+        }
+    };
+}
+use for_engine;
+
+/// The scene of this name.
+fn kind(scene: &str) -> Result<SceneKind, JsError> {
+    SceneKind::from_name(scene).ok_or_else(|| JsError::new(&format!("there is no scene {scene}")))
 }
 
 /// A scene on one broad phase, whichever Rapier it is of.
@@ -110,21 +149,9 @@ impl Side {
         bodies: usize,
         seed: u32,
     ) -> Result<Side, JsError> {
-        let kind = SceneKind::from_name(scene)
-            .ok_or_else(|| JsError::new(&format!("there is no scene {scene}")))?;
-        let build = match engine {
-            #[cfg(feature = "rapier-027")]
-            "rapier2d-027" => dim2_027::world::build,
-            #[cfg(feature = "rapier-027")]
-            "rapier3d-027" => dim3_027::world::build,
-            #[cfg(feature = "rapier-036")]
-            "rapier2d-036" => dim2_036::world::build,
-            #[cfg(feature = "rapier-036")]
-            "rapier3d-036" => dim3_036::world::build,
-            _ => return Err(JsError::new(&format!("there is no engine {engine}"))),
-        };
+        let build = for_engine!(engine, world::build);
         Ok(Self {
-            world: build(kind, bodies, seed.into(), with_unisize),
+            world: build(kind(scene)?, bodies, seed.into(), with_unisize),
             drawing: Drawing::default(),
         })
     }
@@ -166,7 +193,7 @@ impl Side {
         self.drawing.batches.len()
     }
 
-    /// What the instances of a batch are: `ball`, `cuboid`, `capsule`, `rock`, which is a fixed ball, or `wall`.
+    /// What the bodies of a batch are: `ball`, `cuboid`, `capsule`, `rock`, which is a fixed ball, or `wall`.
     pub fn batch_shape(&self, batch: usize) -> String {
         self.drawing.batches[batch].shape.name().to_owned()
     }
@@ -176,14 +203,10 @@ impl Side {
         self.drawing.batches[batch].shape.length()
     }
 
-    /// The transformations of the instances, each a matrix of 4 by 4, column by column.
-    pub fn batch_matrices(&self, batch: usize) -> Vec<f32> {
-        self.drawing.batches[batch].matrices.clone()
-    }
-
-    /// The brightness of the instances, for red, green and blue.
-    pub fn batch_shades(&self, batch: usize) -> Vec<f32> {
-        self.drawing.batches[batch].shades.clone()
+    /// Sixteen numbers for each body of a batch: the images of the three unit vectors, each and a zero, and where it is, with its
+    /// brightness.
+    pub fn batch_places(&self, batch: usize) -> Vec<f32> {
+        self.drawing.batches[batch].places.clone()
     }
 
     /// The ends of the edges of the boxes of the colliders that move.

@@ -7,6 +7,10 @@ use super::rapier::prelude::*;
 pub(super) type Vector = math::Vector;
 pub(super) type Pose = math::Pose;
 
+/// With this filter, unisize has all pairs that Rapier's own broad phase has.
+#[cfg(feature = "check")]
+pub(super) const ALL_PAIRS: unisize::PairFilter = unisize::PairFilter::Groups;
+
 /// The origin of a pose.
 pub(super) fn origin(pose: &Pose) -> Vector {
     pose.translation
