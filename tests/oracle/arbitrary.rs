@@ -17,8 +17,10 @@ const LISTS: u32 = 64;
 
 /// Checks random lists of boxes.
 pub(crate) fn check<F: PairFinder<R, D> + Default, R: Number, const D: usize>() {
-    let mut config = ProptestConfig::default();
-    config.failure_persistence = None;
+    let mut config = ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
     if std::env::var_os("PROPTEST_CASES").is_none() {
         config.cases = LISTS;
     }

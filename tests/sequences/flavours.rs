@@ -2,7 +2,7 @@
 
 #[path = "../flavours/mod.rs"]
 #[macro_use]
-mod flavours;
+mod list;
 
 use crate::ops::Sequence;
 
