@@ -1,9 +1,11 @@
 //! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! The endpoints of both axes are sorted (`crate::endpoints`). On the first axis only their ranks matter (`ranks`). The
+//! The endpoints of both axes are sorted (`endpoints`). On the first axis only their ranks matter (`ranks`). The
 //! second axis is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank
 //! between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
 
+mod bit_tree;
+mod endpoints;
 mod ranks;
 mod succ_tree;
 #[cfg(test)]
@@ -12,7 +14,6 @@ mod tests;
 use core::marker::PhantomData;
 
 use crate::aabb::Aabb;
-use crate::endpoints::{Endpoints, check_count, has_narrow_keys};
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, ordered};
 use crate::parallel;
@@ -20,6 +21,7 @@ use crate::radix_sort::SortKey;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
+use endpoints::{Endpoints, check_count, has_narrow_keys};
 use succ_tree::SuccTree;
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and

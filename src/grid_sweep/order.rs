@@ -135,34 +135,3 @@ fn insertion_sort<R: Real>(numbers: &mut [(R, u32)]) {
         numbers[hole] = number;
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sorts_stably_whatever_the_distribution() {
-        let mut random = oorandom::Rand32::new(1);
-        let mut order = Order::default();
-        for n in (0..60).chain([500, 3000]) {
-            let uniform: Vec<f32> = (0..n).map(|_| random.rand_float()).collect();
-            let crowded = uniform.iter().map(|x| (x * 200.0).exp2()).collect();
-            let tied = uniform.iter().map(|x| (x * 7.0).floor()).collect();
-            let mut outliers = uniform.clone();
-            outliers.extend([
-                1e30,
-                -f32::INFINITY,
-                f32::INFINITY,
-                f32::MAX,
-                f32::MIN,
-                -0.0,
-                0.0,
-            ]);
-            for numbers in [uniform, crowded, tied, vec![3.0; n], outliers] {
-                let mut expected: Vec<_> = numbers.iter().copied().zip(0..).collect();
-                expected.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap());
-                assert_eq!(order.sort(numbers.iter().copied()), expected);
-            }
-        }
-    }
-}

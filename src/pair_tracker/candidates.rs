@@ -94,13 +94,7 @@ impl Candidates {
         report: &mut impl FnMut(PairChange),
     ) {
         self.lists.forget();
-        let array = &mut self.array;
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
-        comparing.replace(found);
+        comparing(&mut self.array, proxies, report).replace(found);
     }
 
     /// Adds candidates.
@@ -110,14 +104,8 @@ impl Candidates {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        let array = &mut self.array;
-        let first = array.rows();
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
-        comparing.extend(found);
+        let first = self.array.rows();
+        comparing(&mut self.array, proxies, report).extend(found);
         self.lists.extend(&self.array, first, proxies.len());
     }
 
@@ -148,11 +136,7 @@ impl Candidates {
             rows,
         } = self;
         let touched = proxies.touched();
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
+        let mut comparing = comparing(array, proxies, report);
         match mode {
             CompareMode::All => {
                 if comparing.compare_all(rows) {
@@ -202,11 +186,7 @@ impl Candidates {
         } = self;
         let revolumed = &proxies.notes.revolumed;
         let is_walking_cheaper = policy::is_walking_cheaper(revolumed.len(), array.rows());
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
+        let mut comparing = comparing(array, proxies, report);
         if lists.state().are_made && is_walking_cheaper {
             for &slot in revolumed {
                 lists.walk(slot, |row| comparing.compare(row));
@@ -242,5 +222,18 @@ impl Candidates {
     ) {
         self.array.validate(now, volumes_meet);
         self.lists.validate(&self.array);
+    }
+}
+
+/// What brings these candidates up to date with the proxies, and reports the changes.
+fn comparing<'a, R, const D: usize, K, F>(
+    array: &'a mut CandidateArray,
+    proxies: &'a Proxies<R, D, K>,
+    report: &'a mut F,
+) -> Comparing<'a, R, D, K, F> {
+    Comparing {
+        array,
+        proxies,
+        report,
     }
 }

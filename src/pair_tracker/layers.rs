@@ -12,7 +12,6 @@
 
 use crate::aabb::Aabb;
 use crate::grid_sweep::GridSweep;
-use crate::invalid_input::InvalidInput;
 use crate::kernel::Kernel;
 use crate::pair_finder::PairFinder;
 use crate::rank_sweep::RankSweep;
@@ -81,8 +80,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         self.outdated.clear();
         self.cost = 0;
         self.is_sorted = true;
-        let run = self.order.find_among(boxes, members, found, stopwatch);
-        run.unwrap_or_else(log_too_many);
+        self.order.find_among(boxes, members, found, stopwatch);
     }
 
     /// Appends the pairs of the leavers that have a valid box with the members that are not outdated. All the leavers must be
@@ -184,8 +182,10 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 let valid = slots.iter().map(|&slot| boxes[slot as usize]);
                 self.valid.clear();
                 self.valid.extend(valid);
-                let run = self.rank_sweep.find_pairs(&self.valid, &mut self.pairs);
-                run.unwrap_or_else(log_too_many);
+                if let Err(error) = self.rank_sweep.find_pairs(&self.valid, &mut self.pairs) {
+                    // All are valid, so there are too many.
+                    log::error!("no pairs are found: {error}");
+                }
                 // The slots ascend, so the smaller of a pair stays the smaller.
                 let pairs = self.pairs.iter();
                 found.extend(pairs.map(|pair| pair.map(|i| slots[i as usize])));
@@ -241,8 +241,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
             work.looked_up += leavers.len();
             delta.look_up(boxes, leavers, found, stopwatch);
             first = found.len();
-            let run = recent.find_among(boxes, members, found, stopwatch);
-            run.unwrap_or_else(log_too_many);
+            recent.find_among(boxes, members, found, stopwatch);
         }
         retain_from(found, first, |[a, b]| {
             leavers.contains(a) | leavers.contains(b)
@@ -250,13 +249,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
         work.found = found.len();
         work
     }
-}
-
-/// Says why a run has found no pairs.
-#[cold]
-fn log_too_many(error: InvalidInput) {
-    // All boxes are valid, so there are more than the kernel takes.
-    log::error!("no pairs are found: {error}");
 }
 
 /// Appends the overlapping pairs among the valid ones of few boxes, each compared with each.

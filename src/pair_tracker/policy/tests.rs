@@ -41,13 +41,12 @@ const SLACK: u64 = FULL_RUN / FULL_RUN_SLACK;
 /// candidates a slot.
 const LOOK_UP: u64 = LOOKED_UP + SEARCHED + 8 * FOUND;
 
-const PICKED_ONLY: Plan = Plan::Compare(CompareMode::Picked {
-    lists_are_missed: false,
-});
-const MISSED: Plan = Plan::Compare(CompareMode::Picked {
-    lists_are_missed: true,
-});
 const LISTED: Plan = Plan::Compare(CompareMode::Listed);
+
+/// Candidates are picked, whether lists are missed or not.
+fn picked(lists_are_missed: bool) -> Plan {
+    Plan::Compare(CompareMode::Picked { lists_are_missed })
+}
 
 fn plan(inputs: PlanInputs) -> Plan {
     Plan::of(&inputs, || Some(0.1))
@@ -59,45 +58,48 @@ fn is_full_run(inputs: PlanInputs) -> bool {
 
 #[test]
 fn candidates_are_compared_as_far_as_slots_were_touched() {
-    let compared = |touched, rows| {
-        let of = |revolumed| {
+    // Walking is worth picking from more rows than this.
+    let rows = (100 * WALKED).div_ceil(PICKED) as usize;
+    for (touched, rows, expected) in [
+        (333, 5000, Plan::Compare(CompareMode::All)),
+        (332, 5000, picked(false)),
+        (100, rows + 1, picked(true)),
+        (100, rows, picked(false)),
+    ] {
+        // What has another volume changes nothing about it.
+        for revolumed in [0, 500] {
+            let world = world();
             let inputs = PlanInputs {
                 touched,
-                revolumed,
                 rows,
-                ..world()
+                revolumed,
+                ..world
             };
-            plan(inputs)
-        };
-        // What has another volume changes nothing about it.
-        assert!(touched == 0 || of(0) == of(500));
-        of(0)
-    };
-    assert_eq!(compared(0, 5000), Plan::Nothing);
-    assert_eq!(compared(333, 5000), Plan::Compare(CompareMode::All));
-    assert_eq!(compared(332, 5000), PICKED_ONLY);
-    // Walking is worth picking from this many rows.
-    let rows = (100 * WALKED).div_ceil(PICKED) as usize;
-    assert_eq!(compared(100, rows + 1), MISSED);
-    assert_eq!(compared(100, rows), PICKED_ONLY);
+            assert_eq!(plan(inputs), expected);
+        }
+    }
+    assert_eq!(plan(world()), Plan::Nothing);
 }
 
 #[test]
 fn lists_are_made_once_they_were_missed_often_enough() {
-    let listed = |are_made, missed, rows| {
-        plan(PlanInputs {
+    for (are_made, missed, rows, expected) in [
+        (false, LISTS_COST - 1, 5000, picked(true)),
+        (false, LISTS_COST, 5000, LISTED),
+        (true, 0, 5000, LISTED),
+        // Links could not tell more apart.
+        (true, 8, ListState::MOST_ROWS, LISTED),
+        (true, 8, ListState::MOST_ROWS + 1, picked(false)),
+    ] {
+        let (world, lists) = (world(), ListState { are_made, missed });
+        let inputs = PlanInputs {
             touched: 1,
-            lists: ListState { are_made, missed },
+            lists,
             rows,
-            ..world()
-        })
-    };
-    assert_eq!(listed(false, LISTS_COST - 1, 5000), MISSED);
-    assert_eq!(listed(false, LISTS_COST, 5000), LISTED);
-    assert_eq!(listed(true, 0, 5000), LISTED);
-    // Links could not tell more apart.
-    assert_eq!(listed(true, 8, ListState::MOST_ROWS), LISTED);
-    assert_eq!(listed(true, 8, ListState::MOST_ROWS + 1), PICKED_ONLY);
+            ..world
+        };
+        assert_eq!(plan(inputs), expected);
+    }
 }
 
 #[test]
