@@ -3,7 +3,6 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::{GRID_SAMPLE, GRID_SAMPLE_ONE_IN};
-use std::num::NonZero;
 
 /// The pairs that a kernel finds, which are also checked.
 fn checked<const D: usize>(
