@@ -62,7 +62,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// assert_eq!(pairs, [[0, 1]]);
 /// # Ok::<(), unisize::InvalidInput>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct GridSweep<R, const D: usize> {
     /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
@@ -79,18 +79,6 @@ fn check_count(count: usize) -> Result<(), InvalidInput> {
         return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
     }
     Ok(())
-}
-
-impl<R, const D: usize> Default for GridSweep<R, D> {
-    fn default() -> Self {
-        Self {
-            classes: Vec::new(),
-            class_count: 0,
-            assignment: Assignment::default(),
-            slab_count: None,
-            stopwatch: Stopwatch::default(),
-        }
-    }
 }
 
 impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {

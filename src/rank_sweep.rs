@@ -106,17 +106,10 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             self.stopwatch.leave();
             return Err(error);
         }
-        let Self {
-            narrow,
-            wide,
-            sweep,
-            stopwatch,
-            ..
-        } = self;
-        if has_narrow_keys::<R>() {
-            sweep.find_pairs(narrow, boxes, pairs, stopwatch);
-        } else {
-            sweep.find_pairs(wide, boxes, pairs, stopwatch);
+        let (sweep, stopwatch) = (&mut self.sweep, &mut self.stopwatch);
+        match has_narrow_keys::<R>() {
+            true => sweep.find_pairs(&mut self.narrow, boxes, pairs, stopwatch),
+            false => sweep.find_pairs(&mut self.wide, boxes, pairs, stopwatch),
         }
         Ok(())
     }
@@ -147,12 +140,8 @@ impl Sweep {
         stopwatch: &mut Stopwatch,
     ) {
         stopwatch.enter(Phase::Sort);
-        let Self {
-            orders: [order, second_order],
-            lows,
-            ranks,
-            ..
-        } = self;
+        let [order, second_order] = &mut self.orders;
+        let (lows, ranks) = (&mut self.lows, &mut self.ranks);
         let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
         let mut rank_first = || {
             first.sort(boxes, 0, order);
@@ -196,12 +185,7 @@ impl Sweep {
         pairs: &mut Vec<[u32; 2]>,
         overlap: impl Fn(u32, u32) -> bool,
     ) {
-        let Self {
-            orders,
-            ranks,
-            active,
-            ..
-        } = self;
+        let (orders, ranks, active) = (&self.orders, &self.ranks, &mut self.active);
         let n = ranks.len() as u32;
         active.reset(2 * n);
         let mut batch = [[0; 2]; BATCH];

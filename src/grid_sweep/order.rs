@@ -40,11 +40,7 @@ impl<R: Real> Order<R> {
     /// Brings the numbers nearly into order: a stable counting sort by buckets, which ascend.
     #[inline]
     fn sort_by_buckets(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
-        let Self {
-            sorted,
-            buckets,
-            cursors,
-        } = self;
+        let (sorted, buckets, cursors) = (&mut self.sorted, &mut self.buckets, &mut self.cursors);
         let count = numbers.len();
         let bucket_count = BUCKETS_AN_ENTRY * count;
         let [low, high] = range(numbers.clone());

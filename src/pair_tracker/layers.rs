@@ -22,7 +22,7 @@ use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
 
 /// A kernel, and the layers if it can have them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Layers<R, const D: usize> {
     kernel: Kernel,
     are_used: bool,
@@ -47,7 +47,7 @@ pub(super) struct AboveBase {
 }
 
 /// A layer that has an order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Layer<R, const D: usize> {
     order: GridSweep<R, D>,
     is_sorted: bool,
@@ -55,17 +55,6 @@ struct Layer<R, const D: usize> {
     outdated: SlotSet,
     /// What has been spent on the layers above it since then, in boxes of a run.
     cost: usize,
-}
-
-impl<R, const D: usize> Default for Layer<R, D> {
-    fn default() -> Self {
-        Self {
-            order: GridSweep::default(),
-            is_sorted: false,
-            outdated: SlotSet::default(),
-            cost: 0,
-        }
-    }
 }
 
 impl<R: Real, const D: usize> Layer<R, D> {
@@ -111,13 +100,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         Self {
             kernel,
             are_used: wanted && kernel == Kernel::GridSweep,
-            base: Layer::default(),
-            delta: Layer::default(),
-            recent: GridSweep::default(),
-            members: Vec::new(),
-            rank_sweep: RankSweep::default(),
-            valid: Vec::new(),
-            pairs: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -214,18 +197,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
             ..Work::default()
         };
 
-        let Self {
-            base,
-            delta,
-            recent,
-            members,
-            ..
-        } = self;
+        let (base, delta) = (&mut self.base, &mut self.delta);
+        let (recent, members) = (&mut self.recent, &mut self.members);
         let is_due = !delta.is_sorted || delta.cost > base.outdated.len();
-        let due = if is_due {
-            &base.outdated
-        } else {
-            &delta.outdated
+        let due = match is_due {
+            true => &base.outdated,
+            false => &delta.outdated,
         };
         members.clear();
         let slots = due.slots().iter().copied();

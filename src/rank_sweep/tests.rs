@@ -43,14 +43,10 @@ fn boxes_of_one_size_are_not_tested() {
     let boxes = one_size::<f32, 2>(5000, 1e5, 9.1);
     let mut kernel = RankSweep::default();
     checked(&mut kernel, &boxes);
-    let Sweep {
-        orders: [order, _],
-        ranks,
-        lows,
-        ..
-    } = &mut kernel.sweep;
-    let [first, _] = &mut kernel.narrow;
+    let (sweep, [first, _]) = (&mut kernel.sweep, &mut kernel.narrow);
+    let [order, _] = &mut sweep.orders;
     first.sort(&boxes, 0, order);
+    let (lows, ranks) = (&mut sweep.lows, &mut sweep.ranks);
     assert!(ranks::rank_endpoints(&first.keys, order, lows, ranks));
 }
 
