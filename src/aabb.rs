@@ -112,16 +112,3 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         valid
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn boxes_overlap_to_the_last_bit_and_signed_zeros_are_equal() {
-        let a = Aabb::new([0.0_f32, 0.0], [1.0, 1.0]);
-        assert!(a.overlaps(&Aabb::new([1.0, 1.0], [2.0, 2.0])));
-        assert!(!a.overlaps(&Aabb::new([1.0, 1.0_f32.next_up()], [2.0, 2.0])));
-        assert!(Aabb::new([0.0_f32], [1.0]).overlaps(&Aabb::new([-1.0], [-0.0])));
-    }
-}

@@ -62,7 +62,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// assert_eq!(pairs, [[0, 1]]);
 /// # Ok::<(), unisize::InvalidInput>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct GridSweep<R, const D: usize> {
     /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
@@ -79,18 +79,6 @@ fn check_count(count: usize) -> Result<(), InvalidInput> {
         return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
     }
     Ok(())
-}
-
-impl<R, const D: usize> Default for GridSweep<R, D> {
-    fn default() -> Self {
-        Self {
-            classes: Vec::new(),
-            class_count: 0,
-            assignment: Assignment::default(),
-            slab_count: None,
-            stopwatch: Stopwatch::default(),
-        }
-    }
 }
 
 impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
@@ -149,9 +137,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
     /// order of the members for [`look_up`](Self::look_up).
     ///
-    /// # Errors
-    /// [`InvalidInputReason::TooMany`] if there are more boxes than there are numbers for; then no pair is found, and no order
-    /// remembered.
+    /// If there are more boxes than there are numbers for, it logs so, finds no pair and remembers no order.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
@@ -159,9 +145,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         members: &[u32],
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) -> Result<(), InvalidInput> {
+    ) {
         self.class_count = 0;
-        check_count(boxes.len())?;
+        if let Err(error) = check_count(boxes.len()) {
+            return log::error!("no pairs are found: {error}");
+        }
         let run = Run {
             boxes,
             slab_count: self.slab_count(members.len()),
@@ -171,7 +159,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         };
         // The boxes are valid.
         let _ = self.run(members, run);
-        Ok(())
     }
 
     /// How many slabs the work on so many boxes is cut into, at most.

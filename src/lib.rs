@@ -64,10 +64,8 @@
 mod aabb;
 #[cfg(feature = "_adapter")]
 mod bit_set;
-mod bit_tree;
 mod brute_force;
 mod counting_sort;
-mod endpoints;
 mod grid_sweep;
 mod invalid_input;
 #[cfg(feature = "_adapter")]
@@ -97,22 +95,116 @@ mod tuning;
 #[cfg(feature = "_adapter")]
 mod volume;
 
+// Never compiled. The formatter does not look into macros, and finds the sources of the flavours by these.
+#[cfg(any())]
+mod adapter;
+#[cfg(any())]
+#[path = "adapter"]
+mod versions {
+    mod rapier_027;
+    mod rapier_036;
+    #[path = "rapier_036/seam.rs"]
+    mod seam;
+    mod test_support {
+        mod dim2;
+        mod dim3;
+    }
+}
+
+/// The broad phase for one flavour of Rapier, in a module of its own. All include the same source, and name the engine `rapier`.
+#[cfg(feature = "_adapter")]
+macro_rules! flavour {
+    (
+        $name:ident, ::$engine:ident, $version:literal, $test_support:literal $(, seam in $opened:ident)?;
+        $(#![$doc:meta])*
+    ) => {
+        #[path = "."]
+        pub mod $name {
+            $(#![$doc])*
+
+            use ::$engine as rapier;
+
+            #[path = "adapter/mod.rs"]
+            mod adapter;
+
+            #[cfg(test)]
+            #[path = $test_support]
+            mod test_support;
+
+            #[path = $version]
+            mod version;
+
+            $(
+                #[cfg($opened)]
+                #[path = "adapter/rapier_036/seam.rs"]
+                mod seam;
+            )?
+
+            pub use crate::kernel::Kernel;
+            pub use crate::pair_filter::PairFilter;
+            pub use crate::stats::{Stats, Work};
+            pub use adapter::{Difference, Measured, Settings, Trial, TrialReport, UnisizeBroadPhase};
+        }
+    };
+}
+
 #[cfg(feature = "rapier2d-027")]
-pub mod rapier2d_027;
-#[cfg(feature = "rapier2d-036")]
-pub mod rapier2d_036;
+flavour! {
+    rapier2d_027, ::rapier2d, "adapter/rapier_027/mod.rs", "adapter/test_support/dim2.rs";
+    //! The broad phase for rapier2d 0.27.
+    //!
+    #![doc = include_str!("adapter/rapier_027/dim2.md")]
+}
 #[cfg(feature = "rapier2d-f64-027")]
-pub mod rapier2d_f64_027;
-#[cfg(feature = "rapier2d-f64-036")]
-pub mod rapier2d_f64_036;
+flavour! {
+    rapier2d_f64_027, ::rapier2d_f64, "adapter/rapier_027/mod.rs", "adapter/test_support/dim2.rs";
+    //! The broad phase for rapier2d-f64 0.27.
+    //!
+    //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+}
 #[cfg(feature = "rapier3d-027")]
-pub mod rapier3d_027;
-#[cfg(feature = "rapier3d-036")]
-pub mod rapier3d_036;
+flavour! {
+    rapier3d_027, ::rapier3d, "adapter/rapier_027/mod.rs", "adapter/test_support/dim3.rs";
+    //! The broad phase for rapier3d 0.27.
+    //!
+    #![doc = include_str!("adapter/rapier_027/dim3.md")]
+}
 #[cfg(feature = "rapier3d-f64-027")]
-pub mod rapier3d_f64_027;
+flavour! {
+    rapier3d_f64_027, ::rapier3d_f64, "adapter/rapier_027/mod.rs", "adapter/test_support/dim3.rs";
+    //! The broad phase for rapier3d-f64 0.27.
+    //!
+    //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+}
+#[cfg(feature = "rapier2d-036")]
+flavour! {
+    rapier2d_036, ::rapier2d_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim2.rs", seam in opened_rapier2d;
+    //! The broad phase for rapier2d 0.36.
+    //!
+    #![doc = include_str!("adapter/rapier_036/module.md")]
+}
+#[cfg(feature = "rapier2d-f64-036")]
+flavour! {
+    rapier2d_f64_036, ::rapier2d_f64_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim2.rs", seam in opened_rapier2d_f64;
+    //! The broad phase for rapier2d-f64 0.36.
+    //!
+    #![doc = include_str!("adapter/rapier_036/module.md")]
+}
+#[cfg(feature = "rapier3d-036")]
+flavour! {
+    rapier3d_036, ::rapier3d_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim3.rs", seam in opened_rapier3d;
+    //! The broad phase for rapier3d 0.36.
+    //!
+    #![doc = include_str!("adapter/rapier_036/module.md")]
+    #![cfg_attr(not(opened_rapier3d), doc = include_str!("adapter/rapier_036/unopened.md"))]
+}
 #[cfg(feature = "rapier3d-f64-036")]
-pub mod rapier3d_f64_036;
+flavour! {
+    rapier3d_f64_036, ::rapier3d_f64_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim3.rs", seam in opened_rapier3d_f64;
+    //! The broad phase for rapier3d-f64 0.36.
+    //!
+    #![doc = include_str!("adapter/rapier_036/module.md")]
+}
 
 pub use aabb::Aabb;
 pub use brute_force::BruteForce;

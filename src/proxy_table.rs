@@ -126,17 +126,10 @@ struct Gathered {
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// A table without colliders.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
-        let Settings {
-            kernel,
-            filter,
-            layers,
-            foresight,
-            timed,
-            ..
-        } = *settings;
-        let volumes = filter == Some(PairFilter::Shapes);
-        let mut tracker = PairTracker::new(kernel, layers, foresight, volumes);
-        tracker.stopwatch = Stopwatch::new(timed);
+        let volumes = settings.filter == Some(PairFilter::Shapes);
+        let (kernel, foresight) = (settings.kernel, settings.foresight);
+        let mut tracker = PairTracker::new(kernel, settings.layers, foresight, volumes);
+        tracker.stopwatch = Stopwatch::new(settings.timed);
         Self {
             tracker,
             generations: Vec::new(),
@@ -415,9 +408,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.finish(slack, |change| changes.note(change));
         self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
-        let Self {
-            generations, stats, ..
-        } = self;
+        let (generations, stats) = (&self.generations, &mut self.stats);
         stats.updates = stats.updates.wrapping_add(1);
         stats.listed = listed;
         stats.moved = moved;

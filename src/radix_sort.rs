@@ -147,37 +147,3 @@ fn pass<K: SortKey, const BITS: u32>(
         put(take_place(counts, entry.0.digit::<BITS>(shift)), entry);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Compares with the stable sort of the standard library, for both sizes of digits.
-    fn check<K: SortKey>(sorter: &mut RadixSort<K>, keys: &[K]) {
-        let entries = || keys.iter().enumerate().map(|(i, &key)| (key, i as u32));
-        let mut expected: Vec<_> = entries().collect();
-        expected.sort_by_key(|entry| entry.0);
-        let mut sorted = vec![Default::default(); 3];
-        sorter.sort_by_digits::<SMALL_DIGIT, _>(entries(), |entry| entry, &mut sorted);
-        assert_eq!(sorted, expected);
-        sorter.sort_by_digits::<LARGE_DIGIT, _>(entries(), |entry| entry, &mut sorted);
-        assert_eq!(sorted, expected);
-    }
-
-    #[test]
-    fn is_stable_whichever_digits_differ() {
-        let mut random = oorandom::Rand64::new(1);
-        let (mut wide, mut narrow) = (RadixSort::default(), RadixSort::default());
-        for _ in 0..300 {
-            let len = random.rand_range(0..300) as usize;
-            let varied = [0, 0xFF, 0x3 << 9, 0xFFFF << 40, random.rand_u64(), u64::MAX];
-            for bits in varied {
-                let key = |_| random.rand_u64() & bits | 0xA5A5_A5A5_A5A5_A5A5 & !bits;
-                let keys: Vec<u64> = (0..len).map(key).collect();
-                check(&mut wide, &keys);
-                let keys: Vec<u32> = keys.iter().map(|&key| key as u32).collect();
-                check(&mut narrow, &keys);
-            }
-        }
-    }
-}

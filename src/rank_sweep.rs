@@ -1,9 +1,11 @@
 //! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! The endpoints of both axes are sorted (`crate::endpoints`). On the first axis only their ranks matter (`ranks`). The
+//! The endpoints of both axes are sorted (`endpoints`). On the first axis only their ranks matter (`ranks`). The
 //! second axis is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank
 //! between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
 
+mod bit_tree;
+mod endpoints;
 mod ranks;
 mod succ_tree;
 #[cfg(test)]
@@ -12,7 +14,6 @@ mod tests;
 use core::marker::PhantomData;
 
 use crate::aabb::Aabb;
-use crate::endpoints::{Endpoints, check_count, has_narrow_keys};
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, ordered};
 use crate::parallel;
@@ -20,6 +21,7 @@ use crate::radix_sort::SortKey;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
+use endpoints::{Endpoints, check_count, has_narrow_keys};
 use succ_tree::SuccTree;
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and
@@ -104,17 +106,10 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             self.stopwatch.leave();
             return Err(error);
         }
-        let Self {
-            narrow,
-            wide,
-            sweep,
-            stopwatch,
-            ..
-        } = self;
-        if has_narrow_keys::<R>() {
-            sweep.find_pairs(narrow, boxes, pairs, stopwatch);
-        } else {
-            sweep.find_pairs(wide, boxes, pairs, stopwatch);
+        let (sweep, stopwatch) = (&mut self.sweep, &mut self.stopwatch);
+        match has_narrow_keys::<R>() {
+            true => sweep.find_pairs(&mut self.narrow, boxes, pairs, stopwatch),
+            false => sweep.find_pairs(&mut self.wide, boxes, pairs, stopwatch),
         }
         Ok(())
     }
@@ -145,12 +140,8 @@ impl Sweep {
         stopwatch: &mut Stopwatch,
     ) {
         stopwatch.enter(Phase::Sort);
-        let Self {
-            orders: [order, second_order],
-            lows,
-            ranks,
-            ..
-        } = self;
+        let [order, second_order] = &mut self.orders;
+        let (lows, ranks) = (&mut self.lows, &mut self.ranks);
         let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
         let mut rank_first = || {
             first.sort(boxes, 0, order);
@@ -194,12 +185,7 @@ impl Sweep {
         pairs: &mut Vec<[u32; 2]>,
         overlap: impl Fn(u32, u32) -> bool,
     ) {
-        let Self {
-            orders,
-            ranks,
-            active,
-            ..
-        } = self;
+        let (orders, ranks, active) = (&self.orders, &self.ranks, &mut self.active);
         let n = ranks.len() as u32;
         active.reset(2 * n);
         let mut batch = [[0; 2]; BATCH];

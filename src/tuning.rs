@@ -98,7 +98,7 @@ pub(crate) mod kernel {
 }
 
 /// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- updates`, and over
-/// whole worlds by the examples `compare` and `tradeoff`.
+/// whole worlds by the example `compare`.
 #[cfg(feature = "_adapter")]
 pub(crate) mod update {
     /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches

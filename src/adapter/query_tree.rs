@@ -240,12 +240,17 @@ fn girth(bvh: &Bvh) -> u64 {
         if node.is_leaf() {
             return TraversalAction::Prune;
         }
-        // The upper bits of a number are its logarithm, but for the curve between two powers of two.
-        sum += f64::from(node.aabb().half_area_or_perimeter()).to_bits() >> 32;
+        sum += octaves(f64::from(node.aabb().half_area_or_perimeter()));
         nodes += 1;
         TraversalAction::Continue
     });
     sum.checked_div(nodes).unwrap_or(0)
+}
+
+/// The logarithm of a number that is not negative, in units of 2^-20 octaves from anywhere: its upper bits are that, but for the curve
+/// between two powers of two.
+fn octaves(number: f64) -> u64 {
+    number.to_bits() >> 32
 }
 
 #[cfg(test)]

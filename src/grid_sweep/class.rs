@@ -95,9 +95,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         assignment: &mut Assignment,
         run: &Run<R, D>,
     ) -> Result<(), FoundInvalid> {
-        let Assignment {
-            parts, part_count, ..
-        } = assignment;
+        let (parts, part_count) = (&mut assignment.parts, &mut assignment.part_count);
         let count = members.count();
         *part_count = run.slab_count.min(count).max(1);
         if parts.len() < *part_count {

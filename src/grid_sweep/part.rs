@@ -50,14 +50,8 @@ impl Part {
         members: M,
         grid: &Grid<R>,
     ) {
-        let Self {
-            range,
-            oversized,
-            homes,
-            ghosts,
-            ends: counts,
-            ..
-        } = self;
+        let (oversized, counts) = (&mut self.oversized, &mut self.ends);
+        let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
         let columns = grid.columns();
         let tube_count = grid.tube_count() as u32;
         oversized.clear();

@@ -78,12 +78,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
         size: Option<Size>,
         pairs: &mut Vec<[u32; 2]>,
     ) {
-        let Self {
-            tubes: kept,
-            entries,
-            stopwatch,
-            ..
-        } = self;
+        let (kept, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
         stopwatch.enter(Phase::Sort);
         let keeps = size.is_some();
         if let Some(Size { entries, occupied }) = size {

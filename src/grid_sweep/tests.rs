@@ -3,7 +3,6 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::{GRID_SAMPLE, GRID_SAMPLE_ONE_IN};
-use std::num::NonZero;
 
 /// The pairs that a kernel finds, which are also checked.
 fn checked<const D: usize>(
@@ -29,23 +28,6 @@ fn rows(count: usize) -> Vec<Aabb<f32, 2>> {
     (0..count).map(|i| cube(corner(i))).collect()
 }
 
-/// Also where slabs are more than the boxes, or than those of a class: here three hundred specks and forty plates across them.
-#[test]
-fn slabs_are_as_many_as_asked_for_and_change_nothing() {
-    let plate = |i| Aabb::new([-1.0, i as f32 * 0.5], [30.0, i as f32 * 0.5 + 20.0]);
-    let mixed: Vec<_> = rows(300).into_iter().chain((0..40).map(plate)).collect();
-    for boxes in [&rows(4000)[..], &mixed, &rows(30), &rows(2), &[]] {
-        let mut expected = None;
-        for count in [1, 2, 3, 64, 1000] {
-            let mut kernel = GridSweep::with_slabs(NonZero::new(count).unwrap());
-            let pairs = checked(&mut kernel, boxes);
-            assert!(*expected.get_or_insert_with(|| pairs.clone()) == pairs);
-            let slabs = kernel.classes[0].slab_count;
-            assert!(slabs == count || boxes.len() < 4000 || count > 3);
-        }
-    }
-}
-
 #[cfg(feature = "parallel")]
 #[test]
 fn each_thread_has_a_slab_if_there_is_enough_to_do() {
@@ -58,21 +40,6 @@ fn each_thread_has_a_slab_if_there_is_enough_to_do() {
     let counts = [THREADS_FROM - 1, THREADS_FROM];
     let slabs = pool.unwrap().install(|| counts.map(slabs_of));
     assert_eq!(slabs, [1, 3]);
-}
-
-#[test]
-fn times_are_taken_on_demand() {
-    let mut kernel = GridSweep::default();
-    checked(&mut kernel, &rows(4000));
-    assert_eq!(kernel.phase_times(), PhaseTimes::default());
-    let mut kernel = kernel.timed();
-    for _ in 0..2 {
-        checked(&mut kernel, &rows(4000));
-        let PhaseTimes {
-            read, sort, sweep, ..
-        } = kernel.phase_times();
-        assert!([read, sort, sweep].iter().all(|time| !time.is_zero()));
-    }
 }
 
 /// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
@@ -112,27 +79,5 @@ fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
         checked(&mut kernel, &boxes);
         let strips = kernel.classes[0].grid.axes.map(|axis| axis.last > 0);
         assert_eq!(strips, are_cut);
-    }
-}
-
-/// Each pair is found from both ends, and each box meets itself, whether there is a table of tubes or not.
-#[cfg(feature = "_adapter")]
-#[test]
-fn boxes_are_looked_up_among_all() {
-    let near = rows(3000);
-    let far = near.iter().map(|aabb| cube(aabb.mins.map(|x| x * 1e4)));
-    for boxes in [&near[..], &far.collect::<Vec<_>>()] {
-        let everyone: Vec<u32> = (0..).take(boxes.len()).collect();
-        let mut kernel = GridSweep::default();
-        let [mut pairs, mut found] = [Vec::new(), Vec::new()];
-        let run = kernel.find_among(boxes, &everyone, &mut pairs, &mut Stopwatch::default());
-        run.unwrap();
-        kernel.prepare_lookup();
-        kernel.look_up(boxes, everyone.iter().copied(), &mut found);
-        found.sort_unstable();
-        let mut expected = [&pairs[..], &pairs].concat();
-        expected.extend(everyone.iter().map(|&i| [i, i]));
-        expected.sort_unstable();
-        assert!(found == expected);
     }
 }

@@ -121,14 +121,10 @@ impl<R: Real, const D: usize> Tubes<R, D> {
 
     /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.
     fn sort(&mut self, start: usize, entries: &[Entry<R, D>]) {
-        let Self {
-            mins,
-            maxs,
-            owners,
-            order,
-            ..
-        } = self;
-        let order = order.sort(entries.iter().map(|entry| entry.aabb.mins[0]));
+        let (mins, maxs, owners) = (&mut self.mins, &mut self.maxs, &mut self.owners);
+        let order = self
+            .order
+            .sort(entries.iter().map(|entry| entry.aabb.mins[0]));
         let end = start + entries.len();
         // All of one length, so that bounds are checked once.
         let lows = mins.each_mut().map(|column| &mut column[start..end]);

@@ -11,7 +11,7 @@ mod pair_rules;
 mod retired;
 mod state;
 
-use super::policy::{self, CompareMode, ListState};
+use super::policy::{self, CompareMode};
 use super::proxies::Proxies;
 use super::{FilterKey, PairChange};
 use crate::aabb::Aabb;
@@ -25,8 +25,8 @@ use lists::CandidateLists;
 /// The candidates, and the lists through them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    array: CandidateArray,
-    lists: CandidateLists,
+    pub(super) array: CandidateArray,
+    pub(super) lists: CandidateLists,
     /// Scratch: the slots whose candidates are compared, and those candidates.
     slots: BitSet,
     rows: BitSet,
@@ -48,44 +48,6 @@ impl Candidates {
         })
     }
 
-    /// The held pairs.
-    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.array.held()
-    }
-
-    /// The candidates whose boxes overlap, and that are not held.
-    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.array.near()
-    }
-
-    pub(super) fn held_count(&self) -> usize {
-        self.array.held_count
-    }
-
-    /// How many candidates overlap, held or not.
-    pub(super) fn overlapping_count(&self) -> usize {
-        self.array.overlapping_count
-    }
-
-    /// All candidates, held or not.
-    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.array.iter()
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.array.len()
-    }
-
-    /// The rows of the array, tombstones included.
-    pub(super) fn rows(&self) -> usize {
-        self.array.rows()
-    }
-
-    /// Whether there are lists, or how often they were missed.
-    pub(super) fn lists(&self) -> ListState {
-        self.lists.state()
-    }
-
     /// Makes `found` the candidates, and leaves the memory of the former ones there.
     pub(super) fn replace<R: Real, const D: usize, K: FilterKey>(
         &mut self,
@@ -94,13 +56,7 @@ impl Candidates {
         report: &mut impl FnMut(PairChange),
     ) {
         self.lists.forget();
-        let array = &mut self.array;
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
-        comparing.replace(found);
+        comparing(&mut self.array, proxies, report).replace(found);
     }
 
     /// Adds candidates.
@@ -110,14 +66,8 @@ impl Candidates {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        let array = &mut self.array;
-        let first = array.rows();
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
-        comparing.extend(found);
+        let first = self.array.rows();
+        comparing(&mut self.array, proxies, report).extend(found);
         self.lists.extend(&self.array, first, proxies.len());
     }
 
@@ -141,18 +91,10 @@ impl Candidates {
             }
             _ => {}
         }
-        let Self {
-            array,
-            lists,
-            slots,
-            rows,
-        } = self;
+        let (array, lists) = (&mut self.array, &mut self.lists);
+        let (slots, rows) = (&mut self.slots, &mut self.rows);
         let touched = proxies.touched();
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
+        let mut comparing = comparing(array, proxies, report);
         match mode {
             CompareMode::All => {
                 if comparing.compare_all(rows) {
@@ -194,19 +136,11 @@ impl Candidates {
         proxies: &Proxies<R, D, K>,
         report: &mut impl FnMut(PairChange),
     ) {
-        let Self {
-            array,
-            lists,
-            slots,
-            rows,
-        } = self;
+        let (array, lists) = (&mut self.array, &mut self.lists);
+        let (slots, rows) = (&mut self.slots, &mut self.rows);
         let revolumed = &proxies.notes.revolumed;
         let is_walking_cheaper = policy::is_walking_cheaper(revolumed.len(), array.rows());
-        let mut comparing = Comparing {
-            array,
-            proxies,
-            report,
-        };
+        let mut comparing = comparing(array, proxies, report);
         if lists.state().are_made && is_walking_cheaper {
             for &slot in revolumed {
                 lists.walk(slot, |row| comparing.compare(row));
@@ -242,5 +176,18 @@ impl Candidates {
     ) {
         self.array.validate(now, volumes_meet);
         self.lists.validate(&self.array);
+    }
+}
+
+/// What brings these candidates up to date with the proxies, and reports the changes.
+fn comparing<'a, R, const D: usize, K, F>(
+    array: &'a mut CandidateArray,
+    proxies: &'a Proxies<R, D, K>,
+    report: &'a mut F,
+) -> Comparing<'a, R, D, K, F> {
+    Comparing {
+        array,
+        proxies,
+        report,
     }
 }

@@ -12,7 +12,6 @@
 
 use crate::aabb::Aabb;
 use crate::grid_sweep::GridSweep;
-use crate::invalid_input::InvalidInput;
 use crate::kernel::Kernel;
 use crate::pair_finder::PairFinder;
 use crate::rank_sweep::RankSweep;
@@ -23,7 +22,7 @@ use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
 
 /// A kernel, and the layers if it can have them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Layers<R, const D: usize> {
     kernel: Kernel,
     are_used: bool,
@@ -48,7 +47,7 @@ pub(super) struct AboveBase {
 }
 
 /// A layer that has an order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Layer<R, const D: usize> {
     order: GridSweep<R, D>,
     is_sorted: bool,
@@ -56,17 +55,6 @@ struct Layer<R, const D: usize> {
     outdated: SlotSet,
     /// What has been spent on the layers above it since then, in boxes of a run.
     cost: usize,
-}
-
-impl<R, const D: usize> Default for Layer<R, D> {
-    fn default() -> Self {
-        Self {
-            order: GridSweep::default(),
-            is_sorted: false,
-            outdated: SlotSet::default(),
-            cost: 0,
-        }
-    }
 }
 
 impl<R: Real, const D: usize> Layer<R, D> {
@@ -81,8 +69,7 @@ impl<R: Real, const D: usize> Layer<R, D> {
         self.outdated.clear();
         self.cost = 0;
         self.is_sorted = true;
-        let run = self.order.find_among(boxes, members, found, stopwatch);
-        run.unwrap_or_else(log_too_many);
+        self.order.find_among(boxes, members, found, stopwatch);
     }
 
     /// Appends the pairs of the leavers that have a valid box with the members that are not outdated. All the leavers must be
@@ -113,13 +100,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         Self {
             kernel,
             are_used: wanted && kernel == Kernel::GridSweep,
-            base: Layer::default(),
-            delta: Layer::default(),
-            recent: GridSweep::default(),
-            members: Vec::new(),
-            rank_sweep: RankSweep::default(),
-            valid: Vec::new(),
-            pairs: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -184,8 +165,10 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 let valid = slots.iter().map(|&slot| boxes[slot as usize]);
                 self.valid.clear();
                 self.valid.extend(valid);
-                let run = self.rank_sweep.find_pairs(&self.valid, &mut self.pairs);
-                run.unwrap_or_else(log_too_many);
+                if let Err(error) = self.rank_sweep.find_pairs(&self.valid, &mut self.pairs) {
+                    // All are valid, so there are too many.
+                    log::error!("no pairs are found: {error}");
+                }
                 // The slots ascend, so the smaller of a pair stays the smaller.
                 let pairs = self.pairs.iter();
                 found.extend(pairs.map(|pair| pair.map(|i| slots[i as usize])));
@@ -214,18 +197,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
             ..Work::default()
         };
 
-        let Self {
-            base,
-            delta,
-            recent,
-            members,
-            ..
-        } = self;
+        let (base, delta) = (&mut self.base, &mut self.delta);
+        let (recent, members) = (&mut self.recent, &mut self.members);
         let is_due = !delta.is_sorted || delta.cost > base.outdated.len();
-        let due = if is_due {
-            &base.outdated
-        } else {
-            &delta.outdated
+        let due = match is_due {
+            true => &base.outdated,
+            false => &delta.outdated,
         };
         members.clear();
         let slots = due.slots().iter().copied();
@@ -241,8 +218,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
             work.looked_up += leavers.len();
             delta.look_up(boxes, leavers, found, stopwatch);
             first = found.len();
-            let run = recent.find_among(boxes, members, found, stopwatch);
-            run.unwrap_or_else(log_too_many);
+            recent.find_among(boxes, members, found, stopwatch);
         }
         retain_from(found, first, |[a, b]| {
             leavers.contains(a) | leavers.contains(b)
@@ -250,13 +226,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
         work.found = found.len();
         work
     }
-}
-
-/// Says why a run has found no pairs.
-#[cold]
-fn log_too_many(error: InvalidInput) {
-    // All boxes are valid, so there are more than the kernel takes.
-    log::error!("no pairs are found: {error}");
 }
 
 /// Appends the overlapping pairs among the valid ones of few boxes, each compared with each.

@@ -231,12 +231,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Forgets what was noted more than once since the last `finish`, if it takes much memory. **O(1)** a note.
     pub(crate) fn forget_repeats(&mut self) {
-        let Notes {
-            touched,
-            left,
-            revolumed,
-        } = &mut self.notes;
-        for noted in [touched, left, revolumed] {
+        let notes = &mut self.notes;
+        for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
             if noted.len() > MOST_NOTES_A_SLOT * self.boxes.len() {
                 noted.sort_unstable();
                 noted.dedup();

@@ -75,9 +75,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             touched: self.proxies.notes.touched.len(),
             revolumed: self.proxies.notes.revolumed.len(),
             leavers: self.proxies.leavers.len(),
-            candidates: self.candidates.len(),
-            rows: self.candidates.rows(),
-            lists: self.candidates.lists(),
+            candidates: self.candidates.array.len(),
+            rows: self.candidates.array.rows(),
+            lists: self.candidates.lists.state(),
             are_layers_used: self.layers.are_used(),
             above_base: self.layers.above_base(),
             foresight: self.foresight,
@@ -118,7 +118,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             ..self.work
         };
         candidates.extend(&self.found, proxies, report);
-        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.len()) {
+        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.array.len()) {
             self.foresight.shorten();
             self.layers.forget();
         }
@@ -132,7 +132,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.work = Work::default();
         self.proxies.inflate_touched(self.foresight.horizon());
         self.found.clear();
-        let count = self.candidates.len();
+        let count = self.candidates.array.len();
         self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
         self.search();
         while !self.foresight.is_fixed() && self.are_too_many_found() {
@@ -175,7 +175,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Whether this number of candidates is more than foresight can be worth.
     fn are_too_many(&self, candidates: usize) -> bool {
-        let overlapping = self.candidates.overlapping_count();
+        let overlapping = self.candidates.array.overlapping_count;
         policy::are_too_many(candidates, self.proxies.len(), overlapping)
     }
 

@@ -3,7 +3,7 @@
 //! The paper's SuccTree: a tree of bits, which finds the neighbour of a value, and the stored values linked in order as
 //! well (section 4 of the paper), so that walking from one to the next is a single step, however far apart they are.
 
-use crate::bit_tree::BitTree;
+use super::bit_tree::BitTree;
 
 /// What is known of a stored value.
 #[derive(Clone, Copy, Debug, Default)]
@@ -79,57 +79,5 @@ impl SuccTree {
         self.nodes[next as usize].prev = prev;
         self.nodes[prev as usize].next = next;
         self.bits.remove(value);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::collections::BTreeSet;
-
-    impl SuccTree {
-        /// Walks through all values in both directions, and compares them with a set of the standard library.
-        fn check(&self, expected: &BTreeSet<u32>) {
-            let end = self.bits.universe();
-            let walk = |step: fn(&Node) -> u32| {
-                let next = move |&at: &u32| Some(step(&self.nodes[at as usize]));
-                core::iter::successors(next(&end), next).take_while(move |&at| at != end)
-            };
-            assert!(walk(|node| node.next).eq(expected.iter().copied()));
-            assert!(walk(|node| node.prev).eq(expected.iter().rev().copied()));
-            assert!(expected.iter().all(|&value| self.label(value) == !value));
-            self.bits.check(expected);
-        }
-    }
-
-    /// Stores and removes random values; growing and shrinking take turns.
-    fn exercise(tree: &mut SuccTree, universe: u32, random: &mut oorandom::Rand32) {
-        let mut expected = BTreeSet::new();
-        tree.reset(universe);
-        tree.check(&expected);
-        for step in 0..2000.min(20 * universe) {
-            let value = random.rand_range(0..universe);
-            // The nearest stored one, because a random value is hardly ever stored in a large universe.
-            let stored = expected.range(value..).next().copied();
-            let grow = random.rand_range(0..8) < if step & 512 == 0 { 7 } else { 1 };
-            if !grow {
-                if let Some(stored) = stored {
-                    expected.remove(&stored);
-                    tree.remove(stored);
-                }
-            } else if expected.insert(value) {
-                assert_eq!(tree.insert(value, !value), stored.unwrap_or(universe));
-            }
-        }
-        tree.check(&expected);
-    }
-
-    #[test]
-    fn agrees_with_a_btree_set() {
-        let mut random = oorandom::Rand32::new(1);
-        let mut tree = SuccTree::default();
-        for universe in (0..=130).chain(4094..=4098).chain([262_143, 262_145]) {
-            exercise(&mut tree, universe, &mut random);
-        }
     }
 }

@@ -2,8 +2,6 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-#[cfg(test)]
-use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet, InteractionGroups,
 };
@@ -43,12 +41,6 @@ pub(super) const ORDER: Order = Order::Dealt;
 /// Groups meet if both are in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
     false
-}
-
-/// The groups with these memberships and this filter.
-#[cfg(test)]
-pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
-    vec![InteractionGroups::new(memberships, filter)]
 }
 
 /// The origin of a pose.

@@ -13,14 +13,14 @@ pub(super) const TOMBSTONE: u32 = u32::MAX;
 
 /// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
-pub(super) struct CandidateArray {
+pub(in crate::pair_tracker) struct CandidateArray {
     /// By slots, smaller first; two tombstones where the candidate is gone.
     pub(super) pairs: Vec<[u32; 2]>,
     /// By row.
     pub(super) states: Vec<PairState>,
-    pub(super) held_count: usize,
+    pub(in crate::pair_tracker) held_count: usize,
     /// Those whose boxes overlap, held or not.
-    pub(super) overlapping_count: usize,
+    pub(in crate::pair_tracker) overlapping_count: usize,
     pub(super) tombstones: usize,
     /// Held pairs that were retired in this update, if there are volumes.
     pub(super) retired: RetiredPairs,
@@ -64,11 +64,11 @@ impl CandidateArray {
     }
 
     /// The rows, tombstones included.
-    pub(super) fn rows(&self) -> usize {
+    pub(in crate::pair_tracker) fn rows(&self) -> usize {
         self.pairs.len()
     }
 
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::pair_tracker) fn len(&self) -> usize {
         self.pairs.len() - self.tombstones
     }
 
@@ -76,20 +76,23 @@ impl CandidateArray {
         self.tombstones > self.pairs.len() / SPARSE_FROM_ONE_IN
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+    pub(in crate::pair_tracker) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let pairs = self.pairs.iter().copied();
         pairs.filter(|pair| pair[0] != TOMBSTONE)
     }
 
-    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let all = self.pairs.iter().zip(&self.states);
-        all.filter_map(|(&pair, &state)| state.is_held().then_some(pair))
+    pub(in crate::pair_tracker) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.of_state(PairState::Held)
     }
 
     /// The pairs whose boxes overlap and that are not held.
-    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+    pub(in crate::pair_tracker) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.of_state(PairState::Near)
+    }
+
+    fn of_state(&self, wanted: PairState) -> impl Iterator<Item = [u32; 2]> + '_ {
         let all = self.pairs.iter().zip(&self.states);
-        all.filter_map(|(&pair, &state)| (state == PairState::Near).then_some(pair))
+        all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
 
     /// Makes `rows` the rows with a picked slot, and possibly some tombstones.

@@ -12,7 +12,7 @@ const END: u32 = u32::MAX;
 /// A link is twice a row, plus one if the slot in question is the second one of its pair. Lists run through tombstones;
 /// each walk takes those out of its own list.
 #[derive(Clone, Debug, Default)]
-pub(super) struct CandidateLists {
+pub(in crate::pair_tracker) struct CandidateLists {
     state: ListState,
     /// By slot, the first link.
     heads: Vec<u32>,
@@ -21,7 +21,7 @@ pub(super) struct CandidateLists {
 }
 
 impl CandidateLists {
-    pub(super) fn state(&self) -> ListState {
+    pub(in crate::pair_tracker) fn state(&self) -> ListState {
         self.state
     }
 

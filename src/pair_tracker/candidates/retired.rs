@@ -89,26 +89,3 @@ fn hash([a, b]: [u32; 2], count: usize) -> usize {
     let key = u64::from(a) << 32 | u64::from(b);
     (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - count.trailing_zeros())) as usize
 }
-
-#[cfg(test)]
-mod tests {
-    use super::RetiredPairs;
-
-    #[test]
-    fn a_pair_is_taken_once_and_the_rest_is_drained() {
-        let mut retired = RetiredPairs::default();
-        for count in [3, 1000, 50, 0] {
-            (0..count).for_each(|i| retired.insert([i / 7, i + 1]));
-            for i in (0..count).filter(|i| i % 3 > 0) {
-                assert!(retired.take([i / 7, i + 1]) && !retired.take([i / 7, i + 1]));
-                assert!(!retired.take([i / 7 + 1000, i + 1]));
-            }
-            let mut rest = Vec::new();
-            retired.drain(|pair| rest.push(pair));
-            let expected = (0..count).filter(|i| i % 3 == 0);
-            assert!(rest.into_iter().eq(expected.map(|i| [i / 7, i + 1])));
-            assert!(!retired.take([0, 1]));
-            retired.free_if_large();
-        }
-    }
-}

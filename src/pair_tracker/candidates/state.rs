@@ -49,23 +49,3 @@ pub(super) fn near_and_held(states: &[PairState]) -> [u64; 2] {
     }
     [near, held]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn states_are_gathered_in_order() {
-        let all = [PairState::Apart, PairState::Near, PairState::Held];
-        for count in 0..=64 {
-            let states: Vec<_> = (0..count).map(|i| all[i * i * 5 % 7 % 3]).collect();
-            let gathered = [PairState::Near, PairState::Held].map(|wanted| {
-                let bits = states.iter().enumerate();
-                bits.fold(0, |word, (i, &state)| {
-                    word | u64::from(state == wanted) << i
-                })
-            });
-            assert_eq!(near_and_held(&states), gathered);
-        }
-    }
-}

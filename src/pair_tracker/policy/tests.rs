@@ -41,13 +41,12 @@ const SLACK: u64 = FULL_RUN / FULL_RUN_SLACK;
 /// candidates a slot.
 const LOOK_UP: u64 = LOOKED_UP + SEARCHED + 8 * FOUND;
 
-const PICKED_ONLY: Plan = Plan::Compare(CompareMode::Picked {
-    lists_are_missed: false,
-});
-const MISSED: Plan = Plan::Compare(CompareMode::Picked {
-    lists_are_missed: true,
-});
 const LISTED: Plan = Plan::Compare(CompareMode::Listed);
+
+/// Candidates are picked, whether lists are missed or not.
+fn picked(lists_are_missed: bool) -> Plan {
+    Plan::Compare(CompareMode::Picked { lists_are_missed })
+}
 
 fn plan(inputs: PlanInputs) -> Plan {
     Plan::of(&inputs, || Some(0.1))
@@ -59,67 +58,64 @@ fn is_full_run(inputs: PlanInputs) -> bool {
 
 #[test]
 fn candidates_are_compared_as_far_as_slots_were_touched() {
-    let compared = |touched, rows| {
-        let of = |revolumed| {
+    // Walking is worth picking from more rows than this.
+    let rows = (100 * WALKED).div_ceil(PICKED) as usize;
+    for (touched, rows, expected) in [
+        (333, 5000, Plan::Compare(CompareMode::All)),
+        (332, 5000, picked(false)),
+        (100, rows + 1, picked(true)),
+        (100, rows, picked(false)),
+    ] {
+        // What has another volume changes nothing about it.
+        for revolumed in [0, 500] {
+            let world = world();
             let inputs = PlanInputs {
                 touched,
-                revolumed,
                 rows,
-                ..world()
+                revolumed,
+                ..world
             };
-            plan(inputs)
-        };
-        // What has another volume changes nothing about it.
-        assert!(touched == 0 || of(0) == of(500));
-        of(0)
-    };
-    assert_eq!(compared(0, 5000), Plan::Nothing);
-    assert_eq!(compared(333, 5000), Plan::Compare(CompareMode::All));
-    assert_eq!(compared(332, 5000), PICKED_ONLY);
-    // Walking is worth picking from this many rows.
-    let rows = (100 * WALKED).div_ceil(PICKED) as usize;
-    assert_eq!(compared(100, rows + 1), MISSED);
-    assert_eq!(compared(100, rows), PICKED_ONLY);
+            assert_eq!(plan(inputs), expected);
+        }
+    }
+    assert_eq!(plan(world()), Plan::Nothing);
 }
 
 #[test]
 fn lists_are_made_once_they_were_missed_often_enough() {
-    let listed = |are_made, missed, rows| {
-        plan(PlanInputs {
+    for (are_made, missed, rows, expected) in [
+        (false, LISTS_COST - 1, 5000, picked(true)),
+        (false, LISTS_COST, 5000, LISTED),
+        (true, 0, 5000, LISTED),
+        // Links could not tell more apart.
+        (true, 8, ListState::MOST_ROWS, LISTED),
+        (true, 8, ListState::MOST_ROWS + 1, picked(false)),
+    ] {
+        let (world, lists) = (world(), ListState { are_made, missed });
+        let inputs = PlanInputs {
             touched: 1,
-            lists: ListState { are_made, missed },
+            lists,
             rows,
-            ..world()
-        })
-    };
-    assert_eq!(listed(false, LISTS_COST - 1, 5000), MISSED);
-    assert_eq!(listed(false, LISTS_COST, 5000), LISTED);
-    assert_eq!(listed(true, 0, 5000), LISTED);
-    // Links could not tell more apart.
-    assert_eq!(listed(true, 8, ListState::MOST_ROWS), LISTED);
-    assert_eq!(listed(true, 8, ListState::MOST_ROWS + 1), PICKED_ONLY);
+            ..world
+        };
+        assert_eq!(plan(inputs), expected);
+    }
 }
 
 #[test]
 fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_run() {
     for updates in [1, 2, 10, 1000] {
-        let searched = |recent: u64, leavers| PlanInputs {
-            above_base: Some(AboveBase {
-                recent: recent as usize,
-                cost: 0,
-            }),
-            cost: Cost {
-                updates,
-                searching: FULL_RUN,
-            },
-            ..left(leavers)
-        };
         // What is recent is searched as well.
         for recent in [0, 8] {
-            let most = (FULL_RUN / updates + SLACK - recent * SEARCHED) / LOOK_UP;
-            let looked_up = plan(searched(recent, most));
-            assert_eq!(looked_up, Plan::LookUp(CompareMode::All));
-            assert!(is_full_run(searched(recent, most + 1)));
+            let searched = |leavers| {
+                let mut inputs = left(leavers);
+                inputs.above_base = Some(AboveBase { recent, cost: 0 });
+                inputs.cost.updates = updates;
+                inputs
+            };
+            let most = (FULL_RUN / updates + SLACK - recent as u64 * SEARCHED) / LOOK_UP;
+            assert_eq!(plan(searched(most)), Plan::LookUp(CompareMode::All));
+            assert!(is_full_run(searched(most + 1)));
         }
     }
 }
@@ -138,55 +134,33 @@ fn a_full_run_is_due_once_the_layers_have_cost_as_much() {
 #[test]
 fn without_a_sorted_base_layer_every_search_is_a_full_run() {
     for leavers in [0, 1] {
-        let unsorted = PlanInputs {
-            above_base: None,
-            ..left(leavers)
-        };
-        let unused = PlanInputs {
-            are_layers_used: false,
-            ..left(leavers)
-        };
+        let [mut unsorted, mut unused] = [left(leavers), left(leavers)];
+        unsorted.above_base = None;
+        unused.are_layers_used = false;
         assert_eq!([unsorted, unused].map(is_full_run), [leavers > 0; 2]);
     }
 }
 
 #[test]
 fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
-    for (foresight, moves) in [(Some(7), 7), (None, 5)] {
-        let foresight = Foresight::new(foresight);
-        let Plan::FullRun(renewed) = plan(PlanInputs {
-            foresight,
-            ..left(1000)
-        }) else {
-            panic!("all have left");
-        };
-        assert_eq!(renewed.moves(), moves);
+    for (fixed, moves) in [(Some(7), 7), (None, 5)] {
+        let mut inputs = left(1000);
+        inputs.foresight = Foresight::new(fixed);
+        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves() == moves));
     }
 }
 
 #[test]
 fn costs_add_up_and_end_at_the_largest_number() {
-    let work = Work {
-        looked_up: 1000,
-        searched: 10_000,
-        found: 100_000,
-        ..Work::default()
-    };
+    let mut work = Work::default();
+    (work.looked_up, work.searched, work.found) = (1000, 10_000, 100_000);
     let mut cost = Cost::default();
     cost.add(&work);
     cost.add(&Work::default());
     let searching = 1000 * LOOKED_UP + 10_000 * SEARCHED + 100_000 * FOUND;
-    assert_eq!(
-        cost,
-        Cost {
-            updates: 2,
-            searching
-        }
-    );
-    cost.add(&Work {
-        found: usize::MAX,
-        ..work
-    });
+    assert_eq!((cost.updates, cost.searching), (2, searching));
+    work.found = usize::MAX;
+    cost.add(&work);
     assert_eq!(cost.searching, u64::MAX);
     assert!(!is_full_run(PlanInputs { cost, ..left(1) }));
 }

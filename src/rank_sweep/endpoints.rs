@@ -6,20 +6,19 @@
 
 use crate::aabb::Aabb;
 use crate::invalid_input::{InvalidInput, InvalidInputReason};
-use crate::radix_sort::RadixSort;
-pub(crate) use crate::radix_sort::SortKey;
+use crate::radix_sort::{RadixSort, SortKey};
 use crate::real::Real;
 
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
-pub(crate) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
+pub(super) const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
 /// Whether coordinates of this type are sorted by keys of 32 bits; otherwise by keys of 64.
-pub(crate) const fn has_narrow_keys<R>() -> bool {
+pub(super) const fn has_narrow_keys<R>() -> bool {
     size_of::<R>() == size_of::<u32>()
 }
 
 /// Refuses more boxes than there are numbers for their endpoints.
-pub(crate) fn check_count(count: usize) -> Result<(), InvalidInput> {
+pub(super) fn check_count(count: usize) -> Result<(), InvalidInput> {
     if count > MAX_BOXES {
         return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
     }
@@ -28,9 +27,9 @@ pub(crate) fn check_count(count: usize) -> Result<(), InvalidInput> {
 
 /// The endpoints of one axis. All of it is scratch memory.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Endpoints<K> {
+pub(super) struct Endpoints<K> {
     /// Integers that compare as the coordinates do: lows at `i`, highs at `i + n`.
-    pub(crate) keys: Vec<K>,
+    pub(super) keys: Vec<K>,
     sorter: RadixSort<K>,
 }
 
@@ -38,31 +37,18 @@ impl<K: SortKey> Endpoints<K> {
     /// Sorts the endpoints of an axis.
     ///
     /// Computes in **O(n)** time.
-    pub(crate) fn sort<R: Real, const D: usize>(
+    pub(super) fn sort<R: Real, const D: usize>(
         &mut self,
         boxes: &[Aabb<R, D>],
         axis: usize,
         order: &mut Vec<u32>,
     ) {
-        self.read(boxes, axis);
-        self.sort_keys(order);
-    }
-
-    /// Makes the keys of the endpoints of an axis.
-    pub(crate) fn read<R: Real, const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
         let key = |x: R| K::from_order_key(x.order_key());
         self.keys.clear();
         self.keys.extend(boxes.iter().map(|b| key(b.mins[axis])));
         self.keys.extend(boxes.iter().map(|b| key(b.maxs[axis])));
-    }
-
-    /// Sorts the endpoints that were read.
-    pub(crate) fn sort_keys(&mut self, order: &mut Vec<u32>) {
-        let indexed = self
-            .keys
-            .iter()
-            .enumerate()
-            .map(|(i, &key)| (key, i as u32));
+        let indexed = self.keys.iter().enumerate();
+        let indexed = indexed.map(|(i, &key)| (key, i as u32));
         self.sorter.sort(indexed, |(_, index)| index, order);
     }
 }

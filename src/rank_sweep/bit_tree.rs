@@ -13,7 +13,7 @@ const MAX_LEVELS: usize = 6;
 
 /// A set of values below a bound, its *universe*.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct BitTree {
+pub(super) struct BitTree {
     /// The bits of all levels, the lowest first.
     words: Vec<u64>,
     /// Where in `words` each level starts.
@@ -28,7 +28,7 @@ impl BitTree {
     /// Empties the set and makes room for the values below `universe`.
     ///
     /// Computes in **O(universe / 64)** time.
-    pub(crate) fn reset(&mut self, universe: u32) {
+    pub(super) fn reset(&mut self, universe: u32) {
         let mut total = 0;
         let mut width = universe as usize;
         self.levels = 0;
@@ -45,7 +45,7 @@ impl BitTree {
 
     /// The bound of the values, which also stands for "none".
     #[inline]
-    pub(crate) fn universe(&self) -> u32 {
+    pub(super) fn universe(&self) -> u32 {
         self.universe
     }
 
@@ -53,7 +53,7 @@ impl BitTree {
     ///
     /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
     #[inline]
-    pub(crate) fn insert(&mut self, value: u32) {
+    pub(super) fn insert(&mut self, value: u32) {
         let mut at = value as usize;
         for level in 0..self.levels {
             let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
@@ -69,7 +69,7 @@ impl BitTree {
     ///
     /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
     #[inline]
-    pub(crate) fn remove(&mut self, value: u32) {
+    pub(super) fn remove(&mut self, value: u32) {
         let mut at = value as usize;
         for level in 0..self.levels {
             let word = &mut self.words[self.starts[level] + (at >> LEVEL_BITS)];
@@ -85,7 +85,7 @@ impl BitTree {
     ///
     /// Computes in **O(log₆₄ universe)** time.
     #[inline]
-    pub(crate) fn successor(&self, value: u32) -> u32 {
+    pub(super) fn successor(&self, value: u32) -> u32 {
         let mut at = value as usize;
         for level in 0..self.levels {
             let word = self.words[self.starts[level] + (at >> LEVEL_BITS)];
@@ -102,22 +102,5 @@ impl BitTree {
             at >>= LEVEL_BITS;
         }
         self.universe
-    }
-}
-
-#[cfg(test)]
-impl BitTree {
-    /// Compares the bits of all levels with a set of the standard library.
-    pub(crate) fn check(&self, expected: &std::collections::BTreeSet<u32>) {
-        let mut present: Vec<usize> = expected.iter().map(|&value| value as usize).collect();
-        for level in 0..self.levels {
-            let end = self.starts[..self.levels].get(level + 1);
-            let words = &self.words[self.starts[level]..*end.unwrap_or(&self.words.len())];
-            let bits = (0..64 * words.len()).filter(|bit| words[bit / 64] >> (bit % 64) & 1 != 0);
-            assert!(bits.eq(present.iter().copied()), "level {level}");
-            present.iter_mut().for_each(|bit| *bit /= 64);
-            present.dedup();
-        }
-        assert_eq!(self.words.len(), self.starts[self.levels - 1] + 1);
     }
 }
