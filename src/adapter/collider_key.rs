@@ -141,3 +141,56 @@ impl FilterKey for ColliderKey {
         version::REINSERTS && decisive(self) != decisive(former)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rapier::dynamics::RigidBodyBuilder;
+    use super::super::rapier::geometry::{ColliderBuilder, Group};
+    use super::*;
+
+    /// Colliders on bodies of every type, with groups and active collision types of many kinds, and their keys.
+    fn all() -> Vec<(RigidBodyType, Collider, ColliderKey)> {
+        let groups = [(1, 2), (2, 1), (3, 3), (0, 7), (u32::MAX, 4)];
+        let groups = groups.map(|(memberships, filter)| {
+            version::all_groups(
+                Group::from_bits_retain(memberships),
+                Group::from_bits_retain(filter),
+            )
+        });
+        let mut all = Vec::new();
+        for body_type in TYPES {
+            for bits in [0, 1, 2, 0b1100, 0b10_0000, 0b1100_0000, 0xf000, 0xffff] {
+                for &groups in groups.iter().flatten() {
+                    let body = RigidBodyBuilder::new(body_type).build();
+                    let collider = ColliderBuilder::ball(1.0)
+                        .active_collision_types(ActiveCollisionTypes::from_bits_retain(bits))
+                        .collision_groups(groups)
+                        .build();
+                    let key = ColliderKey::new(PairFilter::Groups, &collider, Some(&body));
+                    all.push((body_type, collider, key));
+                }
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn keys_meet_as_the_narrow_phase_decides() {
+        let all = all();
+        let mut met = 0;
+        for (first_type, first, first_key) in &all {
+            for (second_type, second, second_key) in &all {
+                let is_active = |collider: &Collider| {
+                    let types = collider.active_collision_types();
+                    types.test(*first_type, *second_type)
+                };
+                let groups = first.collision_groups();
+                let expected = (is_active(first) || is_active(second))
+                    && groups.test(second.collision_groups());
+                assert_eq!(first_key.may_meet(*second_key), expected);
+                met += usize::from(expected);
+            }
+        }
+        assert!(met > 0 && met < all.len() * all.len());
+    }
+}

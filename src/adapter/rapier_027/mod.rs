@@ -2,6 +2,8 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+#[cfg(test)]
+use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, ColliderHandle, ColliderSet, InteractionGroups,
 };
@@ -41,6 +43,12 @@ pub(super) const ORDER: Order = Order::Dealt;
 /// Groups meet if both are in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
     false
+}
+
+/// The groups with these memberships and this filter.
+#[cfg(test)]
+pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
+    vec![InteractionGroups::new(memberships, filter)]
 }
 
 /// The origin of a pose.

@@ -3,6 +3,8 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase, key};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+#[cfg(test)]
+use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
     InteractionGroups, InteractionTestMode,
@@ -40,6 +42,14 @@ pub(super) const ORDER: Order = Order::BySlots;
 #[inline(always)]
 pub(super) fn is_either_enough(groups: &InteractionGroups) -> bool {
     groups.test_mode == InteractionTestMode::Or
+}
+
+/// The groups with these memberships and this filter.
+#[cfg(test)]
+pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
+    let modes = [InteractionTestMode::And, InteractionTestMode::Or];
+    let groups = modes.map(|mode| InteractionGroups::new(memberships, filter, mode));
+    groups.to_vec()
 }
 
 /// The origin of a pose.
