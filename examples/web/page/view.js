@@ -161,6 +161,8 @@ export class View {
       line = new THREE.LineSegments(new THREE.BufferGeometry(), material);
       line.frustumCulled = false;
       line.userData = { color };
+      // On both sides alike, what costs time for nothing is on top.
+      line.renderOrder = ["boxes", "touch", "idle"].indexOf(name) + 1;
       this.lines[name] = line;
       this.scene.add(line);
     }
