@@ -20,7 +20,6 @@ export function drawChart(canvas, sides) {
   const top = HEADROOM * times.sort((a, b) => a - b)[Math.floor(times.length * 0.95)];
   const y = (ms) => height - 1 - Math.min(ms / top, 1) * (height - 2);
 
-  context.font = `12px ${style.fontFamily}`;
   context.lineWidth = 1;
   const spacing = gridSpacing(top);
   for (let ms = 0; ms <= top; ms += spacing) {
@@ -29,8 +28,6 @@ export function drawChart(canvas, sides) {
     context.moveTo(0, y(ms));
     context.lineTo(width, y(ms));
     context.stroke();
-    context.fillStyle = style.getPropertyValue("--faint");
-    if (ms > 0 && y(ms) > 15) context.fillText(`${+ms.toPrecision(3)} ms`, 2, y(ms) - 3);
   }
   for (const [name, steps] of Object.entries(sides)) {
     const shown = steps.slice(-SHOWN);
@@ -43,6 +40,17 @@ export function drawChart(canvas, sides) {
       });
       context.stroke();
     }
+  }
+
+  // Above the lines, with an edge in the colour of the page.
+  context.font = `12px ${style.fontFamily}`;
+  context.lineWidth = 4;
+  context.strokeStyle = style.getPropertyValue("--page");
+  context.fillStyle = style.getPropertyValue("--faint");
+  for (let ms = spacing; ms <= top; ms += spacing) {
+    if (y(ms) <= 15) break;
+    context.strokeText(`${+ms.toPrecision(3)} ms`, 2, y(ms) - 3);
+    context.fillText(`${+ms.toPrecision(3)} ms`, 2, y(ms) - 3);
   }
 }
 

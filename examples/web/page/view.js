@@ -40,11 +40,26 @@ export class Camera {
       Object.assign(this.lens, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     } else {
       const old = isFirst ? this.direction : this.lens.position.clone().sub(this.target).normalize();
-      const half = Math.tan(THREE.MathUtils.degToRad(35 / 2)) * Math.min(1, aspect);
-      this.lens.position.copy(this.target).addScaledVector(old, (0.82 * this.radius) / half);
+      this.lens.position.copy(this.target).addScaledVector(old, 1.03 * this.distance(old, aspect));
       this.lens.aspect = aspect;
     }
     this.lens.updateProjectionMatrix();
+  }
+
+  /** From how far away, in this direction, the eight corners of the scene are just in sight. */
+  distance(direction, aspect) {
+    const half = Math.tan(THREE.MathUtils.degToRad(35 / 2));
+    const right = new THREE.Vector3(0, 1, 0).cross(direction).normalize();
+    const up = direction.clone().cross(right);
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) =>
+      this.size.clone().multiply(new THREE.Vector3(corner & 1, (corner >> 1) & 1, corner >> 2).subScalar(0.5)),
+    );
+    return Math.max(
+      ...corners.map((corner) => {
+        const width = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(up)));
+        return corner.dot(direction) + width / half;
+      }),
+    );
   }
 }
 
@@ -146,6 +161,8 @@ export class View {
       line = new THREE.LineSegments(new THREE.BufferGeometry(), material);
       line.frustumCulled = false;
       line.userData = { color };
+      // On both sides alike, what costs time for nothing is on top.
+      line.renderOrder = ["boxes", "touch", "idle"].indexOf(name) + 1;
       this.lines[name] = line;
       this.scene.add(line);
     }

@@ -90,6 +90,7 @@ macro_rules! for_engine {
         }
     };
 }
+#[cfg(feature = "check")]
 use for_engine;
 
 /// The scene of this name.
