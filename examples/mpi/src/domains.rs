@@ -132,10 +132,7 @@ where
         self.bodies.truncate(self.own);
         self.check()?;
         let loads = self.loads();
-        if self
-            .tolerated
-            .is_none_or(|tolerated| spread(&loads) > tolerated)
-        {
+        if self.tolerated.is_none_or(|most| spread(&loads) > most) {
             self.bisect(loads.iter().sum())?;
             self.migrate()?;
             // Where bodies coincide no cut helps, and another one is not tried in every frame.

@@ -61,14 +61,13 @@ fn main() -> Result<()> {
         Job::Herd(run) => run_herd(&world, run),
         Job::Chart { .. } => Ok(Value::Null),
     };
-    match row {
-        Ok(row) if world.rank() == 0 => println!("{row}"),
-        Ok(_) => {}
-        Err(error) => {
-            eprintln!("process {}: {error:#}", world.rank());
-            // The others may wait for the one that fails, and would for ever.
-            world.abort(1)
-        }
+    let row = row.unwrap_or_else(|error| {
+        eprintln!("process {}: {error:#}", world.rank());
+        // The others may wait for the one that fails, and would for ever.
+        world.abort(1)
+    });
+    if world.rank() == 0 {
+        println!("{row}");
     }
     Ok(())
 }
@@ -129,22 +128,18 @@ fn run_herd(world: &SimpleCommunicator, job: &Run) -> Result<Value> {
 /// Draws a line for the frames on each network, and one for the part of them that the network takes.
 fn draw(rows: &Path, svg: &Path) -> Result<()> {
     let text = std::fs::read_to_string(rows).context("cannot read the rows")?;
-    let rows: Vec<Value> = text
-        .lines()
-        .map(serde_json::from_str)
-        .collect::<Result<_, _>>()?;
+    let rows = serde_json::Deserializer::from_str(&text).into_iter();
+    let rows: Vec<Value> = rows.collect::<Result<_, _>>()?;
     let model = || rows.iter().filter(|row| row["what"] == "model");
     let mut networks: Vec<_> = model().filter_map(|row| row["network"].as_str()).collect();
     networks.dedup();
     let colors = color::OURS.into_iter().chain(color::OTHERS).cycle();
     let lines = [("frame_ms", ""), ("network_ms", ": of it the network")];
-    let lines = networks
-        .iter()
-        .flat_map(|network| lines.map(|line| (network, line)));
-    let series = lines.zip(colors).map(|((network, (field, name)), color)| {
-        let of = model().filter(|row| row["network"] == *network);
+    let lines = networks.iter().flat_map(|&of| lines.map(|line| (of, line)));
+    let series = lines.zip(colors).map(|((network, (field, part)), color)| {
+        let of = model().filter(|row| row["network"] == network);
         let point = |row: &Value| Some((row["processes"].as_f64()?, row[field].as_f64()?));
-        Series::new(format!("{network}{name}"), color, of.filter_map(point))
+        Series::new(format!("{network}{part}"), color, of.filter_map(point))
     });
     let [x, y] = ["processes", "milliseconds"].map(Axis::log);
     let panel = Panel::new("", x, y, series);

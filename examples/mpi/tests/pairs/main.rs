@@ -99,16 +99,12 @@ fn union_is_exact<R: Sent, const D: usize>(
             domains.pairs.len(),
             "{name}: a pair is here twice"
         );
-        let unisize = domains
-            .own()
-            .iter()
-            .filter(|body| domains.is_unisize(&body.aabb));
+        let own = domains.own().iter();
+        let unisize = own.filter(|body| domains.is_unisize(&body.aabb));
         let unisize: HashSet<_> = unisize.map(|body| body.number).collect();
         let is_due = |pair: &&[u64; 2]| pair.iter().any(|number| unisize.contains(number));
-        let lacks = expected
-            .iter()
-            .filter(is_due)
-            .find(|&pair| !found.contains(pair));
+        let mut due = expected.iter().filter(is_due);
+        let lacks = due.find(|&pair| !found.contains(pair));
         assert_eq!(lacks, None, "{name}, frame {frame}: a partner lacks");
         // Then every body is where another was, so that most migrate.
         let shift = (frame + 1).min(boxes.len());
@@ -164,10 +160,7 @@ fn loads_stay_alike(world: &SimpleCommunicator) {
         place(&mut domains, &squares(&scene, frame));
     }
     let expected = if world.size() == 1 { 1..2 } else { 2..60 };
-    assert!(
-        expected.contains(&bisected),
-        "regions were cut {bisected} times"
-    );
+    assert!(expected.contains(&bisected), "cut {bisected} times");
 }
 
 /// The herd of `Stampede` itself, whose pairs are found by the oracle and sorted, bit for bit.
