@@ -26,10 +26,11 @@ impl Animal {
 
 /// A hash of all that these animals are, in any order: the hash of a herd is the sum of those of its parts.
 pub fn hash(animals: &[Animal]) -> u64 {
-    let hash = |&Animal { number, rest, .. }: &Animal| {
-        let ([x, y], [u, v], pace) = rest;
+    let hash = |&Animal { number, aabb, rest }: &Animal| {
+        let (place, velocity, pace) = rest;
+        let pairs = [aabb.mins, aabb.maxs, place, velocity, [pace; 2]];
         // FNV-1a, word by word, and then its high bits into the low ones.
-        let hash = [x, y, u, v, pace].iter().fold(!number, |hash, word| {
+        let hash = pairs.as_flattened().iter().fold(!number, |hash, word| {
             (hash ^ u64::from(word.to_bits())).wrapping_mul(0x0000_0100_0000_01B3)
         });
         (hash ^ hash >> 32).wrapping_mul(0x9E37_79B9_7F4A_7C15)
