@@ -1,13 +1,12 @@
 //! The bodies of one process, its copies of others, and the pairs among them.
 
-use crate::{Bisection, exchange, greatest};
+use crate::{Bisection, exchange, gather, greatest};
 use anyhow::{Context, Result};
-use mpi::datatype::PartitionMut;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder, Real};
 
 /// Regions are cut by so many centres a process. With fewer, loads differ by more: by some 2 % at the last cut.
@@ -33,14 +32,16 @@ pub struct Body<R, const D: usize, T = ()> {
 }
 
 /// What the last frame has cost this process.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Stats {
-    /// Everything but the sweep: agreeing, handing over, copying, waiting for others.
-    pub exchange: Duration,
-    /// Finding pairs.
-    pub sweep: Duration,
+    /// Milliseconds of everything but the sweep: agreeing, handing over, copying, waiting for others.
+    pub exchange_ms: f64,
+    /// Milliseconds of finding pairs.
+    pub sweep_ms: f64,
     /// Bytes of bodies that it sent to others.
     pub bytes: u64,
+    /// Bodies that it owns.
+    pub own: usize,
     /// Bodies that it received for good.
     pub migrated: usize,
     /// Bodies that it received a copy of.
@@ -59,13 +60,16 @@ pub struct Domains<'a, R, const D: usize, T = ()> {
     class: f64,
     /// By how much loads may differ before regions are cut anew; none if they have not been cut yet.
     tolerated: Option<u64>,
-    /// Own bodies, then copies.
-    bodies: Vec<Body<R, D, T>>,
-    own: usize,
+    /// The bodies of this process, which the caller moves, then the copies of others. Numbers must stay.
+    pub bodies: Vec<Body<R, D, T>>,
+    /// How many of the bodies are its own.
+    pub own: usize,
     boxes: Vec<Aabb<R, D>>,
-    pairs: Vec<[u32; 2]>,
+    /// The pairs of indices of `bodies`: all those of each own body of the unisize class, and others.
+    pub pairs: Vec<[u32; 2]>,
     kernel: GridSweep<R, D>,
-    stats: Stats,
+    /// What the last frame has cost.
+    pub stats: Stats,
 }
 
 impl<'a, R, const D: usize, T> Domains<'a, R, D, T>
@@ -93,26 +97,6 @@ where
     /// The bodies of this process.
     pub fn own(&self) -> &[Body<R, D, T>] {
         &self.bodies[..self.own]
-    }
-
-    /// The same, to move them. Numbers must stay.
-    pub fn own_mut(&mut self) -> &mut [Body<R, D, T>] {
-        &mut self.bodies[..self.own]
-    }
-
-    /// Own bodies, then the copies of others: what [`pairs`](Self::pairs) are indices of.
-    pub fn bodies(&self) -> &[Body<R, D, T>] {
-        &self.bodies
-    }
-
-    /// The pairs among own bodies and copies: all those of each own body of the unisize class, and others.
-    pub fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
-    }
-
-    /// What the last frame has cost.
-    pub fn stats(&self) -> Stats {
-        self.stats
     }
 
     /// Whether a box is of the unisize class: not much longer than most.
@@ -148,11 +132,8 @@ where
         self.bodies.truncate(self.own);
         self.check()?;
         let loads = self.loads();
-        if self
-            .tolerated
-            .is_none_or(|tolerated| spread(&loads) > tolerated)
-        {
-            self.bisect(loads.iter().sum());
+        if self.tolerated.is_none_or(|most| spread(&loads) > most) {
+            self.bisect(loads.iter().sum())?;
             self.migrate()?;
             // Where bodies coincide no cut helps, and another one is not tried in every frame.
             let dealt = spread(&self.loads());
@@ -164,63 +145,48 @@ where
         self.copy_borders()?;
         self.boxes.clear();
         self.boxes.extend(self.bodies.iter().map(|body| body.aabb));
-        self.stats.exchange = began.elapsed();
-        let began = Instant::now();
+        let exchanged = began.elapsed();
         let found = self.kernel.find_pairs(&self.boxes, &mut self.pairs);
         found.context("a process has too many boxes: use more processes")?;
-        self.stats.sweep = began.elapsed();
+        self.stats.exchange_ms = 1e3 * exchanged.as_secs_f64();
+        self.stats.sweep_ms = 1e3 * (began.elapsed() - exchanged).as_secs_f64();
         Ok(())
     }
 
     /// Tells all processes of the invalid body with the smallest number.
     fn check(&self) -> Result<()> {
         let invalid = self.own().iter().filter(|body| !body.aabb.is_valid());
-        let first = invalid.min_by_key(|body| body.number);
-        let key = greatest(self.world, first.map_or(0, |body| !body.number));
-        if key == 0 {
+        let mine = invalid.min_by_key(|body| body.number).copied();
+        if greatest(self.world, u64::from(mine.is_some())) == 0 {
             return Ok(());
         }
-        let mine = first.filter(|body| !body.number == key).copied();
-        let lists = vec![Vec::from_iter(mine); self.world.size() as usize];
-        let mut first = Vec::new();
-        exchange(self.world, &lists, &mut first)?;
-        for body in first {
-            let refused = BruteForce.find_pairs(&[body.aabb], &mut Vec::new());
-            refused.map_err(|error| InvalidInput::new(body.number as usize, error.reason))?;
+        let all = gather(self.world, Vec::from_iter(mine))?;
+        if let Some(first) = all.iter().min_by_key(|body| body.number) {
+            let refused = BruteForce.find_pairs(&[first.aabb], &mut Vec::new());
+            refused.map_err(|error| InvalidInput::new(first.number as usize, error.reason))?;
         }
         Ok(())
     }
 
     /// The number of bodies of each process.
     fn loads(&self) -> Vec<u64> {
-        let mut loads = vec![0; self.world.size() as usize];
-        self.world
-            .all_gather_into(&(self.own as u64), &mut loads[..]);
+        let (own, mut loads) = (self.own as u64, vec![0; self.world.size() as usize]);
+        self.world.all_gather_into(&own, &mut loads[..]);
         loads
     }
 
-    /// Cuts regions anew, by a sample of the centres of all `total` bodies that every process is given.
-    fn bisect(&mut self, total: u64) {
+    /// Cuts regions anew, by a sample of all `total` boxes that every process is given.
+    fn bisect(&mut self, total: u64) -> Result<()> {
         let processes = self.world.size() as usize;
         let stride = total.div_ceil(SAMPLES * processes as u64).max(1) as usize;
         // Any one of each `stride`, so that a pattern in the order of bodies is not seen.
         let any = |(i, chunk): (usize, &[Body<R, D, T>])| {
-            let aabb = widened(&chunk[i.wrapping_mul(0x9E37_79B9) / 8 % chunk.len()].aabb);
-            centre(&aabb).into_iter().chain([longest_side(&aabb)])
+            widened(&chunk[i.wrapping_mul(0x9E37_79B9) / 8 % chunk.len()].aabb)
         };
-        let chunks = self.own().chunks(stride).enumerate();
-        let sample: Vec<f64> = chunks.flat_map(any).collect();
-        let mut counts = vec![0; processes];
-        self.world
-            .all_gather_into(&(sample.len() as i32), &mut counts[..]);
-        let starts: Vec<i32> = (0..processes).map(|p| counts[..p].iter().sum()).collect();
-        let mut all = vec![0.0; counts.iter().sum::<i32>() as usize];
-        let mut parts = PartitionMut::new(&mut all[..], counts, starts);
-        self.world.all_gather_varcount_into(&sample[..], &mut parts);
-        let rows = all.chunks_exact(D + 1);
-        let centre = |row: &[f64]| std::array::from_fn(|k| row[k]);
-        let mut centres: Vec<[f64; D]> = rows.clone().map(centre).collect();
-        let mut sides: Vec<f64> = rows.map(|row| row[D]).collect();
+        let sample = self.own().chunks(stride).enumerate().map(any).collect();
+        let sample = gather(self.world, sample)?;
+        let mut centres: Vec<_> = sample.iter().map(centre).collect();
+        let mut sides: Vec<_> = sample.iter().map(longest_side).collect();
         sides.sort_unstable_by(f64::total_cmp);
         // Finite, whatever the boxes are: infinity less infinity would be nowhere.
         self.class = (CLASS * sides.get(sides.len() / 2).unwrap_or(&0.0)).min(f64::MAX);
@@ -229,22 +195,24 @@ where
         let me = self.world.rank() as usize;
         self.bisection.narrow(me, &mut self.region);
         self.stats.bisected = true;
+        Ok(())
     }
 
     /// Hands over the bodies whose centres have left the region.
     fn migrate(&mut self) -> Result<()> {
-        let me = self.world.rank() as usize;
         let mut leaving = vec![Vec::new(); self.world.size() as usize];
         self.bodies.retain(|body| {
-            let owner = self.bisection.owner(&centre(&widened(&body.aabb)));
-            if owner != me {
-                leaving[owner].push(*body);
+            let centre = centre(&widened(&body.aabb));
+            let stays = contains(&self.region, &Aabb::new(centre, centre));
+            if !stays {
+                leaving[self.bisection.owner(&centre)].push(*body);
             }
-            owner == me
+            stays
         });
         let stay = self.bodies.len();
         self.stats.bytes += exchange(self.world, &leaving, &mut self.bodies)?;
         self.own = self.bodies.len();
+        self.stats.own = self.own;
         self.stats.migrated = self.own - stay;
         Ok(())
     }
@@ -258,10 +226,8 @@ where
     /// same holds above. So `b`, loosened, contains the centre, which is in the region.
     fn copy_borders(&mut self) -> Result<()> {
         let me = self.world.rank() as usize;
-        let sides = self
-            .own()
-            .iter()
-            .map(|body| longest_side(&widened(&body.aabb)));
+        let own = self.own().iter().map(|body| widened(&body.aabb));
+        let sides = own.map(|aabb| longest_side(&aabb));
         let longest = sides.filter(|&side| side <= self.class).fold(0.0, f64::max);
         let longest = greatest(self.world, longest);
         let mut copies = vec![Vec::new(); self.world.size() as usize];
@@ -320,6 +286,6 @@ fn spread(loads: &[u64]) -> u64 {
 }
 
 /// A pair, smaller first.
-pub(crate) fn sorted<T: Ord>([a, b]: [T; 2]) -> [T; 2] {
+pub fn sorted<T: Ord>([a, b]: [T; 2]) -> [T; 2] {
     if a <= b { [a, b] } else { [b, a] }
 }

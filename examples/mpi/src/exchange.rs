@@ -1,6 +1,6 @@
-//! Lists from each process to each, and what all have in common: what is sent, but for the gatherings of [`Domains`](crate::Domains).
+//! Lists from each process to each, and what all have in common: all that is sent, but for the loads.
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use mpi::collective::SystemOperation;
 use mpi::datatype::{Partition, PartitionMut};
 use mpi::topology::SimpleCommunicator;
@@ -29,7 +29,10 @@ pub fn exchange<T: Serialize + DeserializeOwned>(
     }
     let mut counts_in = vec![0; counts.len()];
     world.all_to_all_into(&counts[..], &mut counts_in[..]);
-    let [starts, starts_in] = [starts(&counts)?, starts(&counts_in)?];
+    let starts = [starts(&counts), starts(&counts_in)];
+    let [Some(starts), Some(starts_in)] = starts else {
+        bail!("2 GB are too many for a message: use more processes");
+    };
     let total: usize = counts_in.iter().map(|&count| count as usize).sum();
     let mut bytes_in = vec![0_u8; total + 1];
     world.all_to_all_varcount_into(
@@ -37,24 +40,35 @@ pub fn exchange<T: Serialize + DeserializeOwned>(
         &mut PartitionMut::new(&mut bytes_in[..], &counts_in[..], &starts_in[..]),
     );
     let mut rest = &bytes_in[..];
-    for count in counts_in.into_iter().filter(|&count| count > 0) {
-        let (list, others) = rest.split_at(count as usize);
+    for _ in counts_in.iter().filter(|&&count| count > 0) {
+        let (mut list, others) = postcard::take_from_bytes(rest).context("a message is damaged")?;
+        received.append(&mut list);
         rest = others;
-        received.append(&mut postcard::from_bytes(list).context("a message is damaged")?);
     }
     Ok(bytes.len() as u64 - counts[world.rank() as usize] as u64)
 }
 
-/// Where each list begins, if all of them can be counted.
-fn starts(counts: &[i32]) -> Result<Vec<i32>> {
+/// Where each list begins, if MPI can count so far.
+fn starts(counts: &[i32]) -> Option<Vec<i32>> {
     let mut end = 0_i32;
     let starts = counts.iter().map(|&count| {
-        let start = end;
         end = end.checked_add(count)?;
-        Some(start)
+        Some(end - count)
     });
-    let starts = starts.collect::<Option<_>>();
-    starts.context("2 GB are too many for a message: use more processes")
+    starts.collect()
+}
+
+/// The lists of all processes, one after the other, on each of them.
+///
+/// # Errors
+/// Those of [`exchange`].
+pub fn gather<T: Clone + Serialize + DeserializeOwned>(
+    world: &SimpleCommunicator,
+    own: Vec<T>,
+) -> Result<Vec<T>> {
+    let mut all = Vec::new();
+    exchange(world, &vec![own; world.size() as usize], &mut all)?;
+    Ok(all)
 }
 
 /// The greatest of a number of each process.

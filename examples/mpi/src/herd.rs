@@ -26,10 +26,11 @@ impl Animal {
 
 /// A hash of all that these animals are, in any order: the hash of a herd is the sum of those of its parts.
 pub fn hash(animals: &[Animal]) -> u64 {
-    let hash = |&Animal { number, rest, .. }: &Animal| {
-        let ([x, y], [u, v], pace) = rest;
+    let hash = |&Animal { number, aabb, rest }: &Animal| {
+        let (place, velocity, pace) = rest;
+        let pairs = [aabb.mins, aabb.maxs, place, velocity, [pace; 2]];
         // FNV-1a, word by word, and then its high bits into the low ones.
-        let hash = [x, y, u, v, pace].iter().fold(!number, |hash, word| {
+        let hash = pairs.as_flattened().iter().fold(!number, |hash, word| {
             (hash ^ u64::from(word.to_bits())).wrapping_mul(0x0000_0100_0000_01B3)
         });
         (hash ^ hash >> 32).wrapping_mul(0x9E37_79B9_7F4A_7C15)
@@ -64,12 +65,8 @@ impl<'a> Herd<'a> {
     pub fn at_start(world: &'a SimpleCommunicator, count: usize) -> Self {
         let all = Stampede::new(count, 7);
         let share = Animal::all(&all).skip(world.rank() as usize);
-        Self::new(
-            world,
-            count,
-            0,
-            share.step_by(world.size() as usize).collect(),
-        )
+        let share = share.step_by(world.size() as usize).collect();
+        Self::new(world, count, 0, share)
     }
 
     /// The hash of the whole herd, on every process.
@@ -87,26 +84,24 @@ impl<'a> Herd<'a> {
     /// Those of [`Domains::find_pairs`].
     pub fn advance(&mut self) -> Result<()> {
         self.domains.find_pairs()?;
-        let bodies = self.domains.bodies();
+        let Domains {
+            bodies, own, pairs, ..
+        } = &mut self.domains;
         let mut order: Vec<usize> = (0..bodies.len()).collect();
         // They come in a few sorted runs, which this merges.
         order.sort_by_key(|&i| bodies[i].number);
         let mut rank = vec![0; bodies.len()];
         order.iter().zip(0..).for_each(|(&i, at)| rank[i] = at);
-        let own = self.domains.own().len() as u32;
-        let pairs = self.domains.pairs().iter().filter(|[a, b]| *a.min(b) < own);
-        let mut pairs: Vec<_> = pairs
-            .map(|pair| sorted(pair.map(|i| rank[i as usize])))
-            .collect();
+        let is_due = |pair: &&[u32; 2]| pair.iter().any(|&i| (i as usize) < *own);
+        let pairs = pairs.iter().filter(is_due);
+        let ranked = |pair: &[u32; 2]| sorted(pair.map(|i| rank[i as usize]));
+        let mut pairs: Vec<_> = pairs.map(ranked).collect();
         pairs.sort_unstable();
         let mut part = Stampede::part(self.count, order.iter().map(|&i| bodies[i].rest));
         part.advance(pairs);
-        let moved: Vec<_> = Animal::all(&part).collect();
-        for (animal, &at) in self.domains.own_mut().iter_mut().zip(&rank) {
-            *animal = Animal {
-                number: animal.number,
-                ..moved[at as usize]
-            };
+        for (moved, &i) in Animal::all(&part).zip(&order) {
+            let number = bodies[i].number;
+            bodies[i] = Animal { number, ..moved };
         }
         self.step += 1;
         Ok(())

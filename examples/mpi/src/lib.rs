@@ -12,6 +12,22 @@ mod herd;
 pub mod state;
 
 pub use bisection::Bisection;
-pub use domains::{Body, Domains, Stats};
-pub use exchange::{exchange, greatest, sum};
+pub use domains::{Body, Domains, Stats, sorted};
+pub use exchange::{exchange, gather, greatest, sum};
 pub use herd::{Animal, Herd, hash};
+
+use anyhow::Context;
+use mpi::environment::Universe;
+
+/// Starts MPI. If this process panics, mpirun ends the others: it leaves without a word to MPI, which unwinding would say.
+///
+/// # Errors
+/// If MPI runs already.
+pub fn start() -> anyhow::Result<Universe> {
+    let report = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        report(panic);
+        std::process::exit(101);
+    }));
+    mpi::initialize().context("MPI does not start")
+}

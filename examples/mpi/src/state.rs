@@ -1,4 +1,4 @@
-//! A herd on disk: a folder for a step, in it a file for each process, in the format of postcard, and `herd.json`, which says what they are.
+//! A herd on disk: a folder for a step, and in it a file for each process, in the format of postcard.
 //!
 //! A folder has another name until every process has written its part to the disk, so whatever dies, a folder without `.partial` is whole.
 //! All processes must see the same disk.
@@ -7,41 +7,29 @@ use crate::{Animal, Herd, sum};
 use anyhow::{Context, Result, ensure};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives};
-use serde::{Deserialize, Serialize};
 use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// What the parts of a state are of.
-#[derive(Serialize, Deserialize)]
-struct About {
-    step: u64,
-    animals: usize,
-    parts: usize,
-    hash: u64,
-}
+/// What each part says of the whole: step, animals, parts, and hash.
+type About = (u64, usize, usize, u64);
 
 /// Writes the herd below `folder`, then removes the other states there. Every process must call it.
 ///
 /// # Errors
 /// What the disk says, on one process only: end the run.
 pub fn write(world: &SimpleCommunicator, herd: &Herd, folder: &Path) -> Result<()> {
-    let about = About {
-        step: herd.step,
-        animals: herd.count,
-        parts: world.size() as usize,
-        hash: herd.hash(),
-    };
+    let about: About = (herd.step, herd.count, world.size() as usize, herd.hash());
     // What has the same name holds the same herd.
-    let whole = folder.join(format!("step-{:08}-{:016x}", about.step, about.hash));
+    let whole = folder.join(format!("step-{:08}-{:016x}", herd.step, about.3));
     let partial = whole.with_extension("partial");
     fs::create_dir_all(&partial).with_context(|| format!("cannot make {}", partial.display()))?;
-    let part = postcard::to_stdvec(herd.domains.own())?;
-    write_to_disk(&partial.join(part_name(world.rank() as usize)), &part)?;
+    let mut file = File::create(part_of(&partial, world.rank() as usize))?;
+    file.write_all(&postcard::to_stdvec(&(about, herd.domains.own()))?)?;
+    file.sync_all()?;
     world.barrier();
     if world.rank() == 0 {
-        write_to_disk(&partial.join("herd.json"), &serde_json::to_vec(&about)?)?;
         if !whole.exists() {
             fs::rename(&partial, &whole)?;
         }
@@ -59,53 +47,40 @@ pub fn write(world: &SimpleCommunicator, herd: &Herd, folder: &Path) -> Result<(
 /// # Errors
 /// If there is no state, or it is damaged or lacks a part.
 pub fn read<'a>(world: &'a SimpleCommunicator, folder: &Path) -> Result<Herd<'a>> {
-    let mut whole = states(folder)?
-        .into_iter()
-        .filter(|state| state.extension().is_none());
-    let state = whole.next_back();
-    let state = state.with_context(|| format!("there is no state in {}", folder.display()))?;
-    let damaged = || format!("{} is damaged", state.display());
-    let about: About = serde_json::from_slice(&read_file(&state.join("herd.json"))?)?;
-    let mut own: Vec<Animal> = Vec::new();
-    for part in (world.rank() as usize..about.parts).step_by(world.size() as usize) {
-        let part = read_file(&state.join(part_name(part)))?;
-        own.append(&mut postcard::from_bytes(&part).with_context(damaged)?);
+    let states = states(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    let whole = states.iter().rfind(|state| state.extension().is_none());
+    let whole = whole.with_context(|| format!("there is no state in {}", folder.display()))?;
+    let damaged = || format!("{} is damaged", whole.display());
+    let part = |number| -> Result<(About, Vec<Animal>)> {
+        let file = part_of(whole, number);
+        let bytes = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
+        postcard::from_bytes(&bytes).with_context(damaged)
+    };
+    // With more processes than parts, some have none of their own to learn this from.
+    let (about, _) = part(0)?;
+    let (step, count, parts, hash) = about;
+    let mut own = Vec::new();
+    for number in (world.rank() as usize..parts).step_by(world.size() as usize) {
+        let (of, mut animals) = part(number)?;
+        ensure!(of == about, damaged());
+        own.append(&mut animals);
     }
-    let count = sum(world, own.len() as u64);
-    let herd = Herd::new(world, about.animals, about.step, own);
-    ensure!(
-        herd.hash() == about.hash && count == about.animals as u64,
-        damaged()
-    );
+    let read = sum(world, own.len() as u64);
+    let herd = Herd::new(world, count, step, own);
+    ensure!(herd.hash() == hash && read == count as u64, damaged());
     Ok(herd)
 }
 
-fn part_name(part: usize) -> String {
-    format!("part-{part:05}.postcard")
+fn part_of(state: &Path, number: usize) -> PathBuf {
+    state.join(format!("part-{number:05}.postcard"))
 }
 
 /// The folders of states, whole or not, the latest last.
-fn states(folder: &Path) -> Result<Vec<PathBuf>> {
-    let entries =
-        fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    let mut states = entries
-        .map(|entry| Ok(entry?.path()))
-        .collect::<Result<Vec<_>>>()?;
+fn states(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut states = entries.collect::<std::io::Result<Vec<_>>>()?;
     let is_step = |name: &OsStr| name.to_string_lossy().starts_with("step-");
     states.retain(|state| state.file_name().is_some_and(is_step));
     states.sort();
     Ok(states)
-}
-
-fn read_file(file: &Path) -> Result<Vec<u8>> {
-    fs::read(file).with_context(|| format!("cannot read {}", file.display()))
-}
-
-fn write_to_disk(file: &Path, bytes: &[u8]) -> Result<()> {
-    let write = || {
-        let mut file = File::create(file)?;
-        file.write_all(bytes)?;
-        file.sync_all()
-    };
-    write().with_context(|| format!("cannot write {}", file.display()))
 }
