@@ -16,7 +16,7 @@ pub(crate) fn compare(case: Case, options: &Options, mut on_step: impl FnMut(usi
         steps: options.steps(),
         contacts_every: options.contacts_every,
         rays: options.rays,
-        repeats: options.repeats,
+        repeats: options.repeats(),
         ..Comparison::new(case.kind, options.bodies(case), options.seed)
     };
     let filter = PairFilter::from(options.filter);

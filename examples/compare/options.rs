@@ -13,8 +13,11 @@ const QUICK_BODIES: usize = 150;
 /// How many steps `--quick` simulates.
 const QUICK_STEPS: usize = 40;
 
-/// How many steps are simulated otherwise: five seconds.
-const STEPS: usize = 300;
+/// How many steps are simulated otherwise: a second.
+const STEPS: usize = 60;
+
+/// How many steps `--full` simulates: five seconds.
+const FULL_STEPS: usize = 300;
 
 /// Compares unisize with Rapier's own broad phase, on every scene.
 ///
@@ -44,7 +47,7 @@ pub(super) struct Options {
     /// About how many bodies in every scene that does not say so in its name [default: each scene's own number]
     #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
     bodies: Option<usize>,
-    /// How many steps to simulate [default: 300, or 40 with --quick]
+    /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
     /// What finds the pairs in unisize
@@ -59,9 +62,9 @@ pub(super) struct Options {
     /// How many rays are cast after each step, in the tree of the broad phase, beside those of the scene itself
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = between(0, 1_000_000))]
     pub(super) rays: usize,
-    /// How often whole steps are timed; to tell a few per cent takes nine, and 0 leaves it out
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = between(0, 1_000))]
-    pub(super) repeats: usize,
+    /// How often whole steps are timed; to tell a few per cent takes nine, and 0 leaves it out [default: 1, or 3 with --full]
+    #[arg(long, value_name = "N", value_parser = between(0, 1_000))]
+    repeats: Option<usize>,
     /// The seed of the scenes' randomness; repeats count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,
@@ -71,6 +74,9 @@ pub(super) struct Options {
     /// Few bodies and steps, for a check of a minute
     #[arg(long)]
     quick: bool,
+    /// More steps and repeats, for figures to rely on: half an hour
+    #[arg(long, conflicts_with = "quick")]
+    full: bool,
     /// Check unisize's internal invariants after every step
     #[arg(long)]
     pub(super) validate: bool,
@@ -111,15 +117,24 @@ impl Options {
     }
 
     pub(super) fn steps(&self) -> usize {
-        self.steps
-            .unwrap_or(if self.quick { QUICK_STEPS } else { STEPS })
+        let usual = match (self.quick, self.full) {
+            (true, _) => QUICK_STEPS,
+            (_, true) => FULL_STEPS,
+            _ => STEPS,
+        };
+        self.steps.unwrap_or(usual)
+    }
+
+    pub(super) fn repeats(&self) -> usize {
+        self.repeats.unwrap_or(if self.full { 3 } else { 1 })
     }
 
     /// All steps of all simulations.
     pub(super) fn total_steps(&self) -> usize {
         // Shapes are left out after boxes have been compared.
         let driven = 1 + usize::from(matches!(self.filter, Filter::Shapes));
-        let runs = driven + 2 * self.repeats + usize::from(self.repeats > 0);
+        let repeats = self.repeats();
+        let runs = driven + 2 * repeats + usize::from(repeats > 0);
         self.dims().count() * self.cases().count() * self.steps() * runs
     }
 }
@@ -200,13 +215,15 @@ mod tests {
         assert_eq!(options.cases().count(), count);
         assert_eq!(options.dims().collect::<Vec<_>>(), [2, 3]);
         assert_eq!(
-            (options.steps(), options.repeats, options.rays),
-            (300, 3, 0)
+            (options.steps(), options.repeats(), options.rays),
+            (60, 1, 0)
         );
         assert_eq!(options.bodies(SceneKind::TileMap.into()), 500);
         assert!(Case::large().all(|case| options.bodies(case) == 8_000));
         // One run in which the default drives, and one more where shapes are left out.
         let driven = 1 + usize::from(crate::FILTER == "shapes");
+        assert_eq!(options.total_steps(), count * 2 * 60 * (driven + 3));
+        let options = parse("--full").unwrap();
         assert_eq!(options.total_steps(), count * 2 * 300 * (driven + 7));
     }
 
@@ -218,7 +235,7 @@ mod tests {
         assert_eq!(options.cases().collect::<Vec<_>>(), cases);
         assert_eq!(options.rays, 8);
         let driven = 1 + usize::from(crate::FILTER == "shapes");
-        assert_eq!(options.total_steps(), 2 * 300 * driven);
+        assert_eq!(options.total_steps(), 2 * 60 * driven);
     }
 
     #[test]
@@ -246,6 +263,7 @@ mod tests {
             "--bodies 0",
             "--repeats -1",
             "--rays many",
+            "--quick --full",
         ] {
             assert!(parse(arguments).is_err(), "{arguments}");
         }
