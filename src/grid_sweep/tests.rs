@@ -23,6 +23,7 @@ fn cube<const D: usize>(mins: [f32; D]) -> Aabb<f32, D> {
 }
 
 /// Unit squares in rows of ten.
+#[cfg(feature = "parallel")]
 fn rows(count: usize) -> Vec<Aabb<f32, 2>> {
     let corner = |i: usize| [(i % 10) as f32 * 0.9, (i / 10) as f32 * 0.9];
     (0..count).map(|i| cube(corner(i))).collect()
