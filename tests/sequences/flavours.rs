@@ -26,25 +26,15 @@ macro_rules! flavour {
 for_each_027!(flavour);
 for_each_036!(flavour);
 
-/// Plays a sequence with lists made by hand and one of the kernels, in one of the eight flavours, if its feature is on.
+/// Plays a sequence with lists made by hand and one of the kernels, in one of the flavours whose features are on.
 pub(crate) fn play(sequence: &Sequence, flavour: usize, kernel: usize) {
-    match flavour {
-        #[cfg(feature = "rapier2d-027")]
-        0 => dim2::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier3d-027")]
-        1 => dim3::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier2d-f64-027")]
-        2 => dim2_f64::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier3d-f64-027")]
-        3 => dim3_f64::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier2d-036")]
-        4 => dim2_036::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier3d-036")]
-        5 => dim3_036::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier2d-f64-036")]
-        6 => dim2_f64_036::suite::play(sequence, kernel),
-        #[cfg(feature = "rapier3d-f64-036")]
-        7 => dim3_f64_036::suite::play(sequence, kernel),
-        _ => {}
+    let mut plays: Vec<fn(&Sequence, usize)> = Vec::new();
+    macro_rules! add {
+        ($name:ident, $($rest:tt),*) => {
+            plays.extend([$name::suite::play as fn(&Sequence, usize)]);
+        };
     }
+    for_each_027!(add);
+    for_each_036!(add);
+    plays[flavour % plays.len()](sequence, kernel);
 }

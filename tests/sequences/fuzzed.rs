@@ -1,16 +1,16 @@
-//! What the fuzzer plays: bytes encode a sequence, whose updates are checked like those of a random one.
+//! Reads sequences from bytes: the fuzzer's, and those that `strategies` draws.
 //!
-//! Some bytes stand for a whole row of colliders, or for most of them in one list, which random sequences hardly ever
+//! Some of the fuzzer's stand for a whole row of colliders, or for most of them in one list, which random sequences hardly ever
 //! have: colliders are then read, and searched for, in another way. Bytes that run out read as zeros, so every input is
 //! valid.
 
-use arbitrary::{Result, Unstructured};
+use arbitrary::Unstructured;
 
 use crate::flavours;
 use crate::ops::{
-    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
-    List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape,
-    Triple, Types,
+    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, FORESIGHTS, GROUP_BITS, Groups, LARGE,
+    LENGTH_UNITS, LENGTHS, List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS,
+    SMALL, Sequence, Shape, Triple, Types,
 };
 
 /// How many colliders there may be; the model looks at every pair of them.
@@ -24,57 +24,59 @@ const LONG_LIST: usize = 300;
 
 /// Plays the sequence that the bytes encode.
 pub(crate) fn play(bytes: &[u8]) {
-    let mut bytes = Bytes(Unstructured::new(bytes));
-    // Nothing here can fail, but `Unstructured`'s types do not know that.
-    let Ok((way, sequence)) = bytes.way_and_sequence() else {
-        return;
-    };
+    let mut bytes = Bytes::new(bytes);
+    let way = bytes.below(24);
+    let mut sequence = bytes.sequence();
+    bytes.read_updates(&mut sequence.updates);
     flavours::play(&sequence, way % 8, way / 8);
 }
 
-struct Bytes<'a>(Unstructured<'a>);
+/// Bytes that have not been read yet.
+pub(crate) struct Bytes<'a>(Unstructured<'a>);
 
-impl Bytes<'_> {
-    /// Which flavour and kernel to play with, and what.
-    fn way_and_sequence(&mut self) -> Result<(usize, Sequence)> {
-        let way = self.0.int_in_range(0..=23)?;
-        let mut sequence = Sequence {
-            length_unit: self.one_of(&LENGTH_UNITS)?,
-            margin: self.one_of(&MARGINS)?,
-            foresight: None,
-            layers: true,
-            filter: self.one_of(&FILTERS)?,
-            updates: vec![Vec::new()],
-        };
-        let mut count = 0;
-        while !self.0.is_empty() && sequence.updates.len() <= MOST_UPDATES {
-            let Some(ops) = sequence.updates.last_mut() else {
-                break;
-            };
-            if self.0.ratio(1_u8, 4_u8)? {
-                sequence.updates.push(Vec::new());
-            } else if self.0.ratio(1_u8, 12_u8)? {
-                self.push_many(ops, &mut count)?;
+impl<'a> Bytes<'a> {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
+        Self(Unstructured::new(bytes))
+    }
+
+    /// A sequence without updates.
+    pub(crate) fn sequence(&mut self) -> Sequence {
+        Sequence {
+            length_unit: self.one_of(&LENGTH_UNITS),
+            margin: self.one_of(&MARGINS),
+            filter: self.one_of(&FILTERS),
+            foresight: self.one_of(&FORESIGHTS),
+            layers: self.below(5) < 4,
+            updates: Vec::new(),
+        }
+    }
+
+    fn read_updates(&mut self, updates: &mut Vec<Vec<Op>>) {
+        let (mut ops, mut count) = (Vec::new(), 0);
+        while !self.0.is_empty() && updates.len() < MOST_UPDATES {
+            if self.below(4) == 0 {
+                updates.push(std::mem::take(&mut ops));
+            } else if self.below(12) == 0 {
+                self.push_many(&mut ops, &mut count);
             } else {
-                let op = self.op()?;
-                match op {
-                    Op::Insert(..) | Op::Replace(..) if count >= MOST => continue,
-                    Op::Insert(..) | Op::Replace(..) => count += 1,
-                    _ => {}
+                let op = self.op();
+                let inserts = matches!(op, Op::Insert(..) | Op::Replace(..) | Op::Announce(..));
+                if !inserts || count < MOST {
+                    count += usize::from(inserts);
+                    ops.push(op);
                 }
-                ops.push(op);
             }
         }
-        Ok((way, sequence))
+        updates.push(ops);
     }
 
     /// Something that happens to many colliders at once.
-    fn push_many(&mut self, ops: &mut Vec<Op>, count: &mut usize) -> Result<()> {
-        let wanted = self.0.int_in_range(1..=40_usize)?;
-        match self.0.int_in_range(0..=3)? {
+    fn push_many(&mut self, ops: &mut Vec<Op>, count: &mut usize) {
+        let wanted = 1 + self.below(40);
+        match self.below(4) {
             0 => {
-                let (mut new, parent) = (self.new_collider()?, self.parent()?);
-                let step = self.triple(&LARGE)?;
+                let (mut new, parent) = (self.new_collider(), self.parent());
+                let step = self.triple(&LARGE);
                 for _ in 0..wanted.min(MOST - *count) {
                     ops.push(Op::Insert(new, parent));
                     for k in 0..3 {
@@ -84,11 +86,11 @@ impl Bytes<'_> {
                 }
             }
             1 => {
-                let (first, by) = (self.pick()?, self.triple(&SMALL)?);
+                let (first, by) = (self.pick(), self.triple(&SMALL));
                 ops.extend((0..wanted).map(|i| Op::Move(first + i, by)));
             }
             2 => {
-                let (first, by) = (self.pick()?, self.triple(&LARGE)?);
+                let (first, by) = (self.pick(), self.triple(&LARGE));
                 ops.extend((0..wanted).map(|i| Op::Move(first + i, by)));
             }
             _ => {
@@ -96,105 +98,117 @@ impl Bytes<'_> {
                 ops.extend(list.map(|i| Op::ListAgain(List::Modified, i)));
             }
         }
-        Ok(())
     }
 
-    fn op(&mut self) -> Result<Op> {
-        Ok(match self.0.int_in_range(0..=30)? {
-            0..=2 => Op::Insert(self.new_collider()?, self.parent()?),
-            3 | 4 => Op::Move(self.pick()?, self.triple(&SMALL)?),
-            5 | 6 => Op::Move(self.pick()?, self.triple(&LARGE)?),
-            7 => Op::Shift(self.pick()?, self.triple(&LARGE)?),
-            8 => Op::Teleport(self.pick()?, self.place()?),
-            9 => Op::Spoil(self.pick()?),
-            10 => Op::Resize(self.pick()?, self.shape()?),
-            11 => Op::Skin(self.pick()?, self.one_of(&SKINS)?),
-            12 => Op::Sensor(self.pick()?, self.flag()?),
-            13 | 14 => Op::Enable(self.pick()?, self.flag()?),
-            15 => Op::Regroup(self.pick()?, self.groups()?),
-            16 => Op::Retype(self.pick()?, self.types()?),
-            17 => Op::EnableBody(self.pick()?, self.flag()?),
-            18 => Op::BodyType(self.pick()?, self.body_kind()?),
-            19 => Op::Push(self.pick()?, self.triple(&LARGE)?),
-            20 => Op::Reparent(self.pick()?, self.other_pick()?),
-            21 | 22 => Op::Remove(self.pick()?),
-            23 => Op::Replace(self.pick()?, self.new_collider()?),
-            24 => Op::RemoveBody {
-                body: self.pick()?,
-                with_colliders: self.flag()?,
+    pub(crate) fn insertion(&mut self) -> Op {
+        Op::Insert(self.new_collider(), self.parent())
+    }
+
+    pub(crate) fn op(&mut self) -> Op {
+        match self.below(44) {
+            0..=3 => self.insertion(),
+            4..=6 => Op::Move(self.pick(), self.triple(&SMALL)),
+            7 | 40 | 41 => Op::Move(self.pick(), self.triple(&LARGE)),
+            8 => Op::Shift(self.pick(), self.triple(&LARGE)),
+            9 => Op::Teleport(self.pick(), self.place()),
+            10 => Op::Spoil(self.pick()),
+            11 => Op::Resize(self.pick(), self.shape()),
+            12 => Op::Skin(self.pick(), self.one_of(&SKINS)),
+            13 => Op::Sensor(self.pick(), self.flag()),
+            14 | 15 => Op::Enable(self.pick(), self.flag()),
+            16 | 17 => Op::Regroup(self.pick(), self.groups()),
+            18 => Op::Retype(self.pick(), self.types()),
+            19 => Op::EnableBody(self.pick(), self.flag()),
+            20 => Op::BodyType(self.pick(), self.body_kind()),
+            21 => Op::Push(self.pick(), self.triple(&LARGE)),
+            22 | 23 => Op::Reparent(self.pick(), self.flag().then(|| self.pick())),
+            24 | 25 => Op::Remove(self.pick()),
+            26 => Op::Replace(self.pick(), self.new_collider()),
+            27 => Op::RemoveBody {
+                body: self.pick(),
+                with_colliders: self.flag(),
             },
-            25 => Op::ListAgain(self.list()?, self.pick()?),
-            26 => Op::ListStale(self.list()?, self.pick()?),
-            27 => Op::ListBogus(self.list()?, self.index()?, self.0.int_in_range(0..=3)?),
-            28 => Op::Turn(self.pick()?, self.triple(&ANGLES)?),
-            29 => Op::Hook(self.pick()?, self.flag()?),
-            _ => Op::LengthUnit(self.one_of(&LENGTH_UNITS)?),
-        })
+            28 => Op::ListAgain(self.list(), self.pick()),
+            29 => Op::ListStale(self.list(), self.pick()),
+            30 => Op::ListBogus(self.list(), self.index(), self.below(4) as u32),
+            31 | 42 => Op::Turn(self.pick(), self.triple(&ANGLES)),
+            32 => Op::Hook(self.pick(), self.flag()),
+            33 => Op::LengthUnit(self.one_of(&LENGTH_UNITS)),
+            34 => Op::Carry(self.pick(), self.triple(&SMALL)),
+            35 | 36 => Op::Carry(self.pick(), self.triple(&LARGE)),
+            37 | 43 => Op::Announce(self.new_collider(), self.triple(&SMALL)),
+            38 => Op::HandOver(self.pick(), self.flag().then(|| self.place())),
+            _ => match self.below(2) {
+                0 => Op::HandOverStale(self.pick(), self.place()),
+                _ => Op::HandOverBogus(self.index(), self.below(4) as u32, self.place()),
+            },
+        }
     }
 
-    fn one_of<T: Copy>(&mut self, choices: &[T]) -> Result<T> {
-        self.0.choose(choices).copied()
+    /// A number below this one, which is at most 256.
+    fn below(&mut self, end: usize) -> usize {
+        // Nothing here can fail, but `Unstructured`'s types do not know that.
+        self.0.int_in_range(0..=end - 1).unwrap_or(0)
     }
 
-    fn flag(&mut self) -> Result<bool> {
-        self.0.arbitrary()
+    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len())]
     }
 
-    fn triple(&mut self, lengths: &[f32]) -> Result<Triple> {
-        let mut one = || self.one_of(lengths);
-        Ok([one()?, one()?, one()?])
+    fn flag(&mut self) -> bool {
+        self.below(2) == 1
     }
 
-    fn pick(&mut self) -> Result<Pick> {
-        self.0.int_in_range(0..=MOST - 1)
+    fn triple(&mut self, lengths: &[f32]) -> Triple {
+        [(); 3].map(|()| self.one_of(lengths))
     }
 
-    fn other_pick(&mut self) -> Result<Option<Pick>> {
-        let is_some = self.flag()?;
-        is_some.then(|| self.pick()).transpose()
+    fn pick(&mut self) -> Pick {
+        self.below(MOST)
     }
 
-    fn list(&mut self) -> Result<List> {
+    fn list(&mut self) -> List {
         self.one_of(&[List::Modified, List::Removed])
     }
 
     /// The index of a handle, which may or may not be that of a collider.
-    fn index(&mut self) -> Result<u32> {
-        if self.flag()? {
-            self.one_of(&FAR_INDICES)
-        } else {
-            self.0.int_in_range(0..=2 * MOST as u32)
+    fn index(&mut self) -> u32 {
+        match self.flag() {
+            true => self.one_of(&FAR_INDICES),
+            false => self.below(2 * MOST) as u32,
         }
     }
 
-    fn place(&mut self) -> Result<Triple> {
-        let is_far = self.0.ratio(1_u8, 12_u8)?;
+    fn place(&mut self) -> Triple {
+        let is_far = self.below(12) == 11;
         self.triple(if is_far { &FAR } else { &NEAR })
     }
 
-    fn shape(&mut self) -> Result<Shape> {
-        Ok(match self.0.int_in_range(0..=9)? {
-            0..=2 => Shape::Ball(self.one_of(&LENGTHS)?),
-            3..=5 => Shape::Cuboid(self.triple(&LENGTHS)?),
-            6 => Shape::Capsule(self.one_of(&LENGTHS)?, self.one_of(&LENGTHS)?),
-            7 | 8 => Shape::Compound(self.one_of(&LENGTHS)?, self.one_of(&LENGTHS)?),
-            _ => Shape::HalfSpace(self.triple(&NORMALS)?),
-        })
+    fn shape(&mut self) -> Shape {
+        match self.below(10) {
+            0..=2 => Shape::Ball(self.one_of(&LENGTHS)),
+            3..=5 => Shape::Cuboid(self.triple(&LENGTHS)),
+            6 => Shape::Capsule(self.one_of(&LENGTHS), self.one_of(&LENGTHS)),
+            7 | 8 => Shape::Compound(self.one_of(&LENGTHS), self.one_of(&LENGTHS)),
+            _ => Shape::HalfSpace(self.triple(&NORMALS)),
+        }
     }
 
-    fn groups(&mut self) -> Result<Groups> {
-        Ok(Groups {
-            memberships: self.one_of(&GROUP_BITS)?,
-            filter: self.one_of(&GROUP_BITS)?,
-        })
+    fn groups(&mut self) -> Groups {
+        Groups {
+            memberships: self.one_of(&GROUP_BITS),
+            filter: self.one_of(&GROUP_BITS),
+        }
     }
 
-    fn types(&mut self) -> Result<Types> {
+    fn types(&mut self) -> Types {
         self.one_of(&[Types::Usual, Types::All, Types::None])
     }
 
-    fn body_kind(&mut self) -> Result<BodyKind> {
+    fn body_kind(&mut self) -> BodyKind {
         self.one_of(&[
+            BodyKind::Dynamic,
+            BodyKind::Dynamic,
             BodyKind::Dynamic,
             BodyKind::Fixed,
             BodyKind::KinematicPosition,
@@ -202,22 +216,29 @@ impl Bytes<'_> {
         ])
     }
 
-    fn parent(&mut self) -> Result<Parent> {
-        Ok(match self.0.int_in_range(0..=23)? {
-            0 | 1 => Parent::None,
-            2..=4 => Parent::New(self.body_kind()?),
-            _ => Parent::Existing(self.pick()?),
-        })
+    fn parent(&mut self) -> Parent {
+        match self.below(7) {
+            0..=3 => Parent::New(self.body_kind()),
+            4 | 5 => Parent::Existing(self.pick()),
+            _ => Parent::None,
+        }
     }
 
-    fn new_collider(&mut self) -> Result<NewCollider> {
-        Ok(NewCollider {
-            shape: self.shape()?,
-            at: self.place()?,
-            sensor: false,
-            enabled: !self.0.ratio(1_u8, 10_u8)?,
-            groups: self.groups()?,
-            types: self.types()?,
-        })
+    fn new_collider(&mut self) -> NewCollider {
+        NewCollider {
+            shape: self.shape(),
+            at: self.place(),
+            sensor: self.below(5) == 4,
+            enabled: self.below(10) < 9,
+            // Most meet all.
+            groups: match self.below(3) {
+                0 => self.groups(),
+                _ => Groups {
+                    memberships: u32::MAX,
+                    filter: u32::MAX,
+                },
+            },
+            types: self.types(),
+        }
     }
 }

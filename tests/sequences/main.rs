@@ -8,8 +8,8 @@
 //!
 //! `distances` needs no model: it asks Parry how far apart the colliders are that a broad phase tells apart by their shapes.
 //!
-//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` is
-//! what the fuzzer plays, and `replay` plays the inputs that the fuzzer has kept.
+//! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` reads
+//! sequences from bytes, the fuzzer's as well, and `replay` plays the inputs that the fuzzer has kept.
 #![cfg(feature = "_adapter")]
 
 // With this attribute, its modules are looked for beside it and not in a folder of its name.
@@ -19,6 +19,11 @@ mod fuzzed;
 mod ops;
 mod replay;
 mod strategies;
+
+#[path = "../cases/mod.rs"]
+mod cases;
+#[path = "../cases/check.rs"]
+mod random_values;
 
 // It does not look into macros.
 #[cfg(rustfmt)]

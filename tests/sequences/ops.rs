@@ -40,6 +40,10 @@ pub(crate) const FILTERS: [PairFilter; 4] = [
     PairFilter::Shapes,
 ];
 
+/// How far to look ahead, in the settings.
+pub(crate) const FORESIGHTS: [Option<u16>; 6] =
+    [None, None, None, Some(0), Some(3), Some(u16::MAX)];
+
 pub(crate) const MARGINS: [f32; 4] = [0.01, 0.0, 0.1, -1.0];
 
 /// Memberships and filters of collision groups.
@@ -152,6 +156,8 @@ pub(crate) enum Op {
     ListStale(List, Pick),
     /// Lists a handle that never existed.
     ListBogus(List, u32, u32),
+    /// Inserts a collider without a body that is not listed: its box is handed over, and another one once it has moved by this.
+    Announce(NewCollider, Triple),
     /// Moves a collider, with its body if it has one, and hands the boxes over that it has then, where the engine does so.
     Carry(Pick, Triple),
     /// Hands over a box that is another one than the collider has: around this place, or all NaN.

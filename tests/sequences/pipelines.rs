@@ -2,21 +2,27 @@
 
 use super::super::Kernel;
 use super::super::rapier::prelude::*;
+use super::super::suite::World;
 use super::super::suite::checked::CheckedBroadPhase;
-use super::super::suite::{World, runner};
 use crate::ops::Sequence;
+use crate::random_values::check;
+use crate::strategies::{SEQUENCES, sequences};
 
 #[test]
 fn steps_of_the_collision_pipeline() {
     for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        runner::check(|sequence| play_collisions(sequence, kernel));
+        check(SEQUENCES, &sequences(), |sequence| {
+            play_collisions(sequence, kernel)
+        });
     }
 }
 
 #[test]
 fn steps_of_the_physics_pipeline() {
     for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        runner::check(|sequence| play_physics(sequence, kernel));
+        check(SEQUENCES, &sequences(), |sequence| {
+            play_physics(sequence, kernel)
+        });
     }
 }
 

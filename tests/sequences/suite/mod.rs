@@ -9,12 +9,16 @@ mod direct;
 mod distances;
 mod model;
 #[cfg(test)]
-pub(super) mod runner;
-#[cfg(test)]
 mod shapes;
 mod volume;
 mod world;
 
+#[cfg(test)]
+use crate::cases::cases;
+#[cfg(test)]
+use crate::random_values::check;
+#[cfg(test)]
+use crate::strategies::{SEQUENCES, sequences};
 #[cfg(test)]
 pub(super) use shapes::Solid;
 pub(super) use world::{HandedOver, World};
@@ -35,6 +39,8 @@ fn rotation(angles: crate::ops::Triple) -> version::Pose {
 #[test]
 fn lists_made_by_hand() {
     for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        runner::check(|sequence| direct::play(sequence, kernel));
+        check(SEQUENCES, &sequences(), |sequence| {
+            direct::play(sequence, kernel)
+        });
     }
 }

@@ -68,13 +68,18 @@ impl World {
             Op::ListBogus(list, index, generation) => {
                 self.list(list, ColliderHandle::from_raw_parts(index, generation));
             }
+            Op::Announce(new, by) => {
+                let listed = self.modified.len();
+                self.insert(new, Parent::None);
+                self.hand_over_from(listed);
+                let newest = self.live.len() - 1;
+                self.apply(Op::Carry(newest, by));
+            }
             Op::Carry(pick, by) => {
                 if let Some(handle) = nth(&self.live, pick) {
                     let listed = self.modified.len();
                     self.change(handle, Op::Move(pick, by));
-                    for handle in self.modified.split_off(listed) {
-                        self.hand_over(handle);
-                    }
+                    self.hand_over_from(listed);
                 }
             }
             Op::HandOver(pick, at) => {
@@ -117,6 +122,13 @@ impl World {
         match list {
             List::Modified => self.modified.push(handle),
             List::Removed => self.removed.push(handle),
+        }
+    }
+
+    /// Hands over the boxes of what is listed from there on, instead.
+    fn hand_over_from(&mut self, listed: usize) {
+        for handle in self.modified.split_off(listed) {
+            self.hand_over(handle);
         }
     }
 
