@@ -54,37 +54,10 @@ pub(crate) fn uniform<R: Number, const D: usize>(
     scattered(seed, density, n, |_, _| [1.0; D])
 }
 
-/// Dense heaps of 8 unit boxes each, neighbours `distance` apart on a sparse lattice.
-pub(crate) fn clustered<R: Number, const D: usize>(
-    seed: u64,
-    clusters: usize,
-    distance: f64,
-) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
-    let centres = [(); 1000].map(|()| -> [f64; D] { from_fn(|_| distance * random.whole(-5, 5)) });
-    list(seed, 8 * clusters, |random, i| {
-        let near: [f64; D] = random.place(-1.0, 1.0);
-        (from_fn(|k| centres[i / 8][k] + near[k]), [1.0; D])
-    })
-}
-
 /// `n` copies of a unit box in each of `stacks` places, the places far from one another, copies alternating.
 pub(crate) fn coincident<R: Number, const D: usize>(n: usize, stacks: usize) -> Vec<Aabb<R, D>> {
     let at = |i: usize| [10.0 * (i % stacks) as f64; D];
     (0..n * stacks).map(|i| sized(at(i), [1.0; D])).collect()
-}
-
-/// `n` unit boxes uniform on a line along `axis`: on the other axes all begin at the same number.
-pub(crate) fn on_line<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    axis: usize,
-) -> Vec<Aabb<R, D>> {
-    list(seed, n, |random, _| {
-        let mut mins = [3.25; D];
-        mins[axis] = random.between(0.0, 2.0 * n as f64);
-        (mins, [1.0; D])
-    })
 }
 
 /// `n` boxes whose sides are 1 to `ratio`.
@@ -109,21 +82,6 @@ pub(crate) fn scaled<R: Number, const D: usize>(
     let boxes =
         boxes.map(|b: Aabb<R, D>| Aabb::new(b.mins.map(moved), b.maxs.map(moved)).loosened(margin));
     boxes.collect()
-}
-
-/// `n` boxes with every coordinate one of `alphabet`, so that they meet exactly or not at all. Zeros of different sign are left in either
-/// order: `mins = +0, maxs = -0` is valid.
-pub(crate) fn from_alphabet<R: Number, const D: usize>(
-    seed: u64,
-    n: usize,
-    alphabet: &[R],
-) -> Vec<Aabb<R, D>> {
-    let mut random = Random::new(seed);
-    let mut ends = || {
-        let (a, b) = (random.pick(alphabet), random.pick(alphabet));
-        if a <= b { (a, b) } else { (b, a) }
-    };
-    (0..n).map(|_| between(from_fn(|_| ends()))).collect()
 }
 
 /// What a box does on one axis: it is 1 long, reaches to negative infinity, to infinity, to both, or has both its sides at one of them.

@@ -1,7 +1,6 @@
-//! What must hold for every valid input, and the fewest boxes for which it does not.
+//! What must hold for every valid input.
 
 use std::any::type_name;
-use std::time::{Duration, Instant};
 
 use crate::boxes::uniform;
 use crate::inputs::Input;
@@ -13,7 +12,7 @@ use unisize::{Aabb, PairFinder};
 /// axis, one ends before the other begins.
 ///
 /// It shares no code with the library, so that `BruteForce` can be tested like every other kernel.
-pub(crate) fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
+fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
     let apart = |a: &Aabb<R, D>, b: &Aabb<R, D>| {
         (0..D).any(|k| a.maxs[k] < b.mins[k] || b.maxs[k] < a.mins[k])
     };
@@ -29,67 +28,28 @@ pub(crate) fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) ->
     pairs
 }
 
-/// Checks every input.
+/// Checks every input, and that a finder that has seen all earlier ones answers as a new one does.
 pub(crate) fn every<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
-    inputs: &[Input<R, D>],
-) {
-    for Input { name, boxes } in inputs {
-        println!("{name}");
-        let holds = holds::<F, R, D>;
-        if let Err(what) = holds(boxes) {
-            fail::<F, R, D>(&what, boxes, |few| holds(few).is_err());
-        }
-    }
-}
-
-/// Fails with a few of the boxes for which `fails` still is true: as few as leaving out finds in some seconds.
-pub(crate) fn fail<F, R: Number, const D: usize>(
-    what: &str,
-    boxes: &[Aabb<R, D>],
-    fails: impl Fn(&[Aabb<R, D>]) -> bool,
-) -> ! {
-    let end = Instant::now() + Duration::from_secs(5);
-    let mut few = boxes.to_vec();
-    let mut chunk = few.len();
-    while chunk > 0 {
-        let mut start = 0;
-        while start < few.len() && Instant::now() < end {
-            let mut fewer = few.clone();
-            fewer.drain(start..few.len().min(start + chunk));
-            if fails(&fewer) {
-                few = fewer;
-            } else {
-                start += chunk;
-            }
-        }
-        chunk /= 2;
-    }
-    let name = type_name::<F>();
-    panic!(
-        "{name} is wrong on {} boxes: {what}\nand on {few:#?}",
-        boxes.len()
-    );
-}
-
-/// Checks that a finder that has seen all earlier inputs answers each input as a new one does.
-pub(crate) fn one_finder_serves<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     inputs: &[Input<R, D>],
 ) {
     let mut veteran = F::default();
     for Input { name, boxes } in inputs {
-        let fresh = find(&mut F::default(), boxes).expect(name);
-        let pairs = find(&mut veteran, boxes).expect(name);
-        assert!(
-            pairs == fresh,
-            "after other inputs it answers otherwise: {name}"
-        );
+        let outcome =
+            holds::<F, R, D>(boxes).and_then(|first| match find(&mut veteran, boxes)? == first {
+                true => Ok(()),
+                false => Err("after other inputs it answers otherwise".to_owned()),
+            });
+        if let Err(what) = outcome {
+            let kernel = type_name::<F>();
+            panic!("{kernel} is wrong on {} boxes, {name}: {what}", boxes.len());
+        }
     }
 }
 
-/// An error that says what does not hold for these boxes, if anything.
-pub(crate) fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
+/// The pairs of these boxes, or an error that says what does not hold.
+fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
-) -> Result<(), String> {
+) -> Result<Vec<[u32; 2]>, String> {
     let mut finder = F::default();
     let first = find(&mut finder, boxes)?;
     compare(boxes, &first)?;
@@ -108,11 +68,12 @@ pub(crate) fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     let mut shuffled = boxes.to_vec();
     Random::new(2).shuffle(&mut shuffled);
     let found = find(&mut finder, &shuffled)?;
-    compare(&shuffled, &found).map_err(|what| format!("in another order of the boxes: {what}"))
+    compare(&shuffled, &found).map_err(|what| format!("in another order of the boxes: {what}"))?;
+    Ok(first)
 }
 
 /// An error that says how pairs differ from those of the oracle, if they do: each once, the smaller index first.
-pub(crate) fn compare<R: Number, const D: usize>(
+fn compare<R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
     pairs: &[[u32; 2]],
 ) -> Result<(), String> {
@@ -122,11 +83,13 @@ pub(crate) fn compare<R: Number, const D: usize>(
     if sorted == expected {
         return Ok(());
     }
-    let lacking = |from: &[[u32; 2]], list: &[[u32; 2]]| -> Vec<_> {
-        let lacking = list.iter().filter(|pair| !from.contains(pair));
-        lacking.copied().take(6).collect()
+    let first_lacking = |from: &[[u32; 2]], list: &[[u32; 2]]| {
+        let mut lacking = list.iter().filter(|pair| !from.contains(pair));
+        let pair = lacking.next()?;
+        Some((*pair, pair.map(|i| boxes.get(i as usize))))
     };
-    let (missing, wrong) = (lacking(&sorted, &expected), lacking(&expected, &sorted));
+    let missing = first_lacking(&sorted, &expected);
+    let wrong = first_lacking(&expected, &sorted);
     let counts = format!("{} pairs expected, {} found", expected.len(), pairs.len());
     Err(format!(
         "{counts}; missing {missing:?}, wrong {wrong:?}, or some are found twice"

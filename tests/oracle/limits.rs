@@ -1,13 +1,12 @@
-//! Inputs at the limits of floating point, where a difference overflows, a margin rounds away, or two numbers are equal without being
-//! identical.
+//! Inputs at the limits of floating point, where a difference overflows or a margin rounds away. Those of single numbers, zeros of either
+//! sign, denormals, extremes and close neighbours, are in the alphabet of random ones.
 
 use core::array::from_fn;
 
 use crate::boxes::Side::{Above, AtNegative, AtPositive, Below, Everywhere, Finite};
 use crate::boxes::{self, Side, uniform};
 use crate::inputs::{Family, each, input};
-use crate::numbers::{self, Number};
-use crate::random::Random;
+use crate::numbers::Number;
 
 /// Scenes of every magnitude, as they are and with a margin that is wide, narrow or nothing beside it.
 pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
@@ -82,48 +81,4 @@ pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
         family.push(input(format!("{count} slabs among {n} unit boxes"), boxes));
     }
     family
-}
-
-/// Numbers that are equal but not identical: the two zeros.
-pub(crate) fn signed_zeros<R: Number, const D: usize>() -> Family<R, D> {
-    each(
-        [2, 10, 200],
-        |n| format!("{n} boxes from -1, -0, 0 and 1"),
-        |n| boxes::from_alphabet(21, n, &numbers::signed_zeros()),
-    )
-}
-
-/// Numbers too small to have their full precision.
-pub(crate) fn denormals<R: Number, const D: usize>() -> Family<R, D> {
-    let boxes = boxes::from_alphabet(22, 200, &numbers::denormals());
-    vec![input("boxes of a few least positive numbers", boxes)]
-}
-
-/// Boxes whose sides overflow, and boxes whose coordinates are log-uniform over all numbers, and of either sign.
-pub(crate) fn extremes<R: Number, const D: usize>() -> Family<R, D> {
-    let mut random = Random::new(31);
-    let decades = R::LARGEST.to_f64().log10();
-    let mut number = || {
-        let size = 10_f64.powf(random.between(-decades, decades));
-        R::from_f64(if random.chance(0.5) { -size } else { size })
-    };
-    let numbers: Vec<R> = (0..800 * D).map(|_| number()).collect();
-    let boxes = boxes::from_alphabet(23, 200, &numbers::extremes());
-    let mut among_others = uniform(24, 200, 0.8);
-    among_others.extend_from_slice(&boxes[..20]);
-    let anywhere = boxes::from_alphabet(31, 400, &numbers);
-    vec![
-        input("boxes anywhere between the extremes", anywhere),
-        input("boxes up to the greatest number", boxes),
-        input("unit boxes, then up to the greatest number", among_others),
-    ]
-}
-
-/// Boxes that differ by a few units in the last place.
-pub(crate) fn neighbours<R: Number, const D: usize>() -> Family<R, D> {
-    each(
-        [1.0, -1.0, 0.1, 3e-39, 65536.0, 1e7, 16_777_216.0, -1e30],
-        |x| format!("boxes a few units in the last place around {x:e}"),
-        |x| boxes::from_alphabet(25, 150, &numbers::neighbours(x)),
-    )
 }

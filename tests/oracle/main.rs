@@ -1,16 +1,11 @@
 //! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
 //!
-//! Inputs have names (`inputs`, and `limits`, made of the lists of `boxes`), so a failure says which kind of scene went wrong, and shows
-//! the fewest boxes found that still fail. `check` lists what must hold for every input, `coherence` for inputs that
-//! hardly change from one to the next, and `errors` for inputs that must be refused. `arbitrary` makes random inputs;
-//! raise `PROPTEST_CASES` for more. `fuzzed` is what the fuzzer runs, and `replay` runs it on the inputs that the fuzzer
-//! has kept.
+//! Inputs have names (`inputs`, and `limits`, made of the lists of `boxes`), so a failure says which kind of scene went wrong.
+//! `check` lists what must hold for every input, and `errors` for inputs that must be refused. `fuzzed` is what the fuzzer runs, and
+//! `replay` runs it on random bytes, for more of which raise `PROPTEST_CASES`, and on the inputs that the fuzzer has kept.
 
-mod arbitrary;
 mod boxes;
-mod census;
 mod check;
-mod coherence;
 mod errors;
 mod fuzzed;
 mod inputs;
@@ -20,6 +15,12 @@ mod paper;
 mod random;
 mod replay;
 mod slabs;
+mod timed;
+
+#[path = "../cases/mod.rs"]
+mod cases;
+#[path = "../cases/check.rs"]
+mod random_values;
 
 use slabs::InSlabs;
 use unisize::{BruteForce, GridSweep, RankSweep};
@@ -30,40 +31,16 @@ macro_rules! oracle_suite {
         mod $name {
             use super::*;
 
-            inputs::for_every_family!(test_family [$finder, $real, $dim]);
-
             #[test]
-            fn one_finder_serves_all_inputs() {
-                check::one_finder_serves::<$finder, $real, $dim>(&inputs::all());
-            }
-
-            #[test]
-            fn lists_that_hardly_change() {
-                coherence::check::<$finder, $real, $dim>();
+            fn named_inputs() {
+                check::every::<$finder, $real, $dim>(&inputs::all());
             }
 
             #[test]
             fn invalid_inputs_are_refused() {
                 errors::check::<$finder, $real, $dim>();
             }
-
-            #[test]
-            fn arbitrary_boxes() {
-                arbitrary::check::<$finder, $real, $dim>();
-            }
         }
-    };
-}
-
-/// Makes a test of every family of inputs.
-macro_rules! test_family {
-    ([$finder:ty, $real:ty, $dim:literal] $($family:ident)*) => {
-        $(
-            #[test]
-            fn $family() {
-                check::every::<$finder, $real, $dim>(&inputs::$family());
-            }
-        )*
     };
 }
 
