@@ -18,7 +18,7 @@ fn ball(radius: Real) -> ColliderBuilder {
 #[derive(Clone)]
 pub(super) struct Crowd {
     pub(super) colliders: ColliderSet,
-    bodies: RigidBodySet,
+    pub(super) bodies: RigidBodySet,
     pub(super) handles: Vec<ColliderHandle>,
     pub(super) velocities: Vec<Vector<Real>>,
     pub(super) modified: Vec<ColliderHandle>,
@@ -96,24 +96,7 @@ impl Crowd {
         }
     }
 
-    /// Sets the position of the last collider to NaN.
-    pub(super) fn spoil_last(&mut self) {
-        self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
-    }
-
-    /// Gives each collider a body of its own, and leaves it where it is.
-    pub(super) fn put_on_bodies(&mut self) {
-        for &handle in &self.handles {
-            let place = *self.colliders[handle].translation();
-            let body = RigidBodyBuilder::dynamic().translation(place);
-            let body = self.bodies.insert(body);
-            self.colliders
-                .set_parent(handle, Some(body), &mut self.bodies);
-            self.colliders[handle].set_translation(place);
-        }
-    }
-
-    fn place(&mut self, i: usize, place: Vector<Real>) {
+    pub(super) fn place(&mut self, i: usize, place: Vector<Real>) {
         self.colliders[self.handles[i]].set_translation(place);
     }
 

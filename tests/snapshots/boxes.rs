@@ -1,6 +1,6 @@
-//! What does not depend on the flavour: boxes and times.
+//! Boxes, which do not depend on the flavour.
 
-use unisize::{Aabb, PhaseTimes};
+use unisize::Aabb;
 
 #[test]
 fn boxes_keep_every_bit() {
@@ -24,12 +24,4 @@ fn boxes_are_plain_in_json() {
     assert_eq!(serde_json::from_str::<Aabb<f32, 2>>(&json).unwrap(), aabb);
     assert!(serde_json::from_str::<Aabb<f32, 3>>(&json).is_err());
     assert!(serde_json::from_str::<Aabb<f32, 1>>(&json).is_err());
-}
-
-#[test]
-fn times_come_back() {
-    let mut times = PhaseTimes::default();
-    times.sweep = std::time::Duration::from_nanos(1_234_567_891);
-    let bytes = postcard::to_stdvec(&times).unwrap();
-    assert_eq!(postcard::from_bytes::<PhaseTimes>(&bytes), Ok(times));
 }

@@ -3,13 +3,8 @@
 use super::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
 
 mod damage;
-mod drift;
 mod settings;
 mod simulations;
 
 #[path = "../../crowd/mod.rs"]
 mod crowd;
-
-#[path = "../../told/mod.rs"]
-mod told;
-use told::told;

@@ -1,4 +1,4 @@
-//! Settings and statistics by themselves.
+//! Settings by themselves, and in a broad phase that was read.
 
 use super::crowd::Crowd;
 use super::{Kernel, Settings, Stats, UnisizeBroadPhase};
@@ -36,17 +36,9 @@ fn what_is_fixed_stays_fixed_in_a_broad_phase_that_was_read() {
         crowd.update(&mut twin);
     }
     let stats = twin.stats();
+    let bytes = postcard::to_stdvec(&stats).unwrap();
+    assert_eq!(postcard::from_bytes::<Stats>(&bytes), Ok(stats));
     assert!(stats.full_runs > ours.stats().full_runs);
     assert_eq!(stats.foresight, 5);
     assert!(stats.times != Default::default());
-}
-
-#[test]
-fn statistics_come_back() {
-    let mut broad_phase = UnisizeBroadPhase::new();
-    Crowd::new(100, 5.0, 0.0).update(&mut broad_phase);
-    let stats = broad_phase.stats();
-    assert!(stats.pairs > 0 && stats.updates > 0);
-    let bytes = postcard::to_stdvec(&stats).unwrap();
-    assert_eq!(postcard::from_bytes::<Stats>(&bytes), Ok(stats));
 }
