@@ -1,17 +1,12 @@
 //! What the suite needs and Rapier spells differently in two dimensions.
 
 use super::rapier::prelude::*;
-use super::version::{AngVector, flat_row, triple};
+use super::version::{AngVector, triple};
 
 /// A floor at height 0 of this half width, made of segments.
 pub(super) fn mesh_floor(half: Real) -> ColliderBuilder {
     let corners = [-half, half].map(|x| triple([x, 0.0, 0.0]).into());
     ColliderBuilder::polyline(corners.to_vec(), None)
-}
-
-/// A floor at height 0 of this half width, as a height field.
-pub(super) fn height_field(half: Real) -> ColliderBuilder {
-    ColliderBuilder::heightfield(flat_row(), triple([2.0 * half, 1.0, 0.0]))
 }
 
 /// A hinge.

@@ -1,11 +1,7 @@
 //! What the suite needs and Rapier spells differently in three dimensions.
 
-use super::rapier;
 use super::rapier::prelude::*;
-use super::version::{AngVector, flat_square, triple, unit};
-use super::{suite, version};
-
-mod vehicles;
+use super::version::{AngVector, triple, unit};
 
 /// A floor at height 0 of this half width, made of triangles.
 pub(super) fn mesh_floor(half: Real) -> ColliderBuilder {
@@ -13,11 +9,6 @@ pub(super) fn mesh_floor(half: Real) -> ColliderBuilder {
     let corners = corners.map(|[x, z]| triple([x, 0.0, z]).into());
     let mesh = ColliderBuilder::trimesh(corners.to_vec(), vec![[0, 2, 1], [0, 3, 2]]);
     mesh.expect("the mesh has triangles")
-}
-
-/// A floor at height 0 of this half width, as a height field.
-pub(super) fn height_field(half: Real) -> ColliderBuilder {
-    ColliderBuilder::heightfield(flat_square(), triple([2.0 * half, 1.0, 2.0 * half]))
 }
 
 /// A hinge.

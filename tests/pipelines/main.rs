@@ -1,13 +1,14 @@
 //! Whole worlds stepped with ours and with Rapier's own broad phase, side by side: `suite` in Rapier 0.27, and in `examples/opened/tests` in the
-//! own pipelines of Rapier 0.36; `only_027` in Rapier 0.27 alone. `published` is about Rapier 0.36 that is not opened.
+//! own pipelines of Rapier 0.36. `published` is about Rapier 0.36 that is not opened, `by_hand` about both.
 //!
 //! `Twins` steps two equal worlds and compares, after every step, what a user can
-//! see: contacts, intersections, events, sleep and poses. In most worlds no body meets more than one other, so
+//! see: contacts, intersections, events, sleep and poses. No body meets more than one other that moves, so
 //! that the order in which the solver gets the contacts cannot matter and everything must be the same to the
-//! last bit. Where it does matter (`piles`) each world goes its own way, and what Rapier's narrow phase knows is held to what touches
-//! by the shapes.
+//! last bit. Piles and all else that `examples/scenes` has are compared by `tests/scenes.rs`.
 #![cfg(feature = "_adapter")]
 
+#[path = "../cases/mod.rs"]
+mod cases;
 #[path = "../flavours/mod.rs"]
 #[macro_use]
 mod flavours;
@@ -17,14 +18,15 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use flavour::{height_field, hinge, mesh_floor, spin};
+            use flavour::{hinge, mesh_floor, spin};
             use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
             use unisize_scenes::$name::{AnyBroadPhase, Installed, Steppable, World, install};
             use $rapier as rapier;
 
+            mod by_hand;
+            mod exchange;
             #[path = $dim]
             mod flavour;
-            mod only_027;
             mod suite;
             #[path = $version]
             mod version;
@@ -40,6 +42,7 @@ macro_rules! published {
             use unisize::$unisize::{PairFilter, Settings, UnisizeBroadPhase};
             use $rapier as rapier;
 
+            mod by_hand;
             mod published;
         }
     };
@@ -50,12 +53,13 @@ for_each_036!(published);
 
 // It does not look into macros.
 #[cfg(rustfmt)]
+mod by_hand;
+#[cfg(rustfmt)]
 mod dim2;
 #[cfg(rustfmt)]
-#[path = "dim3.rs"]
 mod dim3;
 #[cfg(rustfmt)]
-mod only_027;
+mod exchange;
 #[cfg(rustfmt)]
 mod published;
 #[cfg(rustfmt)]
@@ -64,5 +68,3 @@ mod rapier_027;
 mod rapier_036;
 #[cfg(rustfmt)]
 mod suite;
-#[cfg(rustfmt)]
-mod vehicles;

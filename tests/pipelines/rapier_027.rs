@@ -1,7 +1,6 @@
 //! What the suite needs and Rapier 0.27 has in its own way: nalgebra's vectors, and a trait for broad phases.
 
 use super::rapier::math;
-use super::rapier::na::{DMatrix, DVector};
 use super::rapier::parry::query::{ShapeCastHit, ShapeCastOptions};
 use super::rapier::prelude::*;
 use super::{AnyBroadPhase, Installed, UnisizeBroadPhase, World};
@@ -12,9 +11,6 @@ pub(crate) type Pose = Isometry<Real>;
 
 /// A gap between boxes at which Rapier's broad phase holds a pair all the same.
 pub(crate) const NEAR: Real = 0.01;
-
-/// Whether a pair that begins may wake who sleeps.
-pub(crate) const NEW_PAIRS_WAKE: bool = false;
 
 /// What is asked for a query pipeline, if unisize is to answer.
 pub(crate) type Asked = UnisizeBroadPhase;
@@ -45,18 +41,6 @@ pub(crate) fn linvel(body: &RigidBody) -> Vector {
     *body.linvel()
 }
 
-/// The heights of a flat field with one row.
-#[allow(dead_code)] // In space, a field has many rows.
-pub(crate) fn flat_row() -> DVector<Real> {
-    DVector::zeros(9)
-}
-
-/// The heights of a flat field with many rows.
-#[allow(dead_code)] // In the plane, a field has one row.
-pub(crate) fn flat_square() -> DMatrix<Real> {
-    DMatrix::zeros(9, 9)
-}
-
 pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter)
 }
@@ -64,16 +48,6 @@ pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 /// Whether the solver would see a contact of this pair.
 pub(crate) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
-}
-
-/// Whether a pair counts as found where two penetrate each other: in space, its contact is missed at times.
-pub(crate) fn is_found(_: &ContactPair) -> bool {
-    true
-}
-
-/// There are no soft bodies yet.
-pub(crate) fn particles(_: &World) -> Vec<Vector> {
-    Vec::new()
 }
 
 /// What only a later version tells an event handler.
@@ -115,7 +89,6 @@ pub(crate) fn cast_shape(
 pub(crate) fn collide(
     world: &mut World,
     broad_phase: &mut AnyBroadPhase,
-    hooks: &dyn PhysicsHooks,
     events: &dyn EventHandler,
 ) {
     CollisionPipeline::new().step(
@@ -124,7 +97,7 @@ pub(crate) fn collide(
         &mut world.narrow_phase,
         &mut world.bodies,
         &mut world.colliders,
-        hooks,
+        &(),
         events,
     );
 }
@@ -133,16 +106,4 @@ pub(crate) fn remove_collider(world: &mut World, collider: ColliderHandle) {
     world
         .colliders
         .remove(collider, &mut world.islands, &mut world.bodies, true);
-}
-
-/// Removes a body and leaves its colliders.
-pub(crate) fn remove_body_alone(world: &mut World, body: RigidBodyHandle) {
-    world.bodies.remove(
-        body,
-        &mut world.islands,
-        &mut world.colliders,
-        &mut world.impulse_joints,
-        &mut world.multibody_joints,
-        false,
-    );
 }

@@ -1,10 +1,8 @@
-//! What the suite needs and Rapier 0.36 has in its own way: glam's vectors, soft bodies, and one type of broad phase, which an opened
+//! What the suite needs and Rapier 0.36 has in its own way: glam's vectors, and one type of broad phase, which an opened
 //! copy lets be custom.
 
 use super::rapier::math;
 use super::rapier::parry::query::{ShapeCastHit, ShapeCastOptions};
-#[allow(unused_imports)] // In the plane, a field has one row.
-use super::rapier::parry::utils::Array2;
 use super::rapier::prelude::*;
 use super::{AnyBroadPhase, Installed, Steppable, UnisizeBroadPhase, World};
 
@@ -14,9 +12,6 @@ pub(crate) type Pose = math::Pose;
 
 /// A gap between boxes at which Rapier's broad phase holds a pair all the same.
 pub(crate) const NEAR: Real = 0.05;
-
-/// Whether a pair that begins may wake who sleeps.
-pub(crate) const NEW_PAIRS_WAKE: bool = true;
 
 /// What is asked for a query pipeline, if unisize is to answer.
 pub(crate) type Asked = DefaultBroadPhase;
@@ -47,18 +42,6 @@ pub(crate) fn linvel(body: &RigidBody) -> Vector {
     body.linvel()
 }
 
-/// The heights of a flat field with one row.
-#[allow(dead_code)] // In space, a field has many rows.
-pub(crate) fn flat_row() -> Vec<Real> {
-    vec![0.0; 9]
-}
-
-/// The heights of a flat field with many rows.
-#[allow(dead_code)] // In the plane, a field has one row.
-pub(crate) fn flat_square() -> Array2<Real> {
-    Array2::repeat(9, 9, 0.0)
-}
-
 pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter, InteractionTestMode::And)
 }
@@ -66,19 +49,6 @@ pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 /// Whether the solver would see a contact of this pair.
 pub(crate) fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
-}
-
-/// Whether a pair counts as found where two penetrate each other.
-pub(crate) fn is_found(pair: &ContactPair) -> bool {
-    touches(pair)
-}
-
-/// Where the particles of soft bodies are.
-pub(crate) fn particles(world: &World) -> Vec<Vector> {
-    let bodies = world.soft_bodies.iter();
-    bodies
-        .flat_map(|(_, body)| body.particle_positions())
-        .collect()
 }
 
 /// What this version tells an event handler beside contacts.
@@ -122,7 +92,6 @@ pub(crate) fn cast_shape(
 pub(crate) fn collide(
     world: &mut World,
     broad_phase: &mut AnyBroadPhase,
-    hooks: &dyn PhysicsHooks,
     events: &dyn EventHandler,
 ) {
     CollisionPipeline::new().step(
@@ -132,7 +101,7 @@ pub(crate) fn collide(
         &mut world.narrow_phase,
         &mut world.bodies,
         &mut world.colliders,
-        hooks,
+        &(),
         events,
     );
 }
@@ -144,18 +113,5 @@ pub(crate) fn remove_collider(world: &mut World, collider: ColliderHandle) {
         &mut world.bodies,
         &mut world.soft_bodies,
         true,
-    );
-}
-
-/// Removes a body and leaves its colliders.
-pub(crate) fn remove_body_alone(world: &mut World, body: RigidBodyHandle) {
-    world.bodies.remove(
-        body,
-        &mut world.islands,
-        &mut world.colliders,
-        &mut world.impulse_joints,
-        &mut world.multibody_joints,
-        &mut world.soft_bodies,
-        false,
     );
 }

@@ -3,18 +3,19 @@
 //!
 //! With `--features parallel` Rapier uses its threads, with `--features unisize-parallel` ours does.
 
+#[path = "../../../tests/cases/mod.rs"]
+mod cases;
+
 macro_rules! flavour {
-    ($rapier:ident, $unisize:ident, $name:ident, $dim:tt, $shared:tt) => {
+    ($rapier:ident, $unisize:ident, $name:ident, $dim:tt) => {
         #[path = "."]
         mod $name {
-            use flavour::{height_field, hinge, mesh_floor, spin};
+            use flavour::{hinge, mesh_floor, spin};
             use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
             use unisize_scenes::$name::{AnyBroadPhase, Installed, Steppable, World, install};
             use $rapier as rapier;
 
             #[path = $dim]
-            mod dim;
-            #[path = $shared]
             mod flavour;
             mod only_036;
             #[path = "../../../tests/pipelines/suite/mod.rs"]
@@ -29,35 +30,27 @@ flavour!(
     rapier2d,
     rapier2d_036,
     dim2_036,
-    "dim2.rs",
     "../../../tests/pipelines/dim2.rs"
 );
 flavour!(
     rapier3d,
     rapier3d_036,
     dim3_036,
-    "dim3.rs",
     "../../../tests/pipelines/dim3.rs"
 );
 flavour!(
     rapier2d_f64,
     rapier2d_f64_036,
     dim2_f64_036,
-    "dim2.rs",
     "../../../tests/pipelines/dim2.rs"
 );
 flavour!(
     rapier3d_f64,
     rapier3d_f64_036,
     dim3_f64_036,
-    "dim3.rs",
     "../../../tests/pipelines/dim3.rs"
 );
 
 // It does not look into macros.
-#[cfg(rustfmt)]
-mod dim2;
-#[cfg(rustfmt)]
-mod dim3;
 #[cfg(rustfmt)]
 mod only_036;

@@ -2,8 +2,8 @@
 //! with each filter, what can be seen is the same as with Rapier's own broad phase.
 
 use super::rapier::prelude::*;
-use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
-use super::version::{groups, pose};
+use super::twins::{Twins, at, cube, dynamic, fixed};
+use super::version::groups;
 use super::{PairFilter, World};
 
 /// How many steps are made after each change.
@@ -151,37 +151,6 @@ fn collision_types() {
 }
 
 #[test]
-fn parents() {
-    for_each_filter(|twins| {
-        let mut twins = twins.without_gravity();
-        let (body, whole) = twins.insert(sleepless(0.0), cube());
-        let (other, _) = twins.insert(sleepless(9.0), cube());
-        let part = twins.insert_part(body, cuboid([0.1; 3]).translation(at(0.5, 0.0)));
-        assert!(!twins.steps(STEPS).touches(whole, part));
-        // The part stays where it is.
-        for (parent, x) in [(other, -8.5), (body, 0.5), (other, -8.5)] {
-            twins.set_parent(part, Some(parent));
-            twins.both(|world| {
-                world.colliders[part].set_translation_wrt_parent(at(x, 0.0));
-                for (body, x) in [(body, 0.0), (other, 9.0)] {
-                    world.bodies[body].set_position(pose(at(x, 0.0)), true);
-                    world.bodies[body].set_vels(RigidBodyVelocity::zero(), true);
-                }
-            });
-            let seen = twins.step();
-            assert_eq!(seen.touches(whole, part), parent == other);
-            assert_eq!(seen.started(whole, part), parent == other);
-            assert_eq!(seen.stopped(whole, part, false), parent == body);
-            twins.steps(STEPS);
-        }
-        twins.set_parent(part, None);
-        twins.change(part, |part| part.set_translation(at(0.5, 0.0)));
-        twins.change_body(body, |body| body.set_translation(at(0.0, 0.0), true));
-        assert!(twins.step().touches(whole, part));
-    });
-}
-
-#[test]
 fn sensors() {
     for_each_filter(|twins| {
         let mut twins = twins.without_gravity();
@@ -200,34 +169,6 @@ fn sensors() {
         assert!(!twins.steps(STEPS).intersects(left, right));
         twins.change(right, |right| right.set_sensor(false));
         assert!(!twins.steps(STEPS).touches(left, right));
-    });
-}
-
-/// What was left out may have moved in the meantime, here or there.
-#[test]
-fn moves_while_it_is_left_out() {
-    for_each_filter(|twins| {
-        let mut twins = twins.without_gravity();
-        let (body, left) = twins.insert(sleepless(0.0), cube());
-        let (_, right) = twins.insert(fixed(0.95, 0.0), cube());
-        let [none, all] = [InteractionGroups::none(), InteractionGroups::all()];
-        for (groups, x, touches) in [
-            (none, 0.0, false),
-            (none, -5.0, false),
-            (all, -5.0, false),
-            (all, 0.0, true),
-            (none, -5.0, false),
-            (none, 0.0, false),
-            (all, 0.0, true),
-        ] {
-            twins.change(left, |left| left.set_collision_groups(groups));
-            twins.change_body(body, |body| {
-                body.set_linvel(at(0.0, 0.0), true);
-                body.set_translation(at(x, 0.0), true);
-            });
-            assert_eq!(twins.step().touches(left, right), touches);
-            twins.steps(STEPS);
-        }
     });
 }
 
@@ -256,54 +197,4 @@ fn what_is_left_out_is_not_held() {
     assert_eq!(pairs_with(PairFilter::Bodies), 3);
     assert_eq!(pairs_with(PairFilter::Groups), 1);
     assert_eq!(pairs_with(PairFilter::Shapes), 0);
-}
-
-/// After a step its box has been handed over; then the user moves it, and it is listed as well.
-#[test]
-fn teleports() {
-    let mut twins = Twins::weightless();
-    let places: Vec<_> = (0..10).map(|i| at(4.0 * i as Real, 0.0)).collect();
-    for &place in &places {
-        twins.insert(
-            RigidBodyBuilder::fixed().translation(place),
-            cuboid([0.5, 0.1, 0.5]),
-        );
-    }
-    let moving = dynamic(0.0, 2.0).linvel(at(0.5, -1.0));
-    let (body, _) = twins.insert(moving, ColliderBuilder::ball(0.3));
-    let mut met = 0;
-    for round in 0..40 {
-        let place = places[round * 7 % 10] + at(0.1, 0.35 + 0.02 * (round % 4) as Real);
-        twins.change_body(body, |body| {
-            body.set_translation(place, true);
-            body.set_linvel(at(0.5, -1.0), true);
-        });
-        met += twins.steps(1 + round % 5).contacts.len();
-    }
-    assert!(met > 5, "it meets {met}");
-}
-
-#[test]
-fn shapes_and_skins() {
-    let mut twins = Twins::weightless();
-    let (_, left) = twins.insert(fixed(0.0, 0.0), cube());
-    let (_, right) = twins.insert(dynamic(2.0, 0.0), ColliderBuilder::ball(0.5));
-    assert!(!twins.steps(3).touches(left, right));
-    for (shape, touches) in [
-        (SharedShape::ball(1.51), true),
-        (SharedShape::ball(0.5), false),
-        (SharedShape::capsule_x(1.2, 0.31), true),
-        (SharedShape::ball(0.5), false),
-    ] {
-        twins.change(right, |right| right.set_shape(shape.clone()));
-        assert_eq!(twins.step().touches(left, right), touches);
-        twins.both(|world| {
-            for (_, body) in world.bodies.iter_mut() {
-                body.set_vels(RigidBodyVelocity::zero(), true);
-                if body.is_dynamic() {
-                    body.set_translation(at(2.0, 0.0), true);
-                }
-            }
-        });
-    }
 }

@@ -1,7 +1,7 @@
 //! Rapier's `CollisionPipeline`: collisions without dynamics.
 
 use super::rapier::prelude::*;
-use super::twins::{Twins, at, cube, dynamic, fixed};
+use super::twins::{Twins, at, cube, fixed};
 use super::version::remove_collider;
 
 /// Inserts a collider without a body that meets everything.
@@ -51,16 +51,6 @@ fn colliders_that_come_and_go() {
     assert!(twins.collide().stopped(solid, other, true));
     let again = insert_loose(&mut twins, 0.9, false);
     assert!(twins.collide().started(solid, again));
-}
-
-#[test]
-fn bodies() {
-    let mut twins = Twins::weightless();
-    let (_, left) = twins.insert(dynamic(0.0, 0.0), cube());
-    let (_, right) = twins.insert(fixed(0.9, 0.0), cube());
-    assert!(twins.collide().touches(left, right));
-    twins.change(left, |left| left.set_translation(at(-3.0, 0.0)));
-    assert!(!twins.collide().touches(left, right));
 }
 
 /// This pipeline never clears the marks of changed bodies, so it lists the colliders of a body only at the

@@ -1,69 +1,8 @@
-//! Filters that keep touching colliders from colliding, and events of those that do collide.
+//! Colliders that are told apart by their boxes alone.
 
 use super::rapier::prelude::*;
-use super::snapshot::Event;
-use super::twins::{Twins, at, cube, dynamic, fixed};
+use super::twins::{Twins, at, dynamic, fixed};
 use super::{PairFilter, World};
-
-/// Lets nothing with odd user data touch anything.
-struct OddIsThin;
-
-impl OddIsThin {
-    fn passes(context: &PairFilterContext<'_>) -> bool {
-        let colliders = [context.collider1, context.collider2];
-        colliders
-            .iter()
-            .all(|&handle| context.colliders[handle].user_data % 2 == 0)
-    }
-}
-
-impl PhysicsHooks for OddIsThin {
-    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
-        Self::passes(context).then(SolverFlags::default)
-    }
-
-    fn filter_intersection_pair(&self, context: &PairFilterContext<'_>) -> bool {
-        Self::passes(context)
-    }
-}
-
-#[test]
-fn physics_hooks() {
-    let mut twins = Twins::heavy();
-    twins.hooks = Box::new(OddIsThin);
-    let (_, floor) = twins.insert_floor();
-    let hooks = ActiveHooks::all();
-    let mut cubes = Vec::new();
-    for i in 0..6 {
-        let cube = cube().user_data(i).active_hooks(hooks).sensor(i >= 4);
-        cubes.push(twins.insert(dynamic(3.0 * i as Real, 0.7), cube).1);
-    }
-    let seen = twins.steps(20);
-    for (i, &cube) in cubes.iter().enumerate() {
-        assert_eq!(seen.touches(cube, floor), i < 4 && i % 2 == 0);
-        assert_eq!(seen.intersects(cube, floor), i == 4);
-    }
-    twins.change(cubes[1], |cube| cube.user_data = 0);
-    twins.change(cubes[0], |cube| cube.user_data = 1);
-    let seen = twins.steps(2);
-    assert!(seen.touches(cubes[1], floor) && !seen.touches(cubes[0], floor));
-}
-
-#[test]
-fn contact_force_events() {
-    let mut twins = Twins::heavy();
-    let (_, floor) = twins.insert_floor();
-    twins.insert(
-        dynamic(0.0, 3.0),
-        cube().contact_force_event_threshold(100.0),
-    );
-    twins.change(floor, |floor| {
-        floor.set_contact_force_event_threshold(Real::MAX)
-    });
-    let is_force = |event: &Event| matches!(event, Event::Force(..));
-    twins.step_until(|seen| seen.events.iter().any(is_force));
-    twins.steps(60);
-}
 
 /// Who asks a hook wants to be asked about all pairs of boxes, also if what asks rests and was told to by nothing but that.
 #[test]

@@ -4,16 +4,15 @@ use super::rapier;
 use super::version;
 use super::{Installed, PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 use super::{hinge, mesh_floor, spin};
+use crate::cases::cases;
 
 mod bullets;
 mod changes;
 mod characters;
 mod collisions;
 mod filters;
-mod hostile;
 mod joints;
 mod odd_numbers;
-mod piles;
 mod queries;
 pub(super) mod random;
 mod removals;

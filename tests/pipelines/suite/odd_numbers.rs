@@ -39,26 +39,3 @@ fn places_far_away_and_sizes_of_all_kinds() {
     );
     twins.steps(30);
 }
-
-/// A step of no length, and steps of another length.
-#[test]
-fn lengths_of_steps() {
-    let mut twins = Twins::heavy();
-    twins.insert_floor();
-    twins.insert(dynamic(0.0, 2.0), ColliderBuilder::ball(0.5));
-    for dt in [0.0, 1.0 / 60.0, 0.0, 0.1, 1.0e-5, 1.0 / 240.0] {
-        twins.both(|world| world.params.dt = dt);
-        twins.steps(20);
-    }
-}
-
-#[test]
-fn other_length_units() {
-    for unit in [0.01, 100.0] {
-        let mut twins = Twins::heavy();
-        twins.both(|world| world.params.length_unit = unit);
-        twins.insert_floor();
-        twins.insert(dynamic(0.0, 2.0), ColliderBuilder::ball(0.5));
-        twins.steps(90);
-    }
-}

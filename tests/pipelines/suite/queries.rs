@@ -4,22 +4,22 @@
 //! from short tables, so that several colliders are often exactly as near as each other. With another margin than Rapier's, boxes are
 //! others, but they only rule out what need not be tested: all answers are the same, except to the query about boxes itself.
 //!
-//! Casts that turn are not among the questions (`only_027` has them): Parry runs them against a ball around each node of the tree, so that
+//! Casts that turn are not among the questions: Parry runs them against a ball around each node of the tree, so that
 //! the answer depends on the tree.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
 
-use super::Settings;
 use super::random::Random;
 use super::rapier::parry::query::ShapeCastOptions;
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, fixed, triple};
-use super::version::{self, groups, pose};
+use super::version::{self, groups};
 use super::version::{cast_shape, distance, project_feature, project_point};
+use super::{Settings, cases};
 
 /// Worlds, unless `PROPTEST_CASES` says otherwise.
-const WORLDS: u64 = 64;
+const WORLDS: u32 = 64;
 
 /// How far a ray or a shape may go.
 const REACHES: [Real; 4] = [f32::MAX as Real, 50.0, 3.0, 0.25];
@@ -295,31 +295,41 @@ fn leaves(scene: &QueryPipeline<'_>, most: usize) -> BTreeMap<u32, Aabb> {
     leaves.filter_map(boxed).collect()
 }
 
+/// Asks questions in this many rounds, between which the world changes. Returns how many colliders were found.
+fn ask(seed: u64, rounds: usize) -> usize {
+    println!("the world of seed {seed}");
+    let mut asked = Asked::new(seed);
+    for _ in 0..rounds {
+        // At times nobody asks, for long enough for the tree to be given up.
+        let steps = if asked.random.below(30) == 0 { 100 } else { 4 };
+        asked.twins.steps(1 + asked.random.below(steps));
+        asked.compare_leaves();
+        for _ in 0..asked.random.below(24) {
+            let multiples = asked.random.pick(&[1, 2, 3]);
+            let is_multiple = |handle, _: &Collider| index(handle) % multiples == 0;
+            let mut filter = asked.filter();
+            if asked.random.below(7) == 0 {
+                filter.predicate = Some(&is_multiple);
+            }
+            asked.question(filter);
+        }
+        (0..asked.random.below(12)).for_each(|_| asked.change());
+    }
+    asked.hits
+}
+
 #[test]
 fn random_questions_in_random_worlds() {
-    let worlds = std::env::var("PROPTEST_CASES").map(|cases| cases.parse());
-    let worlds = worlds.map_or(WORLDS, |cases| cases.expect("PROPTEST_CASES is a number"));
-    let mut hits = 0;
-    for seed in 0..worlds {
-        println!("the world of seed {seed}");
-        let mut asked = Asked::new(seed);
-        for _ in 0..6 {
-            asked.twins.steps(1 + asked.random.below(4));
-            asked.compare_leaves();
-            for _ in 0..asked.random.below(24) {
-                let multiples = asked.random.pick(&[1, 2, 3]);
-                let is_multiple = |handle, _: &Collider| index(handle) % multiples == 0;
-                let mut filter = asked.filter();
-                if asked.random.below(7) == 0 {
-                    filter.predicate = Some(&is_multiple);
-                }
-                asked.question(filter);
-            }
-            (0..asked.random.below(12)).for_each(|_| asked.change());
-        }
-        hits += asked.hits;
-    }
+    let worlds = cases(WORLDS).into();
+    let hits: usize = (0..worlds).map(|seed| ask(seed, 6)).sum();
     assert!(hits as u64 > 20 * worlds, "only {hits} hits");
+}
+
+/// The tree that is kept is brought up to date hundreds of times, given new leaves, and loses some.
+#[test]
+fn random_questions_in_a_world_that_goes_on() {
+    let hits = ask(1 << 32, 400);
+    assert!(hits > 400, "only {hits} hits");
 }
 
 /// Parry builds trees of one and of two leaves as special cases.
@@ -344,51 +354,4 @@ fn a_few_colliders_with_any_index_or_none() {
         }
         assert_eq!(hits, left);
     }
-}
-
-/// The tree that is kept has then been brought up to date thousands of times, and given new leaves, and lost some.
-#[test]
-fn for_thousands_of_steps() {
-    let mut twins = Twins::weightless();
-    let body = |i: usize| {
-        let turn = 0.7 * i as Real;
-        let place = at((i % 12) as Real * 2.5 - 15.0, (i / 12) as Real * 2.5 - 12.0);
-        RigidBodyBuilder::kinematic_velocity_based()
-            .translation(place)
-            .linvel(at(turn.cos(), turn.sin()))
-    };
-    let mut bodies: Vec<_> = (0..120).map(|i| twins.insert(body(i), cube()).0).collect();
-    let mut hits = 0;
-    for step in 0..3000_usize {
-        // They fly to and fro, and some are replaced.
-        if step % 97 == 0 {
-            for &body in &bodies {
-                twins.change_body(body, |body| body.set_linvel(-body.linvel(), true));
-            }
-        }
-        if step % 11 == 0 {
-            let i = step * 7 % bodies.len();
-            twins.remove(bodies[i]);
-            bodies[i] = twins.insert(body(step % 120), cube()).0;
-        }
-        twins.step();
-        // At times nobody asks, for long enough for the tree to be given up.
-        if step % 500 > 400 {
-            continue;
-        }
-        let (x, y) = ((step % 37) as Real - 18.0, (step % 23) as Real - 11.0);
-        let ray = Ray::new(at(x, -30.0).into(), at(0.1, 1.0));
-        hits += twins
-            .same(|scene| scene.cast_ray(&ray, 100.0, true))
-            .map_or(0, |_| 1);
-        let found = twins.same(|scene| {
-            let ball = Ball::new(2.0);
-            let found = scene.intersect_shape(pose(at(y, x)), &ball);
-            found
-                .map(|(handle, _)| index(handle))
-                .collect::<BTreeSet<_>>()
-        });
-        hits += found.len();
-    }
-    assert!(hits > 3000, "only {hits} hits");
 }

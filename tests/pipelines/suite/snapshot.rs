@@ -76,8 +76,6 @@ pub(crate) struct Snapshot {
     pub(crate) asleep: BTreeSet<u32>,
     /// Every body's pose, and its velocity.
     pub(crate) poses: BTreeMap<u32, (Pose, Vector)>,
-    /// Where the particles of soft bodies are.
-    pub(crate) particles: Vec<Vector>,
 }
 
 /// The pairs with an active contact.
@@ -108,7 +106,6 @@ impl Snapshot {
             events,
             asleep: asleep.map(|(index, _)| index).collect(),
             poses: poses.collect(),
-            particles: version::particles(world),
         }
     }
 

@@ -15,8 +15,6 @@ pub(crate) struct Twins {
     pub(crate) theirs: World,
     pub(crate) unisize: Installed<UnisizeBroadPhase>,
     pub(crate) default: DefaultBroadPhase,
-    /// The hooks of both.
-    pub(crate) hooks: Box<dyn PhysicsHooks>,
 }
 
 impl Twins {
@@ -34,7 +32,6 @@ impl Twins {
             theirs: World::new(at(0.0, -9.81)),
             unisize: install(UnisizeBroadPhase::with_settings(settings)),
             default: DefaultBroadPhase::new(),
-            hooks: Box::new(()),
         }
     }
 
@@ -149,14 +146,10 @@ impl Twins {
         mut ask: impl FnMut(QueryPipelineMut<'_>) -> T,
     ) -> T {
         let dispatcher = &DefaultQueryDispatcher;
-        let World {
-            bodies, colliders, ..
-        } = &mut self.ours;
+        let (bodies, colliders) = (&mut self.ours.bodies, &mut self.ours.colliders);
         let scene = version::asked(&mut self.unisize);
         let answer = ask(scene.as_query_pipeline_mut(dispatcher, bodies, colliders, filter));
-        let World {
-            bodies, colliders, ..
-        } = &mut self.theirs;
+        let (bodies, colliders) = (&mut self.theirs.bodies, &mut self.theirs.colliders);
         let scene = &self.default;
         let expected = ask(scene.as_query_pipeline_mut(dispatcher, bodies, colliders, filter));
         // Numbers are printed so that they read back the same.
@@ -167,18 +160,16 @@ impl Twins {
     /// Makes one step; both worlds must look the same.
     pub(crate) fn step(&mut self) -> Snapshot {
         let logs = [EventLog::default(), EventLog::default()];
-        let hooks = &*self.hooks;
-        self.ours.step(self.unisize.for_step(), hooks, &logs[0]);
-        self.theirs.step(self.default.for_step(), hooks, &logs[1]);
+        self.ours.step(self.unisize.for_step(), &(), &logs[0]);
+        self.theirs.step(self.default.for_step(), &(), &logs[1]);
         self.compare(logs)
     }
 
     /// One step of a collision pipeline, without dynamics.
     pub(crate) fn collide(&mut self) -> Snapshot {
         let logs = [EventLog::default(), EventLog::default()];
-        let hooks = &*self.hooks;
-        version::collide(&mut self.ours, self.unisize.for_step(), hooks, &logs[0]);
-        version::collide(&mut self.theirs, self.default.for_step(), hooks, &logs[1]);
+        version::collide(&mut self.ours, self.unisize.for_step(), &logs[0]);
+        version::collide(&mut self.theirs, self.default.for_step(), &logs[1]);
         self.compare(logs)
     }
 

@@ -48,34 +48,6 @@ fn a_part_that_leaves_its_body_for_a_fixed_one() {
     twins.steps(10);
 }
 
-/// There is no pair yet when the post arrives, so Rapier 0.27 wakes nothing either.
-#[test]
-fn a_post_that_comes_from_afar() {
-    let mut twins = Twins::weightless();
-    let (sleeper, cube) = twins.insert(dynamic(0.0, 0.0), cube());
-    let (_, post) = twins.insert(fixed(20.0, 0.0), post());
-    twins.step_until(|seen| seen.sleeps(sleeper));
-    twins.change(post, |post| post.set_translation_wrt_parent(at(-19.5, 0.0)));
-    let seen = twins.step();
-    let sleeps_on = seen.touches(cube, post) && seen.sleeps(sleeper);
-    assert!(sleeps_on || version::NEW_PAIRS_WAKE);
-    twins.steps(60);
-}
-
-/// What hits a sleeping body wakes it.
-#[test]
-fn a_ball_that_wakes_a_sleeper() {
-    let mut twins = Twins::weightless();
-    let (sleeper, _) = twins.insert(dynamic(0.0, 0.0), cube());
-    twins.step_until(|seen| seen.sleeps(sleeper));
-    twins.insert(
-        dynamic(-5.0, 0.0).linvel(at(4.0, 0.0)),
-        ColliderBuilder::ball(0.3),
-    );
-    twins.step_until(|seen| !seen.sleeps(sleeper));
-    twins.steps(60);
-}
-
 /// Rapier wakes what it holds a pair with, whether the two touch or not.
 #[test]
 fn a_post_that_is_near_and_does_not_touch() {

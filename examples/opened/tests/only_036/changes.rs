@@ -2,7 +2,7 @@
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, dynamic, fixed};
-use super::{PairFilter, World, height_field, mesh_floor};
+use super::{PairFilter, World};
 
 /// Rapier's own broad phase looks at the skin again when the collider moves, and not when it is listed for anything else.
 #[test]
@@ -83,25 +83,6 @@ fn there_and_back() {
     assert!(ends.iter().min() < ends.iter().max(), "{ends:?}");
 }
 
-/// The pipeline without dynamics, which hands nothing over: whatever moves is listed.
-#[test]
-fn collisions_without_dynamics() {
-    let mut twins = Twins::weightless();
-    let (_, wall) = twins.insert(fixed(0.0, 0.0), cube());
-    let (body, ball) = twins.insert(dynamic(-4.0, 0.0), ColliderBuilder::ball(0.5));
-    let mut touching = 0;
-    for step in 0..80 {
-        twins.change_body(body, |body| {
-            body.set_translation(at(-4.0 + 0.1 * step as Real, 0.0), true)
-        });
-        touching += usize::from(twins.collide().touches(ball, wall));
-        if step % 16 == 0 {
-            twins.step();
-        }
-    }
-    assert!(touching > 10, "they touch in {touching} steps");
-}
-
 /// The own broad phase of Rapier 0.27 panics.
 #[test]
 fn velocities_that_are_not_finite() {
@@ -113,18 +94,5 @@ fn velocities_that_are_not_finite() {
         twins.steps(3);
         twins.change_body(body, |body| body.set_linvel(at(speed, 0.0), true));
         twins.steps(5);
-    }
-}
-
-/// On floors that are not simple shapes, each alone on its own.
-#[test]
-fn floors_of_many_parts() {
-    for floor in [mesh_floor(10.0), height_field(10.0)] {
-        let mut twins = Twins::heavy();
-        let (_, floor) = twins.insert(RigidBodyBuilder::fixed(), floor);
-        let (body, ball) = twins.insert(dynamic(1.3, 1.0), ColliderBuilder::ball(0.5));
-        twins.step_until(|seen| seen.touches(ball, floor));
-        twins.steps(60);
-        assert!(twins.step().height(body) > 0.3);
     }
 }

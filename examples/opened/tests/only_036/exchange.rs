@@ -4,19 +4,24 @@ use super::physics_world::unisize;
 use super::rapier::parry;
 use super::rapier::prelude::*;
 use super::snapshot::{EventLog, contacts};
-use super::twins::{cube, cuboid, dynamic};
-use super::{PairFilter, Settings, UnisizeBroadPhase};
+use super::twins::{Twins, cube, cuboid, dynamic};
+use super::{PairFilter, Settings, Trial, UnisizeBroadPhase, install};
 
 /// How many cubes rest on a floor, one on top of the other.
 const CUBES: usize = 4;
 
-/// A column of cubes that has come to rest, and its bodies.
-fn column(broad_phase: DefaultBroadPhase) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
+fn world_on(broad_phase: DefaultBroadPhase) -> PhysicsWorld {
     let mut world = PhysicsWorld {
         broad_phase,
         ..PhysicsWorld::default()
     };
     world.insert(RigidBodyBuilder::fixed(), cuboid([10.0, 0.5, 10.0]));
+    world
+}
+
+/// A column of cubes that has come to rest, and its bodies.
+fn column(broad_phase: DefaultBroadPhase) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
+    let mut world = world_on(broad_phase);
     let cubes = (0..CUBES).map(|i| world.insert(dynamic(0.0, 1.0 + i as Real), cube()).0);
     let cubes = cubes.collect();
     run(&mut world);
@@ -72,9 +77,9 @@ fn stands(broad_phase: DefaultBroadPhase, change: impl FnOnce(PhysicsWorld) -> P
 fn what_rests_goes_on_resting_on_another_broad_phase() {
     let default = DefaultBroadPhase::new;
     for [before, after] in [[default(), ours()], [ours(), default()], [ours(), other()]] {
-        stands(before, |mut world| {
-            world.broad_phase = after;
-            world
+        stands(before, |world| PhysicsWorld {
+            broad_phase: after,
+            ..world
         });
     }
 }
@@ -88,11 +93,20 @@ fn a_new_narrow_phase_and_a_list_of_all_do_as_well() {
     UnisizeBroadPhase::list_all(&mut world.colliders);
     run(&mut world);
     assert_eq!(contacts(&world.narrow_phase).len(), CUBES);
-    assert!(
-        cubes
-            .iter()
-            .all(|&cube| world.bodies[cube].translation().y > 0.9)
-    );
+    let mut heights = cubes.iter().map(|&cube| world.bodies[cube].translation().y);
+    assert!(heights.all(|height| height > 0.9));
+}
+
+/// What moves as well: another one in its place knows no collider, as another one of Rapier's does not.
+#[test]
+fn another_one_in_the_midst_of_a_simulation() {
+    let mut twins = Twins::heavy();
+    twins.insert_floor();
+    twins.insert(dynamic(0.0, 3.0), cube());
+    twins.steps(5);
+    twins.unisize = install(UnisizeBroadPhase::new());
+    twins.default = DefaultBroadPhase::new();
+    twins.steps(140);
 }
 
 /// A world that was written and read, in a format that tells fields by name, and in one that does not.
@@ -110,28 +124,20 @@ fn saved(world: &PhysicsWorld) -> [PhysicsWorld; 2] {
 fn a_saved_world_goes_on() {
     for format in 0..2 {
         let read = |world: PhysicsWorld| saved(&world).into_iter().nth(format).unwrap();
-        for make in [DefaultBroadPhase::new, ours] {
+        for make in [DefaultBroadPhase::new, ours, other] {
             stands(make(), read);
             stands(make(), |world| PhysicsWorld {
                 broad_phase: ours(),
                 ..read(world)
             });
         }
-        stands(other(), |world| PhysicsWorld {
-            broad_phase: ours(),
-            ..read(world)
-        });
     }
 }
 
 /// In the midst of motion, and as often as somebody likes.
 #[test]
 fn a_world_is_saved_again_and_again() {
-    let mut world = PhysicsWorld {
-        broad_phase: ours(),
-        ..PhysicsWorld::default()
-    };
-    world.insert(RigidBodyBuilder::fixed(), cuboid([10.0, 0.5, 10.0]));
+    let mut world = world_on(ours());
     for i in 0..20 {
         let ball = ColliderBuilder::ball(0.3);
         world.insert(dynamic(0.1 * (i % 3) as Real, 1.0 + 0.7 * i as Real), ball);
@@ -139,12 +145,11 @@ fn a_world_is_saved_again_and_again() {
     for round in 0..30 {
         for _ in 0..7 {
             world.step();
-            let near = nearest(&world);
+            let deepest = deepest(&world);
             // A quarter of a ball: what falls fast sinks in that far without being saved, too.
-            assert!(near > -0.15, "two overlap by {near} in round {round}");
+            assert!(deepest < 0.15, "two overlap by {deepest} in round {round}");
         }
         let [read, _] = saved(&world);
-        assert!(read.broad_phase.custom_ref::<UnisizeBroadPhase>().is_none());
         world = read;
         if round % 3 > 0 {
             world.broad_phase = ours();
@@ -153,20 +158,19 @@ fn a_world_is_saved_again_and_again() {
     assert!(contacts(&world.narrow_phase).len() > 10);
 }
 
-/// The least distance of two colliders.
-fn nearest(world: &PhysicsWorld) -> Real {
-    let all: Vec<_> = world
-        .colliders
-        .iter()
-        .map(|(_, collider)| collider)
-        .collect();
-    let distance = |a: &Collider, b: &Collider| {
-        let contact = parry::query::contact(a.position(), a.shape(), b.position(), b.shape(), 0.0);
-        contact.unwrap().map_or(0.0, |contact| contact.dist)
-    };
-    let pairs = (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-    let distances = pairs.map(|(i, j)| distance(all[i], all[j]));
-    distances.fold(0.0, Real::min)
+/// By how much two colliders overlap at most.
+fn deepest(world: &PhysicsWorld) -> Real {
+    let all: Vec<_> = world.colliders.iter().collect();
+    let mut deepest = 0.0;
+    for (i, (_, a)) in all.iter().enumerate() {
+        for (_, b) in &all[i + 1..] {
+            let contact =
+                parry::query::contact(a.position(), a.shape(), b.position(), b.shape(), 0.0);
+            let distance = contact.unwrap().map_or(0.0, |contact| contact.dist);
+            deepest = Real::max(deepest, -distance);
+        }
+    }
+    deepest
 }
 
 /// A broad phase that has been updated is not new: nothing is listed for it, and its pairs stay.
@@ -179,4 +183,14 @@ fn a_broad_phase_that_knows_the_world_is_left_alone() {
     world.step();
     let after = unisize(&world).stats();
     assert_eq!((before.pairs, before.updates), (after.pairs, after.updates));
+}
+
+#[test]
+fn it_is_found_by_its_own_type_only() {
+    let mut ours = ours();
+    assert!(ours.custom_ref::<UnisizeBroadPhase>().is_some());
+    assert!(ours.custom_mut::<UnisizeBroadPhase>().is_some());
+    assert!(ours.custom_ref::<Trial>().is_none());
+    assert!(ours.custom_mut::<Trial>().is_none());
+    assert!(DefaultBroadPhase::new().custom_ref::<Trial>().is_none());
 }

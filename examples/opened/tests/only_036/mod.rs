@@ -1,17 +1,11 @@
-//! What is tested with Rapier 0.36 alone: its `PhysicsWorld`, boxes that are handed over, recycled contacts and soft bodies.
+//! What is tested with Rapier 0.36 alone: its `PhysicsWorld`, what a user changes, exchanged broad phases and recycled contacts.
 
-use super::dim::soft_body;
 use super::rapier;
 use super::suite::{random, snapshot, twins};
-use super::{
-    PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, height_field, install,
-    mesh_floor,
-};
+use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 
 mod changes;
 mod exchange;
 mod looking_on;
-mod misuse;
 mod physics_world;
 mod recycling;
-mod soft_bodies;

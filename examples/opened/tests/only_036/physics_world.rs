@@ -3,14 +3,14 @@
 use super::UnisizeBroadPhase;
 use super::random::Random;
 use super::rapier::prelude::*;
-use super::twins::{at, cube, dynamic};
 
-/// A world with our broad phase.
-pub(super) fn world_with(broad_phase: UnisizeBroadPhase) -> PhysicsWorld {
-    PhysicsWorld {
-        broad_phase: DefaultBroadPhase::custom(broad_phase),
+/// A world with our broad phase, and one with Rapier's own.
+fn worlds() -> [PhysicsWorld; 2] {
+    let ours = PhysicsWorld {
+        broad_phase: DefaultBroadPhase::custom(UnisizeBroadPhase::new()),
         ..PhysicsWorld::default()
-    }
+    };
+    [ours, PhysicsWorld::default()]
 }
 
 /// Our broad phase in a world.
@@ -23,10 +23,7 @@ pub(super) fn unisize(world: &PhysicsWorld) -> &UnisizeBroadPhase {
 #[test]
 fn its_queries() {
     let mut random = Random::new(2);
-    let mut worlds = [
-        world_with(UnisizeBroadPhase::new()),
-        PhysicsWorld::default(),
-    ];
+    let mut worlds = worlds();
     for i in 0..150 {
         let body = match i % 5 {
             0 => RigidBodyBuilder::fixed(),
@@ -65,11 +62,7 @@ fn its_queries() {
 #[test]
 fn a_box_set_before_the_first_update() {
     let params = IntegrationParameters::default();
-    let mut worlds = [
-        world_with(UnisizeBroadPhase::new()),
-        PhysicsWorld::default(),
-    ];
-    for world in &mut worlds {
+    for world in &mut worlds() {
         let ball = world.insert_collider(ColliderBuilder::ball(0.5), None);
         let aabb = world.colliders[ball].compute_aabb();
         world.broad_phase.set_aabb(&params, ball, aabb);
@@ -89,26 +82,4 @@ fn a_box_set_before_the_first_update() {
         world.step();
         ask(world, [false, true]);
     }
-}
-
-/// Handles that the world does not know, and boxes that are none: Rapier's own must not be asked, but ours takes them.
-#[test]
-fn boxes_for_nobody() {
-    let params = IntegrationParameters::default();
-    let mut world = world_with(UnisizeBroadPhase::new());
-    let (body, _) = world.insert(dynamic(0.0, 0.0), cube());
-    let sound = Aabb::new(at(-0.5, -0.5), at(0.5, 0.5));
-    let nan = Aabb::new(at(Real::NAN, 0.0), at(0.0, 0.0));
-    for step in 0..20 {
-        for (index, generation) in [(0, 7), (3, 0), (u32::MAX, 0), (u32::MAX, u32::MAX)] {
-            let handle = ColliderHandle::from_raw_parts(index, generation);
-            let aabb = if step % 3 == 0 { nan } else { sound };
-            world.broad_phase.set_aabb(&params, handle, aabb);
-        }
-        unisize(&world).validate();
-        world.step();
-        unisize(&world).validate();
-        assert_eq!(unisize(&world).stats().proxies, 1);
-    }
-    assert!(world.bodies[body].translation().y < 0.0);
 }

@@ -1,0 +1,76 @@
+//! What the broad phase chooses by itself shows in its statistics, and its settings can fix it.
+
+use super::*;
+
+/// Balls on a lattice in the plane of the first two axes that all move on, or some of them.
+struct Plane {
+    desk: Desk,
+    handles: Vec<ColliderHandle>,
+    updates: usize,
+}
+
+impl Plane {
+    fn new(settings: Settings) -> Self {
+        let settings = settings.with_filter(PairFilter::Groups).with_margin(0.01);
+        let mut desk = Desk::with_settings(settings);
+        let handles = (0..2500).map(|_| desk.ball(0.45, [0.0; 2])).collect();
+        let mut plane = Self {
+            desk,
+            handles,
+            updates: 0,
+        };
+        plane.advance(1);
+        plane
+    }
+
+    /// Moves one ball in `stride`, and lists it. Returns the full runs so far.
+    fn advance(&mut self, stride: usize) -> u64 {
+        let mut listed = Vec::new();
+        for (i, &handle) in self.handles.iter().enumerate().step_by(stride) {
+            let shift = 0.02 * self.updates as Real;
+            let place = [(i % 50) as Real + shift, (i / 50) as Real];
+            self.desk.place(handle, place);
+            listed.push(handle);
+        }
+        self.desk.update(&listed, &[]);
+        self.updates += 1;
+        self.desk.broad_phase.stats().full_runs
+    }
+}
+
+#[test]
+fn classes_and_strips_follow_sizes_and_places() {
+    let mut plane = Plane::new(Settings::default());
+    let stats = plane.desk.broad_phase.stats();
+    assert_eq!(stats.classes, 1);
+    assert!(stats.strips[0] > 1 && stats.strips[1] == 1);
+    for &handle in plane.handles.iter().step_by(10) {
+        plane.desk.colliders[handle].set_shape(SharedShape::ball(9.0));
+    }
+    plane.advance(1);
+    assert!(plane.desk.broad_phase.stats().classes > 1);
+}
+
+#[test]
+fn looking_ahead_spares_searches_and_can_be_fixed() {
+    let runs_with = |foresight| {
+        let mut plane = Plane::new(Settings::default().with_foresight(foresight));
+        (0..20).for_each(|_| _ = plane.advance(1));
+        let stats = plane.desk.broad_phase.stats();
+        (stats.full_runs, stats.foresight)
+    };
+    assert_eq!(runs_with(Some(0)), (21, 0));
+    let (runs, foresight) = runs_with(Some(5));
+    assert!(runs < 10 && foresight == 5, "{runs} with {foresight}");
+    let (runs, foresight) = runs_with(None);
+    assert!(runs < 10 && foresight > 0, "{runs} with {foresight}");
+}
+
+#[test]
+fn few_movers_are_a_layer_unless_there_are_to_be_none() {
+    for (layers, expected) in [(true, (1, 25)), (false, (2, 0))] {
+        let mut plane = Plane::new(Settings::default().with_foresight(0).with_layers(layers));
+        let runs = plane.advance(100);
+        assert_eq!((runs, plane.desk.broad_phase.stats().above_base), expected);
+    }
+}

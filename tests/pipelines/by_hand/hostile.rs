@@ -1,0 +1,105 @@
+//! Numbers that no sound program has, and what must happen for each kind. `tests/sequences` has lists that make no sense, and poses of NaN.
+
+use super::*;
+
+/// Two balls in reach of each other.
+fn two_balls() -> (Desk, [ColliderHandle; 2]) {
+    let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
+    let balls = [0.0, 0.9].map(|x| desk.ball(0.5, [x, 0.0]));
+    (desk, balls)
+}
+
+#[test]
+fn inverted_boxes_are_refused_until_they_are_sound() {
+    let (mut desk, [a, b]) = two_balls();
+    desk.colliders[b].set_shape(SharedShape::ball(-0.5));
+    assert_eq!(desk.update(&[a, b], &[]), []);
+    assert_eq!(desk.counts(), [1, 1, 0]);
+    desk.colliders[b].set_shape(SharedShape::ball(0.5));
+    assert_eq!(desk.update(&[b], &[]), [(true, [a, b])]);
+    desk.colliders[b].set_shape(SharedShape::ball(-0.5));
+    assert_eq!(desk.update(&[b], &[]), [(false, [a, b])]);
+    assert_eq!(desk.update(&[], &[b]), []);
+    assert_eq!(desk.counts(), [1, 0, 0]);
+}
+
+#[test]
+fn infinite_boxes_are_boxes() {
+    let (mut desk, [small, all]) = two_balls();
+    desk.colliders[all].set_shape(SharedShape::ball(Real::INFINITY));
+    let [far, beside] = [[Real::INFINITY, 0.0]; 2].map(|centre| desk.ball(0.5, centre));
+    let mut events = desk.update(&[small, all, far, beside], &[]);
+    events.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
+    let pairs = [[small, all], [all, far], [all, beside], [far, beside]];
+    assert_eq!(events, pairs.map(|pair| (true, pair)));
+    desk.place(far, [Real::NEG_INFINITY, 0.0]);
+    assert_eq!(desk.update(&[far], &[]), [(false, [far, beside])]);
+    // Infinity minus infinity is NaN.
+    desk.place(all, [Real::INFINITY, 0.0]);
+    assert_eq!(desk.update(&[all], &[]).len(), 3);
+    assert_eq!(desk.counts(), [3, 1, 0]);
+}
+
+#[test]
+fn denormals_and_negative_zeros_are_numbers() {
+    let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
+    // No prediction and no margin, so that boxes are those of the shapes.
+    desk.params.length_unit = 0.0;
+    let least = Real::from_bits(1);
+    let points = [-0.0, 0.0, least, -least, 2.0 * least].map(|x| desk.ball(0.0, [x, 0.0]));
+    let zeros = [points[0], points[1]];
+    assert_eq!(desk.update(&points, &[]), [(true, zeros)]);
+    let ball = desk.ball(least, [0.0, 0.0]);
+    let mut met = desk.update(&[ball], &[]);
+    met.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
+    let expected = [0, 1, 2, 3].map(|i| (true, [points[i], ball]));
+    assert_eq!(met, expected);
+    // From one zero to the other is no move.
+    desk.place(points[0], [0.0, 0.0]);
+    assert_eq!(desk.update(&[points[0]], &[]), []);
+    assert_eq!(desk.broad_phase.stats().moved, 0);
+}
+
+#[test]
+fn lengths_that_are_none_make_no_margin() {
+    let units = [Real::NAN, -1.0, 0.0].map(|unit| (unit, 1));
+    // Boxes so large that all overlap.
+    let large = [Real::INFINITY, Real::MAX].map(|unit| (unit, 0));
+    for (unit, ended) in units.into_iter().chain(large) {
+        let (mut desk, [a, b]) = two_balls();
+        desk.params.length_unit = unit;
+        assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])], "{unit}");
+        desk.place(b, [20.0, 0.0]);
+        assert_eq!(desk.update(&[b], &[]).len(), ended, "{unit}");
+    }
+}
+
+#[test]
+fn an_infinite_margin_makes_infinite_boxes() {
+    let (mut desk, [a, b]) = two_balls();
+    let settings = desk.broad_phase.settings().with_margin(Real::INFINITY);
+    desk.broad_phase = UnisizeBroadPhase::with_settings(settings);
+    assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
+    // An infinite side minus an infinite margin would be NaN, so it gets no margin.
+    desk.place(a, [Real::INFINITY, 0.0]);
+    assert_eq!(desk.update(&[a], &[]), [(false, [a, b])]);
+    desk.place(b, [1.9, 0.0]);
+    assert_eq!(desk.update(&[b], &[]), [(true, [a, b])]);
+    assert_eq!(desk.counts(), [2, 0, 1]);
+}
+
+/// Rapier would panic.
+#[test]
+fn skins_that_are_none_do_not_loosen() {
+    for skin in [-1.0, Real::NAN, 0.0] {
+        let (mut desk, [a, b]) = two_balls();
+        let pair = [(Default::default(), SharedShape::ball(0.5))];
+        desk.colliders[a].set_shape(SharedShape::compound(pair.to_vec()));
+        for ball in [a, b] {
+            desk.colliders[ball].set_contact_skin(skin);
+        }
+        assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])], "{skin}");
+        desk.place(b, [1.1, 0.0]);
+        assert_eq!(desk.update(&[b], &[]), [(false, [a, b])], "{skin}");
+    }
+}
