@@ -184,24 +184,14 @@ impl Manifest {
     pub(crate) fn relative(&self, path: &Path) -> String {
         let relative = pathdiff::diff_paths(path, normal(self.folder()));
         let path = relative.as_deref().unwrap_or(path).to_string_lossy();
-        plain(&path).replace(std::path::MAIN_SEPARATOR, "/")
-    }
-}
-
-/// A path without the prefix that `canonicalize` sets before it on Windows: that allows no slashes.
-pub(crate) fn plain(path: &str) -> String {
-    match path.strip_prefix(r"\\?\") {
-        Some(path) => match path.strip_prefix(r"UNC\") {
-            Some(share) => format!(r"\\{share}"),
-            None => path.to_owned(),
-        },
-        None => path.to_owned(),
+        path.replace(std::path::MAIN_SEPARATOR, "/")
     }
 }
 
 /// The absolute path, with no links and no `..` in it, of what need not exist.
 pub(crate) fn normal(path: &Path) -> PathBuf {
-    if let Ok(path) = path.canonicalize() {
+    // Without the prefix that Windows sets before it, which allows no slashes.
+    if let Ok(path) = dunce::canonicalize(path) {
         return path;
     }
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
@@ -213,22 +203,5 @@ pub(crate) fn normal(path: &Path) -> PathBuf {
             parent
         }
         _ => absolute,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::plain;
-
-    #[test]
-    fn paths_without_a_verbatim_prefix() {
-        for (path, expected) in [
-            (r"\\?\D:\copies\rapier3d", r"D:\copies\rapier3d"),
-            (r"\\?\UNC\server\share\copies", r"\\server\share\copies"),
-            (r"\\server\share", r"\\server\share"),
-            ("../copies/rapier3d", "../copies/rapier3d"),
-        ] {
-            assert_eq!(plain(path), expected);
-        }
     }
 }

@@ -1,7 +1,7 @@
-//! Puts copies in their places: all of them or none, and never over anything that this tool has not made.
+//! Puts copies in their places, once all are complete, and never over anything that this tool has not made.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
@@ -38,31 +38,14 @@ pub(crate) fn place(copies: &[&OpenedCopy], out: &Path) -> Result<()> {
         copy.write(&site.path().join(copy.package))?;
     }
 
-    let mut moved = vec![];
     for copy in copies {
-        let new = site.path().join(copy.package);
-        let old = site.path().join(format!("{}.old", copy.package));
         let place = out.join(copy.package);
-        if let Err(error) = exchange(&place, &old, &new) {
-            moved.iter().for_each(put_back);
-            return Err(error).with_context(|| format!("cannot put a copy at {}", place.display()));
+        let cannot = || format!("cannot put a copy at {}", place.display());
+        if place.exists() {
+            let old = site.path().join(format!("{}.old", copy.package));
+            fs::rename(&place, old).with_context(cannot)?;
         }
-        moved.push((place, old));
+        fs::rename(site.path().join(copy.package), &place).with_context(cannot)?;
     }
     Ok(())
-}
-
-fn exchange(place: &Path, old: &Path, new: &Path) -> std::io::Result<()> {
-    if place.exists() {
-        fs::rename(place, old)?;
-    }
-    fs::rename(new, place).inspect_err(|_| put_back(&(place.to_owned(), old.to_owned())))
-}
-
-/// The failure before this one is what is reported.
-fn put_back((place, old): &(PathBuf, PathBuf)) {
-    let _ = fs::remove_dir_all(place);
-    if old.exists() {
-        let _ = fs::rename(old, place);
-    }
 }

@@ -11,9 +11,8 @@ use std::process::Command;
 use anyhow::{Context, Result, bail, ensure};
 use cargo_metadata::semver::Version;
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
-use toml_edit::{DocumentMut, Item};
 
-use crate::patch::{Manifest, normal, plain};
+use crate::patch::{Manifest, normal};
 use crate::seam::{PACKAGES, VERSION};
 use crate::{members, note};
 
@@ -42,7 +41,7 @@ impl Project {
         };
         let mut sources = asking.fetched(entries.iter().map(|entry| entry.package))?;
         let options = entries.iter().flat_map(|entry| {
-            let path = toml_edit::Value::from(plain(&sources[entry.package].to_string_lossy()));
+            let path = toml_edit::Value::from(&*sources[entry.package].to_string_lossy());
             let key = format!("patch.crates-io.{}", entry.key);
             let package = format!("{key}.package=\"{}\"", entry.package);
             [
@@ -88,7 +87,6 @@ impl Project {
         }
         sources.extend(asking.fetched(copies.into_iter())?);
         refuse_other_versions(&other_versions, sources.is_empty())?;
-        asking.refuse_unused_forks(&sources)?;
         members::ensure_none(&manifest, sources.keys().copied(), out)?;
         Ok(Self { manifest, sources })
     }
@@ -221,25 +219,6 @@ impl Asking<'_> {
             sources.insert(name, folder(package));
         }
         Ok(sources)
-    }
-
-    /// A fork that the lock file keeps from being used would take the place of a copy with the next update.
-    fn refuse_unused_forks(&self, sources: &BTreeMap<&'static str, PathBuf>) -> Result<()> {
-        let lock = fs::read_to_string(self.folder().join("Cargo.lock")).unwrap_or_default();
-        let lock: DocumentMut = lock.parse().context("Cargo.lock")?;
-        let unused = lock.get("patch").and_then(|patch| patch.get("unused"));
-        let unused = unused.and_then(Item::as_array_of_tables);
-        for fork in unused.into_iter().flatten() {
-            let text = |key| fork.get(key).and_then(Item::as_str).unwrap_or_default();
-            let (name, version) = (text("name"), text("version"));
-            ensure!(
-                !sources.contains_key(name)
-                    || version == VERSION
-                    || !Version::parse(version).is_ok_and(|version| is_close(&version)),
-                "{name} is patched by a {version} that is not the one of crates.io: only that can be opened"
-            );
-        }
-        Ok(())
     }
 
     fn folder(&self) -> &Path {

@@ -104,11 +104,6 @@ impl Fixture {
         self.write(&format!("{folder}/src/lib.rs"), "");
     }
 
-    /// Somebody else's rapier3d, beside the project.
-    pub(crate) fn fork(&self, version: &str) {
-        self.package("fork", "rapier3d", version);
-    }
-
     pub(crate) fn manifest(&self) -> String {
         self.read("project/Cargo.toml")
     }

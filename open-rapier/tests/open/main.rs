@@ -2,7 +2,6 @@
 //! nothing else; and one with Rapier itself.
 
 mod bad;
-mod check;
 mod fixture;
 mod good;
 mod rapier;
