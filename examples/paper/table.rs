@@ -81,12 +81,14 @@ impl Table {
         Ok(())
     }
 
-    /// Replaces the tables of a page by these.
+    /// Replaces the tables of a page by these. A page may leave some out.
     pub(crate) fn write_into(&self, page: &Path) -> Result<()> {
         let cannot = || format!("cannot change {}", page.display());
         let mut text = fs::read_to_string(page).with_context(cannot)?;
         for part in self.parts() {
-            text = replaced(&text, part, &self.markdown(part)).with_context(cannot)?;
+            if text.contains(&format!("<!-- begin {part} -->\n")) {
+                text = replaced(&text, part, &self.markdown(part)).with_context(cannot)?;
+            }
         }
         fs::write(page, text).with_context(cannot)
     }
