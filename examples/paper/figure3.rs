@@ -13,7 +13,7 @@ use unisize_scenes::DriftingBoxes;
 const FRAMES: usize = 9;
 
 /// A colour for each density, the lowest first.
-const COLORS: [RGBColor; 4] = [color::SKY, color::BLUE, color::PURPLE, color::RED];
+const COLORS: [RGBColor; 4] = [color::MINT, color::GREEN, color::GREY, color::BLACK];
 
 /// The panels, with the columns that they show.
 const PANELS: [(&str, &str); 3] = [
@@ -42,7 +42,9 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         let time = Axis::log("nanoseconds per collision");
         Panel::new(title, Axis::log("n"), time, curves)
     });
-    Chart::new("Time per collision", panels).write_svg(&run.pictures.join("figure3.svg"))
+    Chart::new("Time per collision", panels)
+        .columns(2)
+        .write_svg(&run.pictures.join("figure3.svg"))
 }
 
 fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
