@@ -158,6 +158,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.proxies.boxes()
     }
 
+    /// The fat boxes of all proxies.
+    pub(crate) fn fat_boxes(&self) -> impl Iterator<Item = &Aabb<R, D>> {
+        let fat_boxes = self.tracker.proxies.fat_boxes();
+        fat_boxes.iter().filter(|fat| fat.is_valid())
+    }
+
     /// The slots whose boxes have been handed over or taken away since the last update; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
         self.tracker.proxies.touched()

@@ -143,6 +143,12 @@ impl UnisizeBroadPhase {
         })
     }
 
+    /// The boxes by which pairs are searched for, drawn ahead of the motion of their colliders. For pictures.
+    #[doc(hidden)]
+    pub fn fat_boxes(&self) -> impl Iterator<Item = RapierAabb> + '_ {
+        self.table.fat_boxes().map(|&aabb| aabb.into())
+    }
+
     /// Checks the internal invariants: the records of colliders, and the pairs held, by a full search. For tests.
     ///
     /// # Panics
