@@ -91,7 +91,7 @@ impl<R: Real, const D: usize, K> Reading<R, D, K> {
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
-pub(crate) struct ProxyTable<R, const D: usize, M, K> {
+pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     tracker: PairTracker<R, D, K>,
     /// The generation of the collider in each slot; `None` where there is none.
     generations: Vec<Option<u32>>,
