@@ -105,7 +105,6 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     stats: Stats,
     has_warned: bool,
     gathered: Gathered,
-    /// In the order in which their boxes were handed over.
     pending: Pending<R, D>,
     reader: Reader,
 }
@@ -168,30 +167,26 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.last_touched()
     }
 
-    /// The held pairs, by slots, smaller first.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.tracker.pairs()
-    }
-
-    /// The handles of two slots whose colliders must be known. The slots of a held pair always are.
-    pub(crate) fn handles<H: Handle>(&self, pair: [u32; 2]) -> [H; 2] {
-        handles(&self.generations, pair)
+    /// The held pairs, the collider in the smaller slot first.
+    pub(crate) fn pairs<H: Handle>(&self) -> impl Iterator<Item = [H; 2]> + '_ {
+        let pairs = self.tracker.pairs();
+        pairs.map(|pair| handles(&self.generations, pair))
     }
 
     /// Calls `visit` with one of these handles and that of a neighbour, for each pair whose boxes overlapped at the end of the last
     /// update, and that only its volumes tell apart. **O(candidates)**.
-    pub(crate) fn near<H: Handle>(&self, handles: &[H], mut visit: impl FnMut(H, H)) {
-        if handles.is_empty() || !self.tracker.proxies.volumes().are_used() {
+    pub(crate) fn near<H: Handle>(&self, listed: &[H], mut visit: impl FnMut(H, H)) {
+        if listed.is_empty() || !self.tracker.proxies.volumes().are_used() {
             return;
         }
-        let slots = handles.iter().filter_map(|&handle| self.slot_of(handle));
+        let slots = listed.iter().filter_map(|&handle| self.slot_of(handle));
         let mut are_listed = BitSet::default();
         are_listed.insert_all(&slots.collect::<Vec<_>>(), self.generations.len());
         for [a, b] in self.tracker.near() {
-            for [slot, other] in [[a, b], [b, a]] {
-                let is_known = || self.generations[other as usize].is_some();
-                if are_listed.contains(slot as usize) && is_known() {
-                    let [first, second] = self.handles([slot, other]);
+            for pair in [[a, b], [b, a]] {
+                let is_known = || self.generations[pair[1] as usize].is_some();
+                if are_listed.contains(pair[0] as usize) && is_known() {
+                    let [first, second] = handles(&self.generations, pair);
                     visit(first, second);
                 }
             }
@@ -199,7 +194,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// The slot of a handle, if it is known to have the handle's collider.
-    pub(crate) fn slot_of(&self, handle: impl Handle) -> Option<u32> {
+    fn slot_of(&self, handle: impl Handle) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
         is_known(&self.generations, slot, generation).then_some(slot)
     }
@@ -326,6 +321,17 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.renew(handle, reading, margin);
     }
 
+    /// The same by what the source says.
+    fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let are_used = self.tracker.proxies.volumes().are_used();
+        self.admit(handle, margin, |memo| {
+            Reading::of(source, handle, memo, are_used)
+        });
+    }
+
     /// Adds a collider that is not known, without a box. Returns its slot.
     #[inline(always)]
     fn add<H: Handle>(&mut self, handle: H) -> u32 {
@@ -418,24 +424,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.stopwatch.leave();
         self.stats.times = self.tracker.stopwatch.times;
     }
-}
 
-/// Whether a slot is known to have the collider of this generation.
-#[inline(always)]
-fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
-    matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
-}
-
-/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
-fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
-    pair.map(|slot| {
-        let generation = generations[slot as usize];
-        let generation = generation.expect("the colliders of a held pair are known");
-        H::from_raw_parts(slot, generation)
-    })
-}
-
-impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
@@ -454,4 +443,19 @@ impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
         assert_eq!(self.stats.proxies, proxies);
         self.tracker.validate(kernel);
     }
+}
+
+/// Whether a slot is known to have the collider of this generation.
+#[inline(always)]
+fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
+    matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
+}
+
+/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
+fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
+    pair.map(|slot| {
+        let generation = generations[slot as usize];
+        let generation = generation.expect("the colliders of a held pair are known");
+        H::from_raw_parts(slot, generation)
+    })
 }

@@ -6,7 +6,7 @@
 //!
 //! The order affects only speed, not the order of events. What is not a simple move, say a new collider, is dealt with afterwards.
 
-use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
+use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
 use crate::parallel;
@@ -202,19 +202,6 @@ impl Reader {
             all_unknown.append(&mut unknown);
         }
         all_unknown
-    }
-}
-
-impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Brings one collider up to date by what its source says.
-    pub(super) fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        let are_used = self.tracker.proxies.volumes().are_used();
-        self.admit(handle, margin, |memo| {
-            Reading::of(source, handle, memo, are_used)
-        });
     }
 }
 
