@@ -88,8 +88,6 @@ mod real;
 mod settings;
 #[cfg(feature = "_adapter")]
 mod slot_set;
-#[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
-mod snapshot_format;
 #[cfg(feature = "_adapter")]
 mod stats;
 mod stopwatch;

@@ -22,7 +22,6 @@ pub(super) struct Reader {
     listed: BitSet,
     /// By part.
     notes: Vec<Notes>,
-    deferred: Vec<Vec<Deferred>>,
 }
 
 /// Slot and generation of a collider that needs more than a move.
@@ -33,7 +32,7 @@ struct Part<'a, R, const D: usize, M, K> {
     proxies: ProxyChunk<'a, R, D, K>,
     generations: &'a [Option<u32>],
     memos: &'a mut [M],
-    deferred: &'a mut Vec<Deferred>,
+    deferred: Vec<Deferred>,
 }
 
 impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
@@ -108,72 +107,72 @@ impl Reader {
     ) {
         let mut touched = table.tracker.proxies.touched().len();
         // The order must not depend on the number of threads.
-        if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
-            self.deferred.resize_with(1, Vec::new);
+        let deferred = if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
             let mut all = Part {
                 proxies: table.tracker.proxies.all(),
                 generations: &table.generations,
                 memos: &mut table.memos,
-                deferred: &mut self.deferred[0],
+                deferred: Vec::new(),
             };
             all.read_as_listed(handles, source, margin);
+            all.deferred
         } else {
             let is_shared = handles.len() >= THREADS_FROM && parallel::threads() > 1;
             for handle in self.list(handles, &table.generations, is_shared) {
                 table.admit_read(handle, source, margin);
             }
             touched = table.tracker.proxies.touched().len();
-            self.read_in_parts(table, is_shared, source, margin);
-        }
+            self.read_in_parts(table, is_shared, source, margin)
+        };
         table.gathered.moved += table.tracker.proxies.touched().len() - touched;
-        for (slot, generation) in self.deferred.iter_mut().flat_map(|part| part.drain(..)) {
+        for (slot, generation) in deferred {
             let handle = S::Handle::from_raw_parts(slot, generation);
             table.admit_read(handle, source, margin);
         }
     }
 
-    /// Reads the listed slots by index.
+    /// Reads the listed slots by index. Returns what is deferred.
     fn read_in_parts<R: Real, const D: usize, S: BoxSource<R, D>>(
         &mut self,
         table: &mut ProxyTable<R, D, S::Memo, S::Key>,
         is_shared: bool,
         source: &S,
         margin: R,
-    ) {
+    ) -> Vec<Deferred> {
         self.listed.resize(table.generations.len());
         // More parts than threads, because some will be faster than others.
-        let parts = if is_shared {
-            PARTS_A_THREAD * parallel::threads()
-        } else {
-            1
+        let parts = match is_shared {
+            true => PARTS_A_THREAD * parallel::threads(),
+            false => 1,
         };
         let words = self.listed.words();
         let words_a_part = words.len().div_ceil(parts).max(1);
         let slots_a_part = 64 * words_a_part;
         let listed = words.chunks(words_a_part);
         self.notes.resize_with(listed.len(), Notes::default);
-        self.deferred.resize_with(listed.len(), Vec::new);
         let chunks = table.tracker.proxies.chunks(slots_a_part, &mut self.notes);
         let generations = table.generations.chunks(slots_a_part);
         let memos = table.memos.chunks_mut(slots_a_part);
-        let known = generations.zip(memos).zip(&mut self.deferred);
+        let known = generations.zip(memos);
         let parts = chunks
             .zip(known)
-            .map(|(proxies, ((generations, memos), deferred))| Part {
+            .map(|(proxies, (generations, memos))| Part {
                 proxies,
                 generations,
                 memos,
-                deferred,
+                deferred: Vec::new(),
             });
         let mut parts: Vec<_> = listed.zip(parts).collect();
         parallel::for_each(&mut parts, |(listed, part)| {
             part.read_by_index(listed, source, margin);
         });
-        drop(parts);
+        let deferred = parts.into_iter().flat_map(|(_, part)| part.deferred);
+        let deferred = deferred.collect();
         self.listed.clear();
         for notes in &mut self.notes {
             table.tracker.proxies.note(notes);
         }
+        deferred
     }
 
     /// Lists the slots of the handles whose collider is known, and returns the other handles, in their order.
