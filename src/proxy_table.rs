@@ -16,10 +16,9 @@ mod lists;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
+mod source;
 #[cfg(test)]
 mod tests;
-
-use std::fmt::Debug;
 
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
@@ -30,64 +29,14 @@ use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::volume::Volume;
 pub(crate) use changes::{Changes, Order};
 use hand_over::Pending;
 pub(crate) use lists::Lists;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
-
-/// What an engine knows a collider by: a slot, and a generation.
-pub(crate) trait Handle: Copy + Debug + Send + Sync {
-    fn from_raw_parts(slot: u32, generation: u32) -> Self;
-    fn into_raw_parts(self) -> (u32, u32);
-}
-
-/// Where the boxes of listed colliders are read.
-pub(crate) trait BoxSource<R, const D: usize>: Sync {
-    type Handle: Handle;
-    /// What is remembered of a collider between readings.
-    type Memo: Clone + Default + Send;
-    /// What decides which colliders may be a pair.
-    type Key: FilterKey;
-
-    /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
-    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
-
-    /// Whether keys differ at all. If not, they need not be compared.
-    fn has_keys(&self) -> bool;
-
-    /// The volume of a collider that was just read, in the box that was read.
-    fn volume(
-        &self,
-        handle: Self::Handle,
-        memo: &mut Self::Memo,
-        aabb: &Aabb<R, D>,
-    ) -> Volume<R, D>;
-}
-
-/// What was read of a collider.
-pub(crate) struct Reading<R, const D: usize, K> {
-    aabb: Aabb<R, D>,
-    key: K,
-    volume: Volume<R, D>,
-}
-
-impl<R: Real, const D: usize, K> Reading<R, D, K> {
-    /// Reads a collider, its volume if volumes are used.
-    fn of<S>(source: &S, handle: S::Handle, memo: &mut S::Memo, are_used: bool) -> Option<Self>
-    where
-        S: BoxSource<R, D, Key = K>,
-    {
-        let (aabb, key) = source.read(handle, memo)?;
-        let volume = match are_used {
-            true => source.volume(handle, memo, &aabb),
-            false => Volume::BOX,
-        };
-        Some(Self { aabb, key, volume })
-    }
-}
+use source::Reading;
+pub(crate) use source::{BoxSource, Handle};
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
@@ -256,50 +205,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Renews the boxes of known colliders without a margin.
-    fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        for &handle in handles {
-            let Some(slot) = self.slot_of(handle) else {
-                continue;
-            };
-            let read = source.read(handle, &mut self.memos[slot as usize]);
-            let held = self.tracker.proxies.get(slot);
-            if let (Some((aabb, _)), Some(held)) = (read, held) {
-                if aabb != *held {
-                    self.tracker.proxies.place(slot, aabb);
-                    self.gathered.moved += 1;
-                }
-            }
-        }
-    }
-
-    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
-    fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        let proxies = &mut self.tracker.proxies;
-        let are_used = proxies.volumes().are_used();
-        for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            if !is_known(&self.generations, slot, generation) {
-                continue;
-            }
-            let memo = &mut self.memos[slot as usize];
-            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
-            else {
-                continue;
-            };
-            proxies.set_key(slot, key);
-            if are_used && proxies.volumes().get(slot).kind != volume.kind {
-                proxies.set_volume(slot, &volume, false);
-            }
-        }
-    }
-
     /// Brings one collider up to date in the general case: it may be new, moved, gone, or in a slot that another one
     /// had.
     fn admit<H: Handle>(
@@ -319,17 +224,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let slot = slot.unwrap_or_else(|| self.add(handle));
         self.memos[slot as usize] = memo;
         self.renew(handle, reading, margin);
-    }
-
-    /// The same by what the source says.
-    fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        let are_used = self.tracker.proxies.volumes().are_used();
-        self.admit(handle, margin, |memo| {
-            Reading::of(source, handle, memo, are_used)
-        });
     }
 
     /// Adds a collider that is not known, without a box. Returns its slot.

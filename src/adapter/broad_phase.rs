@@ -56,18 +56,17 @@ pub(crate) struct Input<'a> {
 }
 
 impl<'a> Input<'a> {
-    /// With the lists of modified and of removed colliders that Rapier's own broad phase has, and nothing else.
     pub(crate) fn new(
         params: &'a IntegrationParameters,
         colliders: &'a ColliderSet,
         bodies: &'a RigidBodySet,
-        [modified, removed]: [&'a [ColliderHandle]; 2],
+        lists: Lists<'a, ColliderHandle>,
     ) -> Self {
         Self {
             params,
             colliders,
             bodies,
-            lists: Lists::new(modified, removed),
+            lists,
         }
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! The order affects only speed, not the order of events. What is not a simple move, say a new collider, is dealt with afterwards.
 
-use super::{BoxSource, Handle, ProxyTable, is_known};
+use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
 use crate::parallel;
@@ -201,6 +201,63 @@ impl Reader {
             all_unknown.append(&mut unknown);
         }
         all_unknown
+    }
+}
+
+impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
+    /// Brings one collider up to date by what the source says.
+    fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let are_used = self.tracker.proxies.volumes().are_used();
+        self.admit(handle, margin, |memo| {
+            Reading::of(source, handle, memo, are_used)
+        });
+    }
+
+    /// Renews the boxes of known colliders without a margin.
+    pub(super) fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            let Some(slot) = self.slot_of(handle) else {
+                continue;
+            };
+            let read = source.read(handle, &mut self.memos[slot as usize]);
+            let held = self.tracker.proxies.get(slot);
+            if let (Some((aabb, _)), Some(held)) = (read, held) {
+                if aabb != *held {
+                    self.tracker.proxies.place(slot, aabb);
+                    self.gathered.moved += 1;
+                }
+            }
+        }
+    }
+
+    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
+    pub(super) fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let proxies = &mut self.tracker.proxies;
+        let are_used = proxies.volumes().are_used();
+        for &handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            if !is_known(&self.generations, slot, generation) {
+                continue;
+            }
+            let memo = &mut self.memos[slot as usize];
+            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
+            else {
+                continue;
+            };
+            proxies.set_key(slot, key);
+            if are_used && proxies.volumes().get(slot).kind != volume.kind {
+                proxies.set_volume(slot, &volume, false);
+            }
+        }
     }
 }
 

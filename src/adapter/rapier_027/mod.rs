@@ -11,7 +11,7 @@ use super::rapier::math::{Isometry, Point, Real};
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::Order;
+use crate::proxy_table::{Lists, Order};
 
 mod unusual_box;
 
@@ -81,7 +81,7 @@ impl BroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
+        let lists = Lists::new(modified_colliders, removed_colliders);
         self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
     }
 }
@@ -96,7 +96,7 @@ impl BroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
+        let lists = Lists::new(modified_colliders, removed_colliders);
         self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 }

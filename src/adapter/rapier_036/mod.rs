@@ -14,7 +14,7 @@ use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::Order;
+use crate::proxy_table::{Lists, Order};
 
 pub(super) use super::rapier::math::{Pose, Vector};
 
@@ -109,7 +109,7 @@ impl UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
+        let lists = Lists::new(modified_colliders, removed_colliders);
         self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
     }
 
@@ -167,10 +167,10 @@ impl Trial {
             .filter(|&(handle, key)| self.looked_at.get(handle) != Some(key));
         let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
         // First, for another collider may have the index by now.
-        let input = Input::new(params, colliders, bodies, [&[], &removed]);
+        let input = Input::new(params, colliders, bodies, Lists::new(&[], &removed));
         self.run(&input, &mut Vec::new());
         self.hand_over(params, Some(colliders), &aabbs);
-        let input = Input::new(params, colliders, bodies, [&[]; 2]);
+        let input = Input::new(params, colliders, bodies, Lists::new(&[], &[]));
         self.run(&input, &mut Vec::new());
     }
 

@@ -6,6 +6,7 @@ use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
 };
 use super::rapier::parry::partitioning::Bvh;
+use crate::proxy_table::Lists;
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -17,7 +18,7 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
+        let lists = Lists::new(modified_colliders, removed_colliders);
         self.update_as_noted(&Input::new(params, colliders, bodies, lists), events);
     }
 
@@ -66,7 +67,7 @@ impl CustomBroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = [modified_colliders, removed_colliders];
+        let lists = Lists::new(modified_colliders, removed_colliders);
         self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 
