@@ -138,11 +138,14 @@ impl AxisSample {
             let index = ((numbers.len() - 1) as f64 * q) as usize;
             *numbers.select_nth_unstable_by(index, f64::total_cmp).1
         };
-        let mins = sample.iter().map(|b| b.mins[axis].to_f64());
-        let maxs = sample.iter().map(|b| b.maxs[axis].to_f64());
-        let sizes = maxs.zip(mins.clone()).map(|(max, min)| max - min);
-        let mut sizes: Vec<f64> = sizes.collect();
-        let mut mins: Vec<f64> = mins.filter(|x| x.is_finite()).collect();
+        let extents = sample
+            .iter()
+            .map(|b| [b.mins[axis].to_f64(), b.maxs[axis].to_f64()]);
+        let mut sizes: Vec<f64> = extents.clone().map(|[min, max]| max - min).collect();
+        let mut mins: Vec<f64> = extents
+            .map(|[min, _]| min)
+            .filter(|x| x.is_finite())
+            .collect();
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         Self {
             size: quantile(&mut sizes, GRID_SIZE_QUANTILE),

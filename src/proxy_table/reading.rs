@@ -22,6 +22,7 @@ pub(super) struct Reader {
     listed: BitSet,
     /// By part.
     notes: Vec<Notes>,
+    deferred: Vec<Vec<Deferred>>,
 }
 
 /// Slot and generation of a collider that needs more than a move.
@@ -32,7 +33,7 @@ struct Part<'a, R, const D: usize, M, K> {
     proxies: ProxyChunk<'a, R, D, K>,
     generations: &'a [Option<u32>],
     memos: &'a mut [M],
-    deferred: Vec<Deferred>,
+    deferred: &'a mut Vec<Deferred>,
 }
 
 impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
@@ -107,38 +108,38 @@ impl Reader {
     ) {
         let mut touched = table.tracker.proxies.touched().len();
         // The order must not depend on the number of threads.
-        let deferred = if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
+        if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
+            self.deferred.resize_with(1, Vec::new);
             let mut all = Part {
                 proxies: table.tracker.proxies.all(),
                 generations: &table.generations,
                 memos: &mut table.memos,
-                deferred: Vec::new(),
+                deferred: &mut self.deferred[0],
             };
             all.read_as_listed(handles, source, margin);
-            all.deferred
         } else {
             let is_shared = handles.len() >= THREADS_FROM && parallel::threads() > 1;
             for handle in self.list(handles, &table.generations, is_shared) {
                 table.admit_read(handle, source, margin);
             }
             touched = table.tracker.proxies.touched().len();
-            self.read_in_parts(table, is_shared, source, margin)
-        };
+            self.read_in_parts(table, is_shared, source, margin);
+        }
         table.gathered.moved += table.tracker.proxies.touched().len() - touched;
-        for (slot, generation) in deferred {
+        for (slot, generation) in self.deferred.iter_mut().flat_map(|part| part.drain(..)) {
             let handle = S::Handle::from_raw_parts(slot, generation);
             table.admit_read(handle, source, margin);
         }
     }
 
-    /// Reads the listed slots by index. Returns what is deferred.
+    /// Reads the listed slots by index.
     fn read_in_parts<R: Real, const D: usize, S: BoxSource<R, D>>(
         &mut self,
         table: &mut ProxyTable<R, D, S::Memo, S::Key>,
         is_shared: bool,
         source: &S,
         margin: R,
-    ) -> Vec<Deferred> {
+    ) {
         self.listed.resize(table.generations.len());
         // More parts than threads, because some will be faster than others.
         let parts = match is_shared {
@@ -150,29 +151,28 @@ impl Reader {
         let slots_a_part = 64 * words_a_part;
         let listed = words.chunks(words_a_part);
         self.notes.resize_with(listed.len(), Notes::default);
+        self.deferred.resize_with(listed.len(), Vec::new);
         let chunks = table.tracker.proxies.chunks(slots_a_part, &mut self.notes);
         let generations = table.generations.chunks(slots_a_part);
         let memos = table.memos.chunks_mut(slots_a_part);
-        let known = generations.zip(memos);
+        let known = generations.zip(memos).zip(&mut self.deferred);
         let parts = chunks
             .zip(known)
-            .map(|(proxies, (generations, memos))| Part {
+            .map(|(proxies, ((generations, memos), deferred))| Part {
                 proxies,
                 generations,
                 memos,
-                deferred: Vec::new(),
+                deferred,
             });
         let mut parts: Vec<_> = listed.zip(parts).collect();
         parallel::for_each(&mut parts, |(listed, part)| {
             part.read_by_index(listed, source, margin);
         });
-        let deferred = parts.into_iter().flat_map(|(_, part)| part.deferred);
-        let deferred = deferred.collect();
+        drop(parts);
         self.listed.clear();
         for notes in &mut self.notes {
             table.tracker.proxies.note(notes);
         }
-        deferred
     }
 
     /// Lists the slots of the handles whose collider is known, and returns the other handles, in their order.

@@ -16,7 +16,7 @@ fn squares(count: usize, extent: f32, size: f32) -> Vec<Aabb<f32, 2>> {
 #[test]
 fn boxes_of_one_size_are_not_tested() {
     let boxes = squares(5000, 1e5, 9.1);
-    let mut kernel = RankSweep::default();
+    let mut kernel = RankSweep::<f32, 2>::default();
     let (sweep, [first, _]) = (&mut kernel.sweep, &mut kernel.endpoints);
     let [order, _] = &mut sweep.orders;
     first.sort(&boxes, 0, order);
