@@ -6,9 +6,9 @@ use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::{DIM, DefaultBroadPhase};
 
 /// That of this repository.
-pub(super) const OURS: Create<DIM> =
+pub(in crate::updates) const OURS: Create<DIM> =
     |case| Box::new(Contestant::new(case, UnisizeBroadPhase::new(), nothing));
 
 /// The one that it replaces.
-pub(super) const DEFAULT: Create<DIM> =
+pub(in crate::updates) const DEFAULT: Create<DIM> =
     |case| Box::new(Contestant::new(case, DefaultBroadPhase::new(), nothing));
