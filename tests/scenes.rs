@@ -11,24 +11,23 @@ macro_rules! flavour {
         mod $name {
             use unisize::$unisize::{Kernel, Settings, UnisizeBroadPhase};
             use unisize_scenes::SceneKind;
-            use unisize_scenes::$name::{Candidate, Comparison, QueryAccess};
+            use unisize_scenes::$name::{Candidate, Comparison};
 
             fn compare(kernel: Kernel, bodies: usize, steps: usize) {
                 let mut settings = Settings::default();
                 settings.kernel = kernel;
-                let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
-                    .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
-                    .with_queries(QueryAccess::new(
-                        UnisizeBroadPhase::as_query_pipeline,
-                        UnisizeBroadPhase::as_query_pipeline_mut,
-                    ))
-                    .with_validation(UnisizeBroadPhase::validate);
+                let candidate = Candidate::new(
+                    move || UnisizeBroadPhase::with_settings(settings),
+                    |ours| ours.pairs().collect(),
+                    UnisizeBroadPhase::as_query_pipeline,
+                )
+                .with_validation(UnisizeBroadPhase::validate);
                 for kind in SceneKind::ALL {
                     let mut comparison = Comparison::new(kind, bodies, 7);
                     comparison.steps = steps;
                     comparison.repeats = 0;
                     comparison.rays = 4;
-                    let outcome = comparison.run(&candidate, |_| ());
+                    let outcome = comparison.run(&candidate);
                     let name = kind.name();
                     assert!(outcome.is_equal(), "{name}: {:?}", outcome.first_difference);
                     assert!(

@@ -5,7 +5,7 @@ use super::scenes::rapier::{
     parry::{bounding_volume::BoundingVolume, query},
     prelude::*,
 };
-use super::scenes::{Lossy, Observed, OwnBroadPhase, Sanity, Scene, Steppable, World, install};
+use super::scenes::{Observed, OwnBroadPhase, Sanity, Scene, Steppable, World, install, lossy};
 use super::seldom::Seldom;
 use super::space::{Place, distance, motion, place_of, typical_size};
 use super::{ours, version};
@@ -41,11 +41,10 @@ pub(crate) fn run(case: &Case) -> Run {
         Finder::Lossy => {
             // Other pairs with each time step: otherwise a seed that loses none would lose none with any.
             let seed = case.seed << 32 | u64::from(case.frequency);
-            let lossy = Lossy::new(OwnBroadPhase::new(), LOST_ONE_IN, seed);
-            let mut control = install(lossy);
-            let run = simulate(case, &mut control);
+            let (control, losses) = lossy(OwnBroadPhase::new(), LOST_ONE_IN, seed);
+            let run = simulate(case, &mut install(control));
             Run {
-                pairs: Some([control.found, control.lost]),
+                pairs: Some(losses.counts()),
                 ..run
             }
         }

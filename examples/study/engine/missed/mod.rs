@@ -16,7 +16,7 @@ use contestant::{Contestant, Lap, Stage};
 use oorandom::Rand32;
 use ours::{Settings, UnisizeBroadPhase};
 use scenes::rapier::prelude::*;
-use scenes::{Lossy, Observed, Scene};
+use scenes::{Observed, Scene, lossy};
 use truth::Truth;
 use version::BroadPhase;
 
@@ -101,7 +101,7 @@ fn create(finder: Finder, typical_size: Real, seed: u64) -> Box<dyn BroadPhase> 
         Finder::Grid(cell) => {
             Box::new(version::hash_grid(cell).expect("this version steps on grids"))
         }
-        Finder::Lossy => Box::new(Lossy::new(DefaultBroadPhase::new(), LOST_ONE_IN, seed)),
+        Finder::Lossy => Box::new(lossy(DefaultBroadPhase::new(), LOST_ONE_IN, seed).0),
     }
 }
 
