@@ -147,14 +147,13 @@ impl<const D: usize> Contender<D> {
 
     pub(crate) fn row(&self, density: f64, ours: &Self) -> Row {
         Row {
-            subject: "kernels",
             dim: D,
             density,
-            motion: String::new(),
             count: self.boxes.mins().len(),
             contender: self.name.to_owned(),
             setting: self.setting.clone(),
-            times: self.times.clone(),
+            frames: self.times.count(),
+            ms: self.times.typical(),
             pairs: self.kernel.pairs().len(),
             ratio: self.times.typical() / ours.times.typical(),
         }
