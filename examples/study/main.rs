@@ -11,17 +11,21 @@
 //! | `stability` | where small worlds fail, does unisize fail alone? |
 //! | `soak` | does unisize run forever in the same memory? |
 //!
-//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, and write a line of JSON for each row to
-//! `--json FILE` and charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
+//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, append a line of JSON for each row to
+//! `--json FILE`, and draw charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
 //! or cannot write. What is timed runs on one thread, by the processor time of that thread.
 
 mod accuracy;
 mod finder;
+#[path = "../../benches/common/json_lines.rs"]
+mod json_lines;
 mod missed;
 mod options;
 mod output;
 #[path = "../progress/bar.rs"]
 mod progress;
+#[path = "../../benches/common/report.rs"]
+mod report;
 mod soak;
 mod stability;
 mod statistics;
@@ -40,7 +44,7 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Off;
 const FINDERS: &[Finder] = &[
     Finder::Rapier,
     Finder::DEFAULT,
-    Finder::Seldom(2),
+    Finder::Seldom(2, None),
     Finder::Grid(Cell::Largest),
     Finder::Grid(Cell::Median),
     Finder::Lossy,
@@ -53,6 +57,7 @@ mod dim2 {
     use unisize_scenes::dim2 as scenes;
 
     pub(super) mod accuracy;
+    mod finder;
     #[path = "flavour/dim2.rs"]
     mod flavour;
     mod grid;
@@ -72,6 +77,7 @@ mod dim3 {
     use unisize_scenes::dim3 as scenes;
 
     pub(super) mod accuracy;
+    mod finder;
     #[path = "flavour/dim3.rs"]
     mod flavour;
     mod grid;

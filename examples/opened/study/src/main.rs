@@ -11,12 +11,16 @@ mod accuracy;
 #[allow(dead_code)] // Some methods are of the study of frames, and a step on a grid finds no tree to ask.
 #[path = "../../../study/finder.rs"]
 mod finder;
+#[path = "../../../../benches/common/json_lines.rs"]
+mod json_lines;
 #[path = "../../../study/options.rs"]
 mod options;
 #[path = "../../../study/output.rs"]
 mod output;
 #[path = "../../../progress/bar.rs"]
 mod progress;
+#[path = "../../../../benches/common/report.rs"]
+mod report;
 #[path = "../../../study/stability/mod.rs"]
 mod stability;
 #[path = "../../../study/statistics/mod.rs"]
@@ -36,7 +40,7 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
 const FINDERS: &[Finder] = &[
     Finder::Rapier,
     Finder::DEFAULT,
-    Finder::Seldom(2),
+    Finder::Seldom(2, None),
     Finder::Lossy,
 ];
 
@@ -47,6 +51,7 @@ mod dim2 {
     use unisize_scenes::dim2_036 as scenes;
 
     pub(super) mod accuracy;
+    mod finder;
     #[path = "flavour/dim2.rs"]
     mod flavour;
     mod seldom;
@@ -63,6 +68,7 @@ mod dim3 {
     use unisize_scenes::dim3_036 as scenes;
 
     pub(super) mod accuracy;
+    mod finder;
     #[path = "flavour/dim3.rs"]
     mod flavour;
     mod seldom;
