@@ -6,7 +6,7 @@ use super::ours::UnisizeBroadPhase;
 use super::rapier::math::DIM;
 use super::rapier::prelude::DefaultBroadPhase;
 use crate::case::Case;
-use crate::{bytes_held, ns_each};
+use crate::bytes_held;
 use serde_json::Value;
 use std::time::Duration;
 
@@ -60,4 +60,9 @@ fn follow<B: Driven>(
         ns_each(longest, case.count),
         bytes,
     ]
+}
+
+/// Nanoseconds for each of so many.
+fn ns_each(time: Duration, count: usize) -> f64 {
+    time.as_secs_f64() * 1e9 / count as f64
 }

@@ -25,7 +25,6 @@ use options::{Options, Question};
 use report::Report;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
-use std::time::Duration;
 
 /// What is measured in each engine and dimension.
 macro_rules! engine {
@@ -115,15 +114,4 @@ fn bytes_held<T>(thing: T) -> usize {
     drop(thing);
     let freed = ALLOCATOR.stats() - before;
     freed.bytes_deallocated - freed.bytes_allocated
-}
-
-/// Nanoseconds for each of so many.
-fn ns_each(time: Duration, count: usize) -> f64 {
-    time.as_secs_f64() * 1e9 / count as f64
-}
-
-fn median(times: impl IntoIterator<Item = Duration>) -> Duration {
-    let mut times: Vec<_> = times.into_iter().collect();
-    times.sort_unstable();
-    times[times.len() / 2]
 }

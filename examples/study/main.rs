@@ -50,45 +50,32 @@ const FINDERS: &[Finder] = &[
     Finder::Lossy,
 ];
 
-#[path = "engine"]
-mod dim2 {
-    //! What runs in rapier2d.
-    use unisize::rapier2d_027 as ours;
-    use unisize_scenes::dim2 as scenes;
+/// What runs in Rapier, in one dimension.
+macro_rules! engine {
+    ($name:ident, $unisize:ident, $flavour:literal) => {
+        #[path = "engine"]
+        mod $name {
+            use unisize::$unisize as ours;
+            use unisize_scenes::$name as scenes;
 
-    pub(super) mod accuracy;
-    mod finder;
-    #[path = "flavour/dim2.rs"]
-    mod flavour;
-    mod grid;
-    pub(super) mod missed;
-    mod seldom;
-    pub(super) mod soak;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_027.rs"]
-    mod version;
+            pub(super) mod accuracy;
+            mod finder;
+            #[path = $flavour]
+            mod flavour;
+            mod grid;
+            pub(super) mod missed;
+            mod seldom;
+            pub(super) mod soak;
+            mod space;
+            pub(super) mod stability;
+            #[path = "version/rapier_027.rs"]
+            mod version;
+        }
+    };
 }
 
-#[path = "engine"]
-mod dim3 {
-    //! What runs in rapier3d.
-    use unisize::rapier3d_027 as ours;
-    use unisize_scenes::dim3 as scenes;
-
-    pub(super) mod accuracy;
-    mod finder;
-    #[path = "flavour/dim3.rs"]
-    mod flavour;
-    mod grid;
-    pub(super) mod missed;
-    mod seldom;
-    pub(super) mod soak;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_027.rs"]
-    mod version;
-}
+engine!(dim2, rapier2d_027, "flavour/dim2.rs");
+engine!(dim3, rapier3d_027, "flavour/dim3.rs");
 
 /// Studies of what unisize does to a simulation.
 #[derive(Debug, Parser)]

@@ -201,7 +201,11 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
         };
         let told_apart = match finder {
             Finder::Rapier => None,
-            _ => Some(verdict.told_apart(studies.len(), finder)),
+            _ => Some(format!(
+                "{} of {}",
+                verdict.told_apart(studies.len(), finder),
+                studies.len()
+            )),
         };
         output.row(
             "method",
@@ -214,7 +218,6 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
                 ("penetration", worst(DEEPEST).into()),
                 ("lost_percent", worst(LOST).map(|lost| 100.0 * lost).into()),
                 ("told_apart", told_apart.into()),
-                ("scenes", studies.len().into()),
             ],
         )?;
     }

@@ -130,12 +130,12 @@ impl Arguments {
     pub(crate) fn run(&self) -> Result<bool> {
         let mut output = Output::create("missed", &self.common)?;
         let studies = self.studies();
-        for study in &studies {
-            study.report(&mut output)?;
-        }
         let methods = Method::all(&studies);
         for method in &methods {
             method.report(&mut output)?;
+        }
+        for study in &studies {
+            study.report(&mut output)?;
         }
         output.chart(None, || chart(&methods))?;
         Ok(is_sound(&studies))

@@ -44,39 +44,29 @@ const FINDERS: &[Finder] = &[
     Finder::Lossy,
 ];
 
-#[path = "../../../study/engine"]
-mod dim2 {
-    //! What runs in rapier2d.
-    use unisize::rapier2d_036 as ours;
-    use unisize_scenes::dim2_036 as scenes;
+/// What runs in Rapier, in one dimension.
+macro_rules! engine {
+    ($name:ident, $unisize:ident, $scenes:ident, $flavour:literal) => {
+        #[path = "../../../study/engine"]
+        mod $name {
+            use unisize::$unisize as ours;
+            use unisize_scenes::$scenes as scenes;
 
-    pub(super) mod accuracy;
-    mod finder;
-    #[path = "flavour/dim2.rs"]
-    mod flavour;
-    mod seldom;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_036.rs"]
-    mod version;
+            pub(super) mod accuracy;
+            mod finder;
+            #[path = $flavour]
+            mod flavour;
+            mod seldom;
+            mod space;
+            pub(super) mod stability;
+            #[path = "version/rapier_036.rs"]
+            mod version;
+        }
+    };
 }
 
-#[path = "../../../study/engine"]
-mod dim3 {
-    //! What runs in rapier3d.
-    use unisize::rapier3d_036 as ours;
-    use unisize_scenes::dim3_036 as scenes;
-
-    pub(super) mod accuracy;
-    mod finder;
-    #[path = "flavour/dim3.rs"]
-    mod flavour;
-    mod seldom;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_036.rs"]
-    mod version;
-}
+engine!(dim2, rapier2d_036, dim2_036, "flavour/dim2.rs");
+engine!(dim3, rapier3d_036, dim3_036, "flavour/dim3.rs");
 
 /// Studies of what unisize does to a simulation.
 #[derive(Debug, Parser)]
