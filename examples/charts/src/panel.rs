@@ -76,25 +76,19 @@ impl Panel {
         let mut texts = Vec::new();
         for series in self.series.iter().rev() {
             let places: Vec<_> = places(series, &x, &y).collect();
-            let line = || places.iter().map(|(place, _)| *place);
             if series.has_line() {
-                chart.draw_series(LineSeries::new(line(), series.line_style()))?;
+                chart.draw_series(LineSeries::new(places.clone(), series.line_style()))?;
             }
             if series.has_marks() {
-                chart.draw_series(line().map(|place| series.mark(place)))?;
+                chart.draw_series(places.iter().map(|&place| series.mark(place)))?;
             }
-            let pixels: Vec<_> = line().map(|place| chart.backend_coord(&place)).collect();
-            for &pixel in &pixels {
+            for place in places {
+                let pixel = chart.backend_coord(&place);
                 labels.avoid(pixel, series.radius());
+                if series.is_labelled {
+                    texts.push((place, series.name.clone(), pixel, series.color()));
+                }
             }
-            for ends in pixels.windows(2).filter(|_| series.has_line()) {
-                labels.avoid_line(ends[0], ends[1]);
-            }
-            let labelled = places.into_iter().zip(pixels);
-            let labelled = labelled.filter(|((_, label), _)| !label.is_empty());
-            texts.extend(
-                labelled.map(|((place, label), at)| (place, label.to_owned(), at, series.color())),
-            );
         }
         let (xs, ys) = chart.plotting_area().get_pixel_range();
         let bounds = [xs.start, ys.start, xs.end, ys.end];
@@ -107,17 +101,14 @@ impl Panel {
     }
 }
 
-/// Where the points of a series are, with their labels. Those without a place on a logarithmic axis are left out.
+/// Where the points of a series are. Those without a place on a logarithmic axis are left out.
 fn places<'a>(
     series: &'a Series,
     x: &'a Scale,
     y: &'a Scale,
-) -> impl Iterator<Item = ((f64, f64), &'a str)> {
-    let labels = series.labels.iter().map(String::as_str);
-    let labels = labels.chain(std::iter::repeat(""));
-    let points = series.points.iter().zip(labels);
-    let places = points.map(|(&(a, b), label)| ((x.place(a), y.place(b)), label));
-    places.filter(|((a, b), _)| a.is_finite() && b.is_finite())
+) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let places = series.points.iter().map(|&(a, b)| (x.place(a), y.place(b)));
+    places.filter(|(a, b)| a.is_finite() && b.is_finite())
 }
 
 fn points_of(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {

@@ -298,7 +298,7 @@ fn chart(methods: &[Method]) -> Chart {
     let series = methods.iter().map(|method| {
         let name = method.finder.name();
         let point = (method.missed_at_worst(), geometric_mean(&method.both));
-        let series = Series::new(name.clone(), method.finder.color(), [point]).labelled([name]);
+        let series = Series::new(name, method.finder.color(), [point]).labelled();
         match method.happened_not_to_miss() {
             true => series.ringed(),
             false if method.finder == Finder::DEFAULT => series.bold(),
