@@ -23,8 +23,6 @@ pub const OCHRE: RGBColor = RGBColor(200, 140, 0);
 pub const BLACK: RGBColor = RGBColor(60, 60, 60);
 /// The light black.
 pub const GREY: RGBColor = RGBColor(160, 160, 160);
-/// Nearly white, for what is in the background.
-pub const PALE: RGBColor = RGBColor(200, 200, 200);
 /// A strong pink.
 pub const PINK: RGBColor = RGBColor(225, 70, 180);
 /// The light pink.

@@ -50,21 +50,17 @@ pub(crate) struct Frames {
     boxes: DriftingBoxes<DIM>,
     frame: usize,
     /// Those that may move.
-    pub(crate) moving: Vec<ColliderHandle>,
+    moving: Vec<ColliderHandle>,
 }
 
 impl Frames {
     /// All colliders before the first frame, already known to the broad phase.
     pub(crate) fn new(case: &Case, broad_phase: &mut impl Driven) -> Self {
-        let sides = case.sizes.sides(case.count);
-        // As if all were cubes of side 1, but in as much more space as they fill.
-        let volume = |side: &f32| f64::from(side.powi(DIM as i32));
-        let mean = sides.iter().map(volume).sum::<f64>() / case.count as f64;
-        let boxes = DriftingBoxes::new(case.count, case.density / mean, 7);
-        let mut world = World::new(case.clock);
-        let mut insert = |(min, side): (&[Real; DIM], f32)| {
+        let boxes = DriftingBoxes::new(case.count, case.density, 7);
+        let mut world = World::new(Clock::for_count(case.count));
+        let mut insert = |min: &[Real; DIM]| {
             // A shape each, as different things have.
-            let cuboid = Cuboid::new(Vector::from([side / 2.0; DIM]));
+            let cuboid = Cuboid::new(Vector::from([DriftingBoxes::<DIM>::SIZE / 2.0; DIM]));
             let collider = ColliderBuilder::new(SharedShape::new(cuboid))
                 // Otherwise the narrow phase would drop the pairs of colliders without bodies.
                 .active_collision_types(ActiveCollisionTypes::all());
@@ -77,16 +73,13 @@ impl Frames {
             let bodies = &mut world.bodies;
             world.colliders.insert_with_parent(collider, body, bodies)
         };
-        let all: Vec<_> = boxes.mins().iter().zip(sides).map(&mut insert).collect();
+        let all: Vec<_> = boxes.mins().iter().map(&mut insert).collect();
         let changes = Changes {
             inserted: &all,
             ..Changes::default()
         };
         broad_phase.follow(&mut world, changes);
-        let moving = match case.motion {
-            Motion::Nothing => Vec::new(),
-            motion => all.into_iter().step_by(motion.stride()).collect(),
-        };
+        let moving = all.into_iter().step_by(case.motion.stride()).collect();
         Self {
             world,
             motion: case.motion,

@@ -5,11 +5,9 @@ use super::rapier::prelude::*;
 use std::time::Duration;
 
 /// The version of Rapier.
-#[allow(dead_code, reason = "the peers have names of their own")]
 pub(crate) const RAPIER: &str = "0.27";
 
 /// Removes a collider.
-#[allow(dead_code, reason = "the peers remove nothing")]
 pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world: &mut World) {
     let bodies = &mut world.bodies;
     world.colliders.remove(handle, islands, bodies, false);

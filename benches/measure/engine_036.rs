@@ -7,11 +7,9 @@ use super::rapier::prelude::*;
 use std::time::Duration;
 
 /// The version of Rapier.
-#[allow(dead_code, reason = "the peers have names of their own")]
 pub(crate) const RAPIER: &str = "0.36";
 
 /// Removes a collider.
-#[allow(dead_code, reason = "the peers remove nothing")]
 pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world: &mut World) {
     let (bodies, soft_bodies) = (&mut world.bodies, &mut SoftBodySet::new());
     let colliders = &mut world.colliders;
