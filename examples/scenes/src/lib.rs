@@ -47,6 +47,7 @@ pub use stampede::Stampede;
 pub use timing::{Times, Timing, milliseconds};
 
 /// The scenes for one engine, from the source for all of them and from the modules that differ by dimension.
+#[allow(unused_macros)] // Without engines.
 macro_rules! flavour {
     ($name:ident, $engine:ident, $folder:literal, $version:literal, [$($by_dimension:ident),*]) => {
         #[path = $folder]
@@ -67,6 +68,7 @@ macro_rules! flavour {
     };
 }
 
+#[allow(unused_macros)] // Without an engine of this version.
 macro_rules! flavour_027 {
     ($name:ident, $engine:ident, $folder:literal) => {
         flavour!(
@@ -79,7 +81,7 @@ macro_rules! flavour_027 {
     };
 }
 
-#[allow(unused_macros)] // Without opened copies.
+#[allow(unused_macros)] // Without an opened copy.
 macro_rules! flavour_036 {
     ($name:ident, $engine:ident, $folder:literal) => {
         flavour!(
