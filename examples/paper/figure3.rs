@@ -42,9 +42,7 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         let time = Axis::log("nanoseconds per collision");
         Panel::new(title, Axis::log("n"), time, curves)
     });
-    Chart::new("Time per collision", panels)
-        .columns(2)
-        .write_svg(&run.pictures.join("figure3.svg"))
+    Chart::new("Time per collision", panels).write_svg(&run.pictures.join("figure3.svg"))
 }
 
 fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
