@@ -37,7 +37,7 @@ impl<const D: usize> Bisection<D> {
         Self::Cut { axis, at, sides }
     }
 
-    /// Tells of each process whose region a box reaches, and the region: for a point its owner only; and for a box, whose sides are compared
+    /// Tells of each process whose region a box reaches, and the region: for a point its owner only; for a box, whose sides are compared
     /// like points, the owner of each of its points.
     pub(crate) fn reach(&self, aabb: &Aabb<f64, D>, tell: &mut impl FnMut(usize, &Aabb<f64, D>)) {
         match self {

@@ -65,22 +65,24 @@ impl<'a> Herd<'a> {
     ///
     /// Rounding depends on the order in which an animal's pushes are added up. Here that is the order of its neighbours' numbers, which
     /// no process changes; and each process has all neighbours of its own animals, for all are of the unisize class. So the bits are those
-    /// of [`Stampede::advance`] with sorted pairs. Copies move as well, without all their neighbours, and are forgotten. Errors are those of
-    /// [`Domains::find_pairs`].
+    /// of [`Stampede::advance`] with sorted pairs. Copies move as well, without all their neighbours, and are forgotten.
+    /// Errors are those of [`Domains::find_pairs`].
     pub fn advance(&mut self) -> Result<()> {
         self.domains.find_pairs()?;
-        let own = self.domains.own;
         let bodies = &mut self.domains.bodies;
-        let is_due = |pair: &&[u32; 2]| pair.iter().any(|&i| (i as usize) < own);
-        let numbered = |pair: &[u32; 2]| sorted(pair.map(|i| (bodies[i as usize].number, i)));
-        let due = self.domains.pairs.iter().filter(is_due);
-        let mut pairs: Vec<_> = due.map(numbered).collect();
+        let mut order: Vec<usize> = (0..bodies.len()).collect();
+        // They come in a few sorted runs, which this merges.
+        order.sort_by_key(|&i| bodies[i].number);
+        let mut rank = vec![0; bodies.len()];
+        order.iter().zip(0..).for_each(|(&i, at)| rank[i] = at);
+        let ranked = |pair: &[u32; 2]| sorted(pair.map(|i| rank[i as usize]));
+        let mut pairs: Vec<_> = self.domains.pairs.iter().map(ranked).collect();
         pairs.sort_unstable();
-        let mut part = Stampede::part(self.count, bodies.iter().map(|body| body.rest));
-        part.advance(pairs.iter().map(|pair| pair.map(|(_, i)| i)));
-        for (body, moved) in bodies.iter_mut().zip(Animal::all(&part)) {
-            let number = body.number;
-            *body = Animal { number, ..moved };
+        let mut part = Stampede::part(self.count, order.iter().map(|&i| bodies[i].rest));
+        part.advance(pairs);
+        for (moved, &i) in Animal::all(&part).zip(&order) {
+            let number = bodies[i].number;
+            bodies[i] = Animal { number, ..moved };
         }
         self.step += 1;
         Ok(())

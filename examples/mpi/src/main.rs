@@ -57,7 +57,6 @@ fn main() -> Result<()> {
 
 /// A row with what each frame costs each process.
 fn time_pairs(world: &World, boxes: usize, frames: usize) -> Result<Value> {
-    // The boxes would fill a fifth of space.
     let density = 0.2;
     let mut scene = DriftingBoxes::<3>::new(boxes, density, 7);
     let cube = |&mins: &[f32; 3]| Aabb::new(mins, mins.map(|x| x + DriftingBoxes::<3>::SIZE));
@@ -102,6 +101,7 @@ fn run_herd(world: &World, job: &Run) -> Result<Value> {
     }
     Ok(json!({
         "what": "herd", "processes": world.size(), "animals": herd.count, "step": herd.step,
-        "hash": format!("{:016x}", herd.hash()), "migrated": world.each(migrated).iter().sum::<usize>(), "seconds": began.elapsed().as_secs_f64(),
+        "hash": format!("{:016x}", herd.hash()), "migrated": world.each(migrated).iter().sum::<usize>(),
+        "seconds": began.elapsed().as_secs_f64(),
     }))
 }

@@ -5,7 +5,7 @@
 use crate::{Animal, Domains, Herd, World};
 use anyhow::{Context, Result, ensure};
 use fs_err::{self as fs, File, OpenOptions};
-use std::io::{BufReader, Seek, SeekFrom, Write};
+use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// What a state begins with: step, animals, hash, and the number of bytes of each part that follows.
@@ -51,10 +51,11 @@ pub fn read<'a>(world: &'a World, path: &Path) -> Result<Herd<'a>> {
     let mut own = Vec::new();
     for (part, size) in sizes.iter().enumerate() {
         if part % world.size() == world.rank() {
+            let mut bytes = Vec::new();
             file.seek(SeekFrom::Start(start)).with_context(damaged)?;
-            let read = postcard::from_io((&mut file, &mut []));
-            let (mut animals, _): (Vec<Animal>, _) = read.with_context(damaged)?;
-            own.append(&mut animals);
+            file.by_ref().take(*size).read_to_end(&mut bytes)?;
+            let animals: Vec<Animal> = postcard::from_bytes(&bytes).with_context(damaged)?;
+            own.extend(animals);
         }
         start = start.saturating_add(*size);
     }

@@ -14,8 +14,7 @@ impl<T: Serialize + DeserializeOwned> Sent for T {}
 pub struct World(SimpleCommunicator);
 
 impl World {
-    /// Starts MPI, and does a job on each process. If one of them fails or panics, all end, and the code is not 0. It is an error if MPI
-    /// runs already.
+    /// Starts MPI, and does a job on each process. If one fails or panics, all end, and the code is not 0. Fails if MPI runs already.
     pub fn run<T>(job: impl FnOnce(&Self) -> Result<T>) -> Result<T> {
         // A process that panics must not unwind: MPI would be told that it is done, and wait for the others.
         std::panic::set_hook(Box::new(|panic| {
@@ -84,8 +83,7 @@ impl World {
         );
         let mut rest = &bytes_in[..];
         for _ in sizes_in.iter().filter(|&&size| size > 0) {
-            let (mut list, next) =
-                postcard::take_from_bytes(rest).context("a message is damaged")?;
+            let (mut list, next) = postcard::take_from_bytes(rest).context("damaged message")?;
             received.append(&mut list);
             rest = next;
         }

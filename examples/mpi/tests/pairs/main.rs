@@ -132,8 +132,8 @@ fn first_fault_is_told_to_all<R: Number + Sent, const D: usize>(
 /// Every second square of a lattice drifts to the right: loads hardly differ by more than a fifth, and regions are seldom cut.
 fn loads_stay_alike(world: &World) -> Result<()> {
     let squares = |frame: usize| {
-        let drift = |i: usize| i % 141 + i % 2 * frame;
-        let mins = (0..20_000).map(|i| [drift(i), i / 141].map(|x| x as f32));
+        let drift = |i: usize| i % 201 + i % 2 * frame;
+        let mins = (0..20_000).map(|i| [drift(i), i / 201].map(|x| x as f32));
         Vec::from_iter(mins.map(|mins| Aabb::new(mins, mins.map(|x| x + 0.9))))
     };
     let mut domains = domains(world, &squares(0));
