@@ -2,9 +2,6 @@
 
 use crate::real::Real;
 
-#[cfg(feature = "serde-serialize")]
-mod corner;
-
 /// An axis-aligned bounding box in `D` dimensions, closed on every side.
 ///
 /// `mins[k]` and `maxs[k]` are its least and greatest coordinates on axis `k`, in the length unit of the
@@ -14,22 +11,19 @@ mod corner;
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize),
     serde(bound(
-        serialize = "R: serde::Serialize",
-        deserialize = "R: Real + serde::Deserialize<'de>"
+        serialize = "[R; D]: serde::Serialize",
+        deserialize = "[R; D]: serde::Deserialize<'de>"
     ))
 )]
 pub struct Aabb<R, const D: usize> {
     /// The least coordinate on each axis.
-    #[cfg_attr(feature = "serde-serialize", serde(with = "corner"))]
     pub mins: [R; D],
     /// The greatest coordinate on each axis.
-    #[cfg_attr(feature = "serde-serialize", serde(with = "corner"))]
     pub maxs: [R; D],
 }
 
 impl<R: Real, const D: usize> Aabb<R, D> {
     /// In place of a box where there is none: all NaN, so it is not valid and overlaps nothing.
-    #[cfg(feature = "_adapter")]
     pub(crate) const ABSENT: Self = Self::new([R::NAN; D], [R::NAN; D]);
 
     /// The box between two corners.

@@ -2,7 +2,7 @@
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
-use crate::pair_finder::{PairFinder, check_boxes};
+use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::real::Real;
 
 /// Tests every box against every other, in **O(n²)** time and no memory.
@@ -18,6 +18,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for BruteForce {
         pairs: &mut Vec<[u32; 2]>,
     ) -> Result<(), InvalidInput> {
         pairs.clear();
+        check_count(boxes.len(), u32::MAX as usize)?;
         check_boxes(boxes)?;
         for (i, a) in boxes.iter().enumerate() {
             for (j, b) in boxes.iter().enumerate().skip(i + 1) {

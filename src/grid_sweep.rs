@@ -17,14 +17,13 @@ mod tests;
 mod tubes;
 
 use crate::aabb::Aabb;
-use crate::invalid_input::{InvalidInput, InvalidInputReason};
-use crate::pair_finder::{PairFinder, check_boxes};
+use crate::invalid_input::InvalidInput;
+use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::tuning::kernel::THREADS_FROM;
 use class::{Assignment, Class, FoundInvalid, Run};
-#[cfg(feature = "_adapter")]
 use emitter::Emitter;
 use members::{Everyone, Members};
 
@@ -44,7 +43,7 @@ const MAX_BOXES: usize = 1 << 29;
 /// ones, where many large boxes span many tubes without touching anything there, or where boxes lie 10⁸ times their
 /// size apart. **O(n + pairs)** memory always.
 ///
-/// At most 2²⁹ boxes; more are refused as [`TooMany`](InvalidInputReason::TooMany).
+/// At most 2²⁹ boxes; more are refused as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
 /// With the feature `parallel`, the work on many boxes is shared among the threads of the current Rayon pool. The
 /// pairs are the same, in the same order.
@@ -73,14 +72,6 @@ pub struct GridSweep<R, const D: usize> {
     stopwatch: Stopwatch,
 }
 
-/// Refuses more boxes than there are numbers for their entries.
-fn check_count(count: usize) -> Result<(), InvalidInput> {
-    if count > MAX_BOXES {
-        return Err(InvalidInput::new(MAX_BOXES, InvalidInputReason::TooMany));
-    }
-    Ok(())
-}
-
 impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
     fn find_pairs(
         &mut self,
@@ -88,7 +79,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
     ) -> Result<(), InvalidInput> {
         pairs.clear();
-        check_count(boxes.len())?;
+        check_count(boxes.len(), MAX_BOXES)?;
         let mut stopwatch = self.stopwatch.reset();
         let members = Everyone(boxes.len());
         let found = self.run(
@@ -147,7 +138,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         stopwatch: &mut Stopwatch,
     ) {
         self.class_count = 0;
-        if let Err(error) = check_count(boxes.len()) {
+        if let Err(error) = check_count(boxes.len(), MAX_BOXES) {
             return log::error!("no pairs are found: {error}");
         }
         let run = Run {
@@ -204,13 +195,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// The number of size classes in the last run.
-    #[cfg(feature = "_adapter")]
     pub(crate) fn class_count(&self) -> usize {
         self.class_count
     }
 
     /// The strips of the first class in the last run, along each of the axes that are cut.
-    #[cfg(feature = "_adapter")]
     pub(crate) fn strips(&self) -> [u32; 2] {
         let class = self.classes[..self.class_count].first();
         class.map_or([0; 2], |class| {
@@ -219,7 +208,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Prepares for [`look_up`](Self::look_up), until the next run.
-    #[cfg(feature = "_adapter")]
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
             class.prepare_lookup();
@@ -227,7 +215,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Frees what only a run needs, and is otherwise kept for the next one.
-    #[cfg(feature = "_adapter")]
     pub(crate) fn free_scratch(&mut self) {
         self.assignment = Assignment::default();
         self.classes.truncate(self.class_count);
@@ -239,7 +226,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
     /// each tube that it spans.
-    #[cfg(feature = "_adapter")]
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],

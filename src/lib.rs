@@ -60,6 +60,8 @@
 //! boxes: NaN and inverted boxes are an [`InvalidInput`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
+// The kernels can do more for a broad phase than a program without an engine asks of them.
+#![cfg_attr(not(feature = "_adapter"), allow(dead_code))]
 
 mod aabb;
 #[cfg(feature = "_adapter")]
@@ -86,8 +88,6 @@ mod real;
 mod settings;
 #[cfg(feature = "_adapter")]
 mod slot_set;
-#[cfg(all(feature = "_adapter", feature = "serde-serialize"))]
-mod snapshot_format;
 #[cfg(feature = "_adapter")]
 mod stats;
 mod stopwatch;
@@ -105,31 +105,23 @@ mod versions {
     mod rapier_036;
     #[path = "rapier_036/seam.rs"]
     mod seam;
-    mod test_support {
-        mod dim2;
-        mod dim3;
-    }
 }
 
 /// The broad phase for one flavour of Rapier, in a module of its own. All include the same source, and name the engine `rapier`.
 #[cfg(feature = "_adapter")]
 macro_rules! flavour {
     (
-        $name:ident, ::$engine:ident, $version:literal, $test_support:literal $(, seam in $opened:ident)?;
-        $(#![$doc:meta])*
+        $title:literal: $name:ident, ::$engine:ident $(, seam in $opened:ident)?;
+        $version:literal, $doc:literal
     ) => {
         #[path = "."]
         pub mod $name {
-            $(#![$doc])*
+            #![doc = concat!("The broad phase for ", $title, ".\n\n", include_str!($doc))]
 
             use ::$engine as rapier;
 
             #[path = "adapter/mod.rs"]
             mod adapter;
-
-            #[cfg(test)]
-            #[path = $test_support]
-            mod test_support;
 
             #[path = $version]
             mod version;
@@ -150,60 +142,43 @@ macro_rules! flavour {
 
 #[cfg(feature = "rapier2d-027")]
 flavour! {
-    rapier2d_027, ::rapier2d, "adapter/rapier_027/mod.rs", "adapter/test_support/dim2.rs";
-    //! The broad phase for rapier2d 0.27.
-    //!
-    #![doc = include_str!("adapter/rapier_027/dim2.md")]
+    "rapier2d 0.27": rapier2d_027, ::rapier2d;
+    "adapter/rapier_027/mod.rs", "adapter/rapier_027/dim2.md"
 }
 #[cfg(feature = "rapier2d-f64-027")]
 flavour! {
-    rapier2d_f64_027, ::rapier2d_f64, "adapter/rapier_027/mod.rs", "adapter/test_support/dim2.rs";
-    //! The broad phase for rapier2d-f64 0.27.
-    //!
-    //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+    "rapier2d-f64 0.27": rapier2d_f64_027, ::rapier2d_f64;
+    "adapter/rapier_027/mod.rs", "adapter/rapier_027/module.md"
 }
 #[cfg(feature = "rapier3d-027")]
 flavour! {
-    rapier3d_027, ::rapier3d, "adapter/rapier_027/mod.rs", "adapter/test_support/dim3.rs";
-    //! The broad phase for rapier3d 0.27.
-    //!
-    #![doc = include_str!("adapter/rapier_027/dim3.md")]
+    "rapier3d 0.27": rapier3d_027, ::rapier3d;
+    "adapter/rapier_027/mod.rs", "adapter/rapier_027/dim3.md"
 }
 #[cfg(feature = "rapier3d-f64-027")]
 flavour! {
-    rapier3d_f64_027, ::rapier3d_f64, "adapter/rapier_027/mod.rs", "adapter/test_support/dim3.rs";
-    //! The broad phase for rapier3d-f64 0.27.
-    //!
-    //! [`UnisizeBroadPhase`] takes the place of `DefaultBroadPhase`; [`Settings`] and [`Stats`] belong to it.
+    "rapier3d-f64 0.27": rapier3d_f64_027, ::rapier3d_f64;
+    "adapter/rapier_027/mod.rs", "adapter/rapier_027/module.md"
 }
 #[cfg(feature = "rapier2d-036")]
 flavour! {
-    rapier2d_036, ::rapier2d_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim2.rs", seam in opened_rapier2d;
-    //! The broad phase for rapier2d 0.36.
-    //!
-    #![doc = include_str!("adapter/rapier_036/module.md")]
+    "rapier2d 0.36": rapier2d_036, ::rapier2d_036, seam in opened_rapier2d;
+    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
 }
 #[cfg(feature = "rapier2d-f64-036")]
 flavour! {
-    rapier2d_f64_036, ::rapier2d_f64_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim2.rs", seam in opened_rapier2d_f64;
-    //! The broad phase for rapier2d-f64 0.36.
-    //!
-    #![doc = include_str!("adapter/rapier_036/module.md")]
+    "rapier2d-f64 0.36": rapier2d_f64_036, ::rapier2d_f64_036, seam in opened_rapier2d_f64;
+    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
 }
 #[cfg(feature = "rapier3d-036")]
 flavour! {
-    rapier3d_036, ::rapier3d_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim3.rs", seam in opened_rapier3d;
-    //! The broad phase for rapier3d 0.36.
-    //!
-    #![doc = include_str!("adapter/rapier_036/module.md")]
-    #![cfg_attr(not(opened_rapier3d), doc = include_str!("adapter/rapier_036/unopened.md"))]
+    "rapier3d 0.36": rapier3d_036, ::rapier3d_036, seam in opened_rapier3d;
+    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
 }
 #[cfg(feature = "rapier3d-f64-036")]
 flavour! {
-    rapier3d_f64_036, ::rapier3d_f64_036, "adapter/rapier_036/mod.rs", "adapter/test_support/dim3.rs", seam in opened_rapier3d_f64;
-    //! The broad phase for rapier3d-f64 0.36.
-    //!
-    #![doc = include_str!("adapter/rapier_036/module.md")]
+    "rapier3d-f64 0.36": rapier3d_f64_036, ::rapier3d_f64_036, seam in opened_rapier3d_f64;
+    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
 }
 
 pub use aabb::Aabb;

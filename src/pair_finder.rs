@@ -1,5 +1,7 @@
 //! What every kernel is: a pair finder. Boxes in, overlapping pairs out.
 
+use core::cmp::Ordering;
+
 use crate::aabb::Aabb;
 use crate::invalid_input::{InvalidInput, InvalidInputReason};
 use crate::real::Real;
@@ -47,27 +49,30 @@ pub trait PairFinder<R, const D: usize> {
     ) -> Result<(), InvalidInput>;
 }
 
-/// Checks what [`PairFinder::find_pairs`] requires of its input, in **O(n)**.
+/// Refuses more boxes than a finder has numbers for.
+pub(crate) fn check_count(count: usize, most: usize) -> Result<(), InvalidInput> {
+    match count > most {
+        true => Err(InvalidInput::new(most, InvalidInputReason::TooMany)),
+        false => Ok(()),
+    }
+}
+
+/// Refuses invalid boxes, in **O(n)**.
 pub(crate) fn check_boxes<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
 ) -> Result<(), InvalidInput> {
-    let invalid = |index, reason| Err(InvalidInput::new(index, reason));
-    if boxes.len() > u32::MAX as usize {
-        return invalid(u32::MAX as usize, InvalidInputReason::TooMany);
-    }
     let Some(index) = boxes.iter().position(|b| !b.is_valid()) else {
         return Ok(());
     };
     let Aabb { mins, maxs } = &boxes[index];
-    for axis in 0..D {
-        if mins[axis].is_nan() || maxs[axis].is_nan() {
-            return invalid(index, InvalidInputReason::NotANumber { axis });
-        }
-        if mins[axis] > maxs[axis] {
-            return invalid(index, InvalidInputReason::Inverted { axis });
-        }
-    }
-    unreachable!("a box is invalid on one of its axes")
+    let reason = |axis: usize| match mins[axis].partial_cmp(&maxs[axis]) {
+        None => Some(InvalidInputReason::NotANumber { axis }),
+        Some(Ordering::Greater) => Some(InvalidInputReason::Inverted { axis }),
+        Some(_) => None,
+    };
+    let reason = (0..D).find_map(reason);
+    let reason = reason.expect("a box is invalid on one of its axes");
+    Err(InvalidInput::new(index, reason))
 }
 
 /// The pair of two different indices, smaller first.

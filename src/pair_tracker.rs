@@ -66,7 +66,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 
 /// The proxies and the pairs they form.
 #[derive(Clone, Debug)]
-pub(crate) struct PairTracker<R, const D: usize, K> {
+pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     /// The slots that were touched before the last `finish`; may repeat.
     last_touched: Vec<u32>,

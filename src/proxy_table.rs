@@ -16,10 +16,9 @@ mod lists;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
+mod source;
 #[cfg(test)]
 mod tests;
-
-use std::fmt::Debug;
 
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
@@ -30,68 +29,18 @@ use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::volume::Volume;
 pub(crate) use changes::{Changes, Order};
 use hand_over::Pending;
 pub(crate) use lists::Lists;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
-
-/// What an engine knows a collider by: a slot, and a generation.
-pub(crate) trait Handle: Copy + Debug + Send + Sync {
-    fn from_raw_parts(slot: u32, generation: u32) -> Self;
-    fn into_raw_parts(self) -> (u32, u32);
-}
-
-/// Where the boxes of listed colliders are read.
-pub(crate) trait BoxSource<R, const D: usize>: Sync {
-    type Handle: Handle;
-    /// What is remembered of a collider between readings.
-    type Memo: Clone + Default + Send;
-    /// What decides which colliders may be a pair.
-    type Key: FilterKey;
-
-    /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
-    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
-
-    /// Whether keys differ at all. If not, they need not be compared.
-    fn has_keys(&self) -> bool;
-
-    /// The volume of a collider that was just read, in the box that was read.
-    fn volume(
-        &self,
-        handle: Self::Handle,
-        memo: &mut Self::Memo,
-        aabb: &Aabb<R, D>,
-    ) -> Volume<R, D>;
-}
-
-/// What was read of a collider.
-pub(crate) struct Reading<R, const D: usize, K> {
-    aabb: Aabb<R, D>,
-    key: K,
-    volume: Volume<R, D>,
-}
-
-impl<R: Real, const D: usize, K> Reading<R, D, K> {
-    /// Reads a collider, its volume if volumes are used.
-    fn of<S>(source: &S, handle: S::Handle, memo: &mut S::Memo, are_used: bool) -> Option<Self>
-    where
-        S: BoxSource<R, D, Key = K>,
-    {
-        let (aabb, key) = source.read(handle, memo)?;
-        let volume = match are_used {
-            true => source.volume(handle, memo, &aabb),
-            false => Volume::BOX,
-        };
-        Some(Self { aabb, key, volume })
-    }
-}
+use source::Reading;
+pub(crate) use source::{BoxSource, Handle};
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
-pub(crate) struct ProxyTable<R, const D: usize, M, K> {
+pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     tracker: PairTracker<R, D, K>,
     /// The generation of the collider in each slot; `None` where there is none.
     generations: Vec<Option<u32>>,
@@ -105,7 +54,6 @@ pub(crate) struct ProxyTable<R, const D: usize, M, K> {
     stats: Stats,
     has_warned: bool,
     gathered: Gathered,
-    /// In the order in which their boxes were handed over.
     pending: Pending<R, D>,
     reader: Reader,
 }
@@ -158,6 +106,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.proxies.boxes()
     }
 
+    /// The fat boxes of all proxies.
+    pub(crate) fn fat_boxes(&self) -> impl Iterator<Item = &Aabb<R, D>> {
+        let fat_boxes = self.tracker.proxies.fat_boxes();
+        fat_boxes.iter().filter(|fat| fat.is_valid())
+    }
+
     /// The slots whose boxes have been handed over or taken away since the last update; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
         self.tracker.proxies.touched()
@@ -168,30 +122,26 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.last_touched()
     }
 
-    /// The held pairs, by slots, smaller first.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.tracker.pairs()
-    }
-
-    /// The handles of two slots whose colliders must be known. The slots of a held pair always are.
-    pub(crate) fn handles<H: Handle>(&self, pair: [u32; 2]) -> [H; 2] {
-        handles(&self.generations, pair)
+    /// The held pairs, the collider in the smaller slot first.
+    pub(crate) fn pairs<H: Handle>(&self) -> impl Iterator<Item = [H; 2]> + '_ {
+        let pairs = self.tracker.pairs();
+        pairs.map(|pair| handles(&self.generations, pair))
     }
 
     /// Calls `visit` with one of these handles and that of a neighbour, for each pair whose boxes overlapped at the end of the last
     /// update, and that only its volumes tell apart. **O(candidates)**.
-    pub(crate) fn near<H: Handle>(&self, handles: &[H], mut visit: impl FnMut(H, H)) {
-        if handles.is_empty() || !self.tracker.proxies.volumes().are_used() {
+    pub(crate) fn near<H: Handle>(&self, listed: &[H], mut visit: impl FnMut(H, H)) {
+        if listed.is_empty() || !self.tracker.proxies.volumes().are_used() {
             return;
         }
-        let slots = handles.iter().filter_map(|&handle| self.slot_of(handle));
+        let slots = listed.iter().filter_map(|&handle| self.slot_of(handle));
         let mut are_listed = BitSet::default();
         are_listed.insert_all(&slots.collect::<Vec<_>>(), self.generations.len());
         for [a, b] in self.tracker.near() {
-            for [slot, other] in [[a, b], [b, a]] {
-                let is_known = || self.generations[other as usize].is_some();
-                if are_listed.contains(slot as usize) && is_known() {
-                    let [first, second] = self.handles([slot, other]);
+            for pair in [[a, b], [b, a]] {
+                let is_known = || self.generations[pair[1] as usize].is_some();
+                if are_listed.contains(pair[0] as usize) && is_known() {
+                    let [first, second] = handles(&self.generations, pair);
                     visit(first, second);
                 }
             }
@@ -199,7 +149,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// The slot of a handle, if it is known to have the handle's collider.
-    pub(crate) fn slot_of(&self, handle: impl Handle) -> Option<u32> {
+    fn slot_of(&self, handle: impl Handle) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
         is_known(&self.generations, slot, generation).then_some(slot)
     }
@@ -258,50 +208,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.generations.resize(slots, None);
             self.memos.resize(slots, M::default());
             self.tracker.proxies.make_room(slots);
-        }
-    }
-
-    /// Renews the boxes of known colliders without a margin.
-    fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        for &handle in handles {
-            let Some(slot) = self.slot_of(handle) else {
-                continue;
-            };
-            let read = source.read(handle, &mut self.memos[slot as usize]);
-            let held = self.tracker.proxies.get(slot);
-            if let (Some((aabb, _)), Some(held)) = (read, held) {
-                if aabb != *held {
-                    self.tracker.proxies.place(slot, aabb);
-                    self.gathered.moved += 1;
-                }
-            }
-        }
-    }
-
-    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
-    fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        let proxies = &mut self.tracker.proxies;
-        let are_used = proxies.volumes().are_used();
-        for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            if !is_known(&self.generations, slot, generation) {
-                continue;
-            }
-            let memo = &mut self.memos[slot as usize];
-            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
-            else {
-                continue;
-            };
-            proxies.set_key(slot, key);
-            if are_used && proxies.volumes().get(slot).kind != volume.kind {
-                proxies.set_volume(slot, &volume, false);
-            }
         }
     }
 
@@ -418,24 +324,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.stopwatch.leave();
         self.stats.times = self.tracker.stopwatch.times;
     }
-}
 
-/// Whether a slot is known to have the collider of this generation.
-#[inline(always)]
-fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
-    matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
-}
-
-/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
-fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
-    pair.map(|slot| {
-        let generation = generations[slot as usize];
-        let generation = generation.expect("the colliders of a held pair are known");
-        H::from_raw_parts(slot, generation)
-    })
-}
-
-impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
@@ -454,4 +343,19 @@ impl<R: Real, const D: usize, M, K: FilterKey> ProxyTable<R, D, M, K> {
         assert_eq!(self.stats.proxies, proxies);
         self.tracker.validate(kernel);
     }
+}
+
+/// Whether a slot is known to have the collider of this generation.
+#[inline(always)]
+fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
+    matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
+}
+
+/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
+fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
+    pair.map(|slot| {
+        let generation = generations[slot as usize];
+        let generation = generation.expect("the colliders of a held pair are known");
+        H::from_raw_parts(slot, generation)
+    })
 }

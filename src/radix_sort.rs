@@ -18,11 +18,9 @@ const SMALL_DIGIT: u32 = 8;
 const FEW: usize = 1 << 10;
 
 /// An unsigned integer that is sorted by.
-pub(crate) trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
+pub trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
     /// How many bits it has.
     const BITS: u32;
-    /// The low bits of an [`order_key`](crate::Real::order_key).
-    fn from_order_key(key: u64) -> Self;
     /// The value of the `BITS` bits from bit `shift` on.
     fn digit<const BITS: u32>(self, shift: u32) -> usize;
 }
@@ -32,10 +30,6 @@ macro_rules! impl_sort_key {
         impl SortKey for $int {
             const BITS: u32 = $int::BITS;
 
-            #[inline]
-            fn from_order_key(key: u64) -> Self {
-                key as Self
-            }
             #[inline]
             fn digit<const BITS: u32>(self, shift: u32) -> usize {
                 (self >> shift) as usize & ((1 << BITS) - 1)

@@ -11,18 +11,18 @@ mod succ_tree;
 #[cfg(test)]
 mod tests;
 
-use core::marker::PhantomData;
-
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
-use crate::pair_finder::{PairFinder, check_boxes, ordered};
+use crate::pair_finder::{PairFinder, check_boxes, check_count, ordered};
 use crate::parallel;
-use crate::radix_sort::SortKey;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
-use endpoints::{Endpoints, check_count, has_narrow_keys};
+use endpoints::Endpoints;
 use succ_tree::SuccTree;
+
+/// Two endpoints per box, numbered by `u32`, with one number to spare.
+const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
 /// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and
 /// fetching a batch takes little longer than fetching one. Fetched one by one, they make the whole sweep a tenth slower.
@@ -68,17 +68,14 @@ const BATCH: usize = 32;
 /// # Ok::<(), unisize::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct RankSweep<R, const D: usize> {
-    /// Scratch memory for 32-bit keys; empty unless `R` is `f32`.
-    narrow: [Endpoints<u32>; 2],
-    /// Scratch memory for 64-bit keys; empty unless `R` is `f64`.
-    wide: [Endpoints<u64>; 2],
+pub struct RankSweep<R: Real, const D: usize> {
+    /// Scratch memory, as is the rest.
+    endpoints: [Endpoints<R::Key>; 2],
     sweep: Sweep,
     stopwatch: Stopwatch,
-    real: PhantomData<R>,
 }
 
-/// What the sweep works on. All of it is scratch memory.
+/// What the sweep works on.
 #[derive(Clone, Debug, Default)]
 struct Sweep {
     /// The endpoints of each axis in order. If the axes are sorted one after the other, both use the first list.
@@ -99,7 +96,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
     ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
-        check_count(boxes.len())?;
+        check_count(boxes.len(), MAX_BOXES)?;
         self.stopwatch.times = PhaseTimes::default();
         self.stopwatch.enter(Phase::Read);
         if let Err(error) = check_boxes(boxes) {
@@ -107,10 +104,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             return Err(error);
         }
         let (sweep, stopwatch) = (&mut self.sweep, &mut self.stopwatch);
-        match has_narrow_keys::<R>() {
-            true => sweep.find_pairs(&mut self.narrow, boxes, pairs, stopwatch),
-            false => sweep.find_pairs(&mut self.wide, boxes, pairs, stopwatch),
-        }
+        sweep.find_pairs(&mut self.endpoints, boxes, pairs, stopwatch);
         Ok(())
     }
 }
@@ -132,9 +126,9 @@ impl<R: Real, const D: usize> RankSweep<R, D> {
 }
 
 impl Sweep {
-    fn find_pairs<R: Real, K: SortKey, const D: usize>(
+    fn find_pairs<R: Real, const D: usize>(
         &mut self,
-        [first, second]: &mut [Endpoints<K>; 2],
+        [first, second]: &mut [Endpoints<R::Key>; 2],
         boxes: &[Aabb<R, D>],
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,

@@ -7,11 +7,14 @@ use crate::lanes::{F32x8, F64x8};
 
 mod sealed {
     use crate::lanes::Lanes;
+    use crate::radix_sort::SortKey;
 
     /// Seals [`Real`](super::Real), and holds what only kernels need.
     pub trait Sealed: Copy {
         /// Eight of them, compared at once.
         type Lanes: Lanes<Self>;
+        /// An integer of as many bits.
+        type Key: SortKey;
 
         const ZERO: Self;
         const INFINITY: Self;
@@ -24,12 +27,9 @@ mod sealed {
 
         fn abs(self) -> Self;
         fn sqrt(self) -> Self;
-        fn is_nan(self) -> bool;
         fn is_finite(self) -> bool;
         /// An integer that compares as the number does; both zeros have the same one. Unspecified for NaN.
-        ///
-        /// Only the low bits are used, as many as the scalar has.
-        fn order_key(self) -> u64;
+        fn order_key(self) -> Self::Key;
     }
 }
 
@@ -70,6 +70,7 @@ macro_rules! impl_real {
 
         impl sealed::Sealed for $real {
             type Lanes = $lanes;
+            type Key = $bits;
 
             const ZERO: Self = 0.0;
             const INFINITY: Self = $real::INFINITY;
@@ -87,21 +88,17 @@ macro_rules! impl_real {
                 self.sqrt()
             }
             #[inline]
-            fn is_nan(self) -> bool {
-                self.is_nan()
-            }
-            #[inline]
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
             #[inline]
-            fn order_key(self) -> u64 {
+            fn order_key(self) -> $bits {
                 // Adding zero turns -0 into +0: the two must tie, as they do in a comparison of numbers.
                 let bits = (self + 0.0).to_bits();
                 let sign = $bits::BITS - 1;
                 // Negative numbers: all bits flipped. Others: the sign bit set.
                 let mask = (bits >> sign).wrapping_neg() | (1 << sign);
-                u64::from(bits ^ mask)
+                bits ^ mask
             }
         }
     };

@@ -11,13 +11,18 @@ pub(crate) mod kernel {
     /// choosing a grid takes longer than the sweep.
     pub(crate) const ONE_TUBE_UP_TO: usize = 24;
 
-    /// One box in this many is looked at to choose the grid, within the range of [`GRID_SAMPLE`]. Above: a few boxes decide.
-    /// Below: choosing the grid for a few hundred boxes takes as long as for thousands.
-    pub(crate) const GRID_SAMPLE_ONE_IN: usize = 8;
+    /// How many of many boxes are looked at: one in so many, at least and at most so many, or all if they are few.
+    #[derive(Clone, Copy)]
+    pub(crate) struct Sample {
+        pub(crate) one_in: usize,
+        pub(crate) range: [usize; 2],
+    }
 
-    /// Boxes, a range. At least and at most so many are looked at to choose the grid. Above: tens of microseconds a run.
-    /// Below: a pattern in the order of the boxes misleads.
-    pub(crate) const GRID_SAMPLE: [usize; 2] = [16, 128];
+    /// To choose the grid. More: tens of microseconds a run. Fewer: a pattern in the order of the boxes misleads.
+    pub(crate) const GRID_SAMPLE: Sample = Sample {
+        one_in: 8,
+        range: [16, 128],
+    };
 
     /// A share of the boxes. The size that this share does not exceed is taken for the size of all. Above: a few large boxes
     /// make the strips too wide. Below: more boxes are on a border, or too large for the grid.
@@ -60,12 +65,11 @@ pub(crate) mod kernel {
     /// are sorted.
     pub(crate) const ONE_CUT_CANDIDATES: f64 = 16.0;
 
-    /// One box in this many is looked at to foresee that, within the range of [`ONE_CUT_SAMPLE`]. Above: a few pairs of boxes
-    /// decide. Below: looking takes a part of the run.
-    pub(crate) const ONE_CUT_SAMPLE_ONE_IN: usize = 256;
-
-    /// Boxes, a range. At least and at most so many are looked at. Above: hundreds of microseconds a run. Below: chance decides.
-    pub(crate) const ONE_CUT_SAMPLE: [usize; 2] = [128, 4096];
+    /// To foresee that. More: hundreds of microseconds a run. Fewer: chance decides.
+    pub(crate) const ONE_CUT_SAMPLE: Sample = Sample {
+        one_in: 256,
+        range: [128, 4096],
+    };
 
     /// Factors on the width of the strips, tried in turn where most boxes are too large for the grid that was chosen. Fewer:
     /// mixed sizes end in one tube. More: each try is a pass over the boxes.
@@ -73,7 +77,6 @@ pub(crate) mod kernel {
 
     /// Tubes. A box that spans up to this many looks each of them up in the table; a wider one searches the occupied ones.
     /// Above: empty tubes are visited. Below: a binary search where a load would do.
-    #[cfg_attr(not(feature = "_adapter"), allow(dead_code))]
     pub(crate) const TABLE_LOOKUPS_UP_TO: u64 = 16;
 
     /// Entries of a tube. Up to this many are sorted by insertion alone. Above: insertion is quadratic. Below: dealing into
@@ -99,7 +102,6 @@ pub(crate) mod kernel {
 
 /// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- updates`, and over
 /// whole worlds by the example `compare`.
-#[cfg(feature = "_adapter")]
 pub(crate) mod update {
     /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches
     /// in any order; more are read by index. Above: islands make the reads jump around in memory, at twice the time.
@@ -177,7 +179,6 @@ pub(crate) mod update {
 }
 
 /// How far ahead fat boxes are drawn. Shown by `cargo bench --all-features -- prices`.
-#[cfg(feature = "_adapter")]
 pub(crate) mod foresight {
     /// Box sizes: how far ahead fat boxes are drawn, at the mean speed. Above: more candidates where things are fast. Below: more
     /// searches.
@@ -213,7 +214,6 @@ pub(crate) mod foresight {
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
 /// caches. Chosen, and not fitted: `cargo bench --all-features -- prices` fits other prices to the times of updates,
 /// but a fit does not know what that spares or costs later. Only ratios decide anything.
-#[cfg(feature = "_adapter")]
 pub(crate) mod prices {
     /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
     /// lists are left unused where few move.
@@ -236,7 +236,6 @@ pub(crate) mod prices {
 }
 
 /// The tree for queries. Shown by `cargo bench --all-features -- queries`, and by the example `compare` with `--rays 1`.
-#[cfg(feature = "_adapter")]
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
     /// sound, and its leaves keep their places: all of it can be visited in no time.

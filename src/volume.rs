@@ -321,9 +321,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
             (Ball, Ball) => a.meets(b, slack),
             (HalfSpace, _) => !pair.is_in_front(self.half_axes[0], pair.between, other),
             (_, HalfSpace) => !pair.is_in_front(other.half_axes[0], sub(a.center, b.center), self),
-            (Ball | Capsule, Ball | Capsule) => {
-                !(pair.is_apart(pair.between) || pair.is_apart(pair.shortest_between_cores()))
-            }
+            (Ball | Capsule, Ball | Capsule) => !pair.cores_are_apart(),
             _ => {
                 !(pair.is_apart_in_world()
                     || pair.is_apart_by_sides([self, other])
@@ -414,20 +412,28 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         shortest
     }
 
-    /// From the first one's segment to the second one's, where they are nearest, or nearly so. A ball's segment is a point.
+    /// Whether two capsules are apart along the line of their centres, or between the points of their segments that are nearest to
+    /// each other, or nearly so. A ball's segment is a point.
     ///
-    /// See Ericson, Real-Time Collision Detection, 5.1.9.
-    fn shortest_between_cores(&self) -> [R; D] {
+    /// See Ericson, Real-Time Collision Detection, 5.1.9. Both tests share their products.
+    #[inline(always)]
+    fn cores_are_apart(&self) -> bool {
         let core = |volume: VolumeRef<R, D>| volume.half_axes.first().copied();
         let [u, v] = self
             .volumes
             .map(|volume| core(volume).unwrap_or([R::ZERO; D]));
+        let between = self.between;
+        let [ud, vd, dd] = [dot(u, between), dot(v, between), dot(between, between)];
+        if dd > self.reach * dd.sqrt() + (ud.abs() + vd.abs()) {
+            return true;
+        }
         let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
-        let [ud, vd] = [dot(u, self.between), dot(v, self.between)];
         let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
         let t = clamped(s * uv - vd, vv);
         let s = clamped(t * uv + ud, uu);
-        core::array::from_fn(|k| self.between[k] + t * v[k] - s * u[k])
+        let axis = core::array::from_fn(|k| between[k] + t * v[k] - s * u[k]);
+        let reach = self.reach * dot(axis, axis).sqrt() + (dot(u, axis).abs() + dot(v, axis).abs());
+        dot(between, axis).abs() > reach
     }
 }
 

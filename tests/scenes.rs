@@ -12,18 +12,17 @@ macro_rules! flavour {
         mod $name {
             use unisize::$unisize::{Kernel, Settings, UnisizeBroadPhase};
             use unisize_scenes::SceneKind;
-            use unisize_scenes::$name::{Candidate, Comparison, QueryAccess};
+            use unisize_scenes::$name::{Candidate, Comparison};
 
             fn compare(kernel: Kernel, comparison: Comparison) {
                 let settings = Settings::default().with_kernel(kernel);
-                let candidate = Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
-                    .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
-                    .with_queries(QueryAccess::new(
-                        UnisizeBroadPhase::as_query_pipeline,
-                        UnisizeBroadPhase::as_query_pipeline_mut,
-                    ))
-                    .with_validation(UnisizeBroadPhase::validate);
-                let outcome = comparison.run(&candidate, |_| ());
+                let candidate = Candidate::new(
+                    move || UnisizeBroadPhase::with_settings(settings),
+                    |ours| ours.pairs().collect(),
+                    UnisizeBroadPhase::as_query_pipeline,
+                )
+                .with_validation(UnisizeBroadPhase::validate);
+                let outcome = comparison.run(&candidate);
                 let name = comparison.kind.name();
                 assert!(outcome.is_equal(), "{name}: {:?}", outcome.first_difference);
                 let has_pairs = outcome.pairs.default > 0;

@@ -2,32 +2,25 @@
 
 use super::engine::{self, Driven};
 use super::frames::Frames;
-use super::ours::{Settings, UnisizeBroadPhase};
+use super::ours::UnisizeBroadPhase;
 use super::rapier::math::DIM;
 use super::rapier::prelude::DefaultBroadPhase;
 use crate::case::Case;
-use crate::{bytes_held, ns_each};
+use crate::bytes_held;
 use serde_json::Value;
 use std::time::Duration;
-use unisize::PhaseTimes;
 
 /// Frames before those that count: the first ones insert, and trees go on being mended for some more.
 const FRAMES_TO_SETTLE: usize = 20;
 
 /// The times, in ns a collider, and the bytes a collider of unisize and of Rapier's own, in this many frames.
 pub(crate) fn measure(case: &Case, frames: usize) -> Vec<(&'static str, Value)> {
-    let mut times = PhaseTimes::default();
-    let settings = Settings::default().with_timed(true);
     let mut pairs = 0;
-    let ours = UnisizeBroadPhase::with_settings(settings);
-    let ours = follow(case, frames, ours, |ours| {
-        times += ours.stats().times;
-        pairs = ours.stats().pairs;
-    });
+    let ours = UnisizeBroadPhase::new();
+    let ours = follow(case, frames, ours, |ours| pairs = ours.stats().pairs);
     let default = follow(case, frames, DefaultBroadPhase::new(), |_| {});
-    let mut row = vec![
+    vec![
         ("rapier", engine::RAPIER.into()),
-        ("threads", rayon::current_num_threads().into()),
         ("dim", DIM.into()),
         ("motion", case.motion.name().into()),
         ("bodies", case.bodies.into()),
@@ -39,18 +32,7 @@ pub(crate) fn measure(case: &Case, frames: usize) -> Vec<(&'static str, Value)> 
         ("ours_ns", ours[0].into()),
         ("ours_longest_ns", ours[1].into()),
         ("ours_bytes", ours[2].into()),
-    ];
-    let names = [
-        "read_ns",
-        "sort_ns",
-        "sweep_ns",
-        "difference_ns",
-        "events_ns",
-    ];
-    let phases = times.by_name().map(|(_, time)| time / frames as u32);
-    let phases = phases.map(|time| ns_each(time, case.count).into());
-    row.extend(names.into_iter().zip(phases));
-    row
+    ]
 }
 
 /// The mean time, the longest and the bytes, each by collider.
@@ -78,4 +60,9 @@ fn follow<B: Driven>(
         ns_each(longest, case.count),
         bytes,
     ]
+}
+
+/// Nanoseconds for each of so many.
+fn ns_each(time: Duration, count: usize) -> f64 {
+    time.as_secs_f64() * 1e9 / count as f64
 }

@@ -1,12 +1,10 @@
-//! Boxes on which methods break down: how time and memory grow, for this repository's kernels, for Parry's tree and for brute force.
+//! Boxes on which methods break down: how time grows, for this repository's kernels, for Parry's tree and for brute force.
 //!
-//! *Work* is the number of boxes and pairs together, the least that any method has to process. *Times easiest* is the time per unit
-//! of work, relative to uniform boxes.
+//! *Work* is the number of boxes and pairs together, the least that any method has to process.
 
-use crate::growth::{Figures, Growth};
+use crate::growth::{self, Figures};
 use crate::options::Options;
 use crate::report::Report;
-use crate::{bytes_held, median};
 use std::io;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
@@ -29,41 +27,16 @@ pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
 ) -> io::Result<()> {
     let counts = options.least(&COUNTS[..], &[1 << 8]);
     let enough = options.least(ENOUGH, Duration::ZERO);
-    let mut growths: [Growth; 4] = Default::default();
     for kind in HardBoxes::ALL {
-        let [grid, rank, tree, brute] = &mut growths;
-        let case = |method: &str| {
+        let mut grow = |method: &str, run: fn(HardBoxes, usize, Duration) -> Option<Figures>| {
             let [boxes, method] = [kind.name(), method].map(Into::into);
-            [("dim", D.into()), ("boxes", boxes), ("method", method)]
+            let case = [("dim", D.into()), ("boxes", boxes), ("method", method)];
+            growth::measure(&case, counts, |n| run(kind, n, enough), report)
         };
-        let with = run::<GridSweep<f32, D>, D>;
-        grid.report(
-            &case("GridSweep"),
-            counts,
-            |n| with(kind, n, enough),
-            report,
-        )?;
-        let with = run::<RankSweep<f32, D>, D>;
-        rank.report(
-            &case("RankSweep"),
-            counts,
-            |n| with(kind, n, enough),
-            report,
-        )?;
-        let with = run::<H, D>;
-        tree.report(
-            &case("Parry Bvh"),
-            counts,
-            |n| with(kind, n, enough),
-            report,
-        )?;
-        let with = run::<BruteForce, D>;
-        brute.report(
-            &case("BruteForce"),
-            counts,
-            |n| with(kind, n, enough),
-            report,
-        )?;
+        grow("GridSweep", run::<GridSweep<f32, D>, D>)?;
+        grow("RankSweep", run::<RankSweep<f32, D>, D>)?;
+        grow("Parry Bvh", run::<H, D>)?;
+        grow("BruteForce", run::<BruteForce, D>)?;
     }
     Ok(())
 }
@@ -89,12 +62,12 @@ fn run<K: PairFinder<f32, D> + Default, const D: usize>(
             break;
         }
     }
-    let time = median(times);
+    times.sort_unstable();
+    let time = times[times.len() / 2];
     Some(Figures {
         count,
         work: (count + pairs.len()) as f64,
         seconds: time.as_secs_f64(),
-        bytes: bytes_held(finder) as f64,
         is_long: time > LONG,
         others: vec![
             ("pairs", pairs.len().into()),

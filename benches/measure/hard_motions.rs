@@ -1,17 +1,16 @@
-//! Motions on which broad phases break down: how update time and memory grow, for Rapier's own broad phase, for unisize, and for
-//! unisize with the kernel of the paper. One source, compiled once for each engine and dimension.
+//! Motions on which broad phases break down: how update time grows, for Rapier's own broad phase and for unisize. One source, compiled
+//! once for each engine and dimension.
 //!
 //! Times are for one update: the mean and the worst of 60, or of as many as fit in four seconds. *Work* is the mean number of cubes,
-//! held pairs and events together, the least that a broad phase has to process. *Times easiest* is the time per unit of work,
-//! relative to drifting cubes.
+//! held pairs and events together, the least that a broad phase has to process.
 
 use super::engine::{self, Driven};
 use super::frames::{Changes, World};
-use super::ours::{Kernel, Settings, UnisizeBroadPhase};
+use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use crate::growth::{Figures, Growth};
+use crate::clock::Clock;
+use crate::growth::{self, Figures};
 use crate::report::Report;
-use crate::{bytes_held, clock_for};
 use std::collections::HashSet;
 use std::io;
 use std::time::Duration;
@@ -26,34 +25,19 @@ const FRAMES: u32 = 60;
 const LONG: Duration = Duration::from_secs(4);
 
 /// Measures this engine in this dimension.
-pub(crate) fn measure(
-    motions: &[HardMotion],
-    is_small: bool,
-    report: &mut Report,
-) -> io::Result<()> {
+pub(crate) fn measure(is_small: bool, report: &mut Report) -> io::Result<()> {
     let counts = if is_small { &[1 << 8][..] } else { &COUNTS };
-    let mut growths: [Growth; 3] = Default::default();
-    for &motion in motions {
-        let case = |who: &str, kernel: &str| {
-            let method = format!("{who} {}{kernel}", engine::RAPIER);
-            let motion = motion.name().into();
-            [
-                ("dim", DIM.into()),
-                ("motion", motion),
-                ("method", method.into()),
-            ]
+    for motion in HardMotion::ALL {
+        let version = engine::RAPIER;
+        let mut grow = |method: String, run: &dyn Fn(usize) -> Option<Figures>| {
+            let [name, method] = [motion.name().into(), method.into()];
+            let case = [("dim", DIM.into()), ("motion", name), ("method", method)];
+            growth::measure(&case, counts, run, report)
         };
-        let [default, ours, paper] = &mut growths;
-        let run = |count| follow(motion, count, DefaultBroadPhase::new());
-        default.report(&case("Rapier", ""), counts, run, report)?;
-        let run = |count| follow(motion, count, UnisizeBroadPhase::new());
-        ours.report(&case("unisize for", ""), counts, run, report)?;
-        // One version tells what the kernel does.
-        if engine::RAPIER == "0.27" {
-            let settings = Settings::default().with_kernel(Kernel::RankSweep);
-            let run = |count| follow(motion, count, UnisizeBroadPhase::with_settings(settings));
-            paper.report(&case("unisize for", ", RankSweep"), counts, run, report)?;
-        }
+        let default = |count| follow(motion, count, DefaultBroadPhase::new());
+        grow(format!("Rapier {version}"), &default)?;
+        let ours = |count| follow(motion, count, UnisizeBroadPhase::new());
+        grow(format!("unisize for {version}"), &ours)?;
     }
     Ok(())
 }
@@ -61,7 +45,7 @@ pub(crate) fn measure(
 /// Measures one broad phase on one motion.
 fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Option<Figures> {
     let mut frames = HardFrames::<DIM>::new(motion, count, 7);
-    let mut world = World::new(clock_for(count));
+    let mut world = World::new(Clock::for_count(count));
     let mut islands = IslandManager::new();
     let insert = |&mins: &_| world.colliders.insert(cube(mins));
     let mut handles: Vec<_> = frames.mins().iter().map(insert).collect();
@@ -111,7 +95,6 @@ fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Opt
         count,
         work: (count + held.len()) as f64 + events,
         seconds,
-        bytes: bytes_held(broad_phase) as f64,
         is_long: all >= LONG,
         others: vec![
             ("updates", updates.into()),

@@ -1,7 +1,6 @@
-//! Beads with dynamics of their own, in a box with a zone.
+//! Beads with motions of their own, in a box with a zone.
 
 use oorandom::Rand32;
-use rapier3d_036::parry::query;
 use rapier3d_036::prelude::*;
 
 const RADIUS: f32 = 0.1;
@@ -9,7 +8,7 @@ const RADIUS: f32 = 0.1;
 /// Colliders without bodies.
 pub(crate) struct Beads {
     pub(crate) colliders: ColliderSet,
-    /// The beads, in the order of their velocities.
+    /// The beads, in the order of their velocities, and then the zone.
     pub(crate) handles: Vec<ColliderHandle>,
     velocities: Vec<Vector>,
     /// Half the side of the box.
@@ -31,10 +30,8 @@ impl Beads {
             handles.push(colliders.insert(watched(bead)));
             velocities.push(vector(4.0));
         }
-        // Inserted after the beads, so that the index of a bead's handle is that of its velocity.
         let zone = ColliderBuilder::cuboid(reach / 3.0, reach / 3.0, reach / 3.0);
         handles.push(colliders.insert(watched(zone)));
-        velocities.push(Vector::ZERO);
         Self {
             colliders,
             handles,
@@ -47,9 +44,6 @@ impl Beads {
     pub(crate) fn fly(&mut self, dt: f32) {
         let most = self.reach - RADIUS;
         for (&handle, velocity) in self.handles.iter().zip(&mut self.velocities) {
-            if *velocity == Vector::ZERO {
-                continue;
-            }
             let place = self.colliders[handle].translation() + *velocity * dt;
             let inside = place.clamp(Vector::splat(-most), Vector::splat(most));
             for axis in 0..3 {
@@ -58,34 +52,6 @@ impl Beads {
                 }
             }
             self.colliders[handle].set_translation(inside);
-        }
-    }
-
-    /// Beads that touch and approach each other exchange their velocities along the normal: elastic collisions of
-    /// equal masses.
-    pub(crate) fn bounce(&mut self, pairs: impl Iterator<Item = [ColliderHandle; 2]>) {
-        for pair in pairs {
-            let [first, second] = pair.map(|handle| handle.into_raw_parts().0 as usize);
-            let zone = self.velocities.len() - 1;
-            if first == zone || second == zone {
-                continue;
-            }
-            let [one, other] = pair.map(|handle| &self.colliders[handle]);
-            let contact = query::contact(
-                one.position(),
-                one.shape(),
-                other.position(),
-                other.shape(),
-                0.0,
-            );
-            let Ok(Some(contact)) = contact else {
-                continue;
-            };
-            let approach = (self.velocities[first] - self.velocities[second]).dot(contact.normal1);
-            if approach > 0.0 {
-                self.velocities[first] -= contact.normal1 * approach;
-                self.velocities[second] += contact.normal1 * approach;
-            }
         }
     }
 }

@@ -43,12 +43,6 @@ impl Touching {
         }
         events
     }
-
-    /// The pairs that touch.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = [ColliderHandle; 2]> {
-        let touching = self.pairs.values().filter(|(_, touches)| *touches);
-        touching.map(|(pair, _)| [pair.collider1, pair.collider2])
-    }
 }
 
 /// The events in an order that does not depend on their source.

@@ -10,13 +10,6 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// Scenes that are compared at a second number of bodies as well, to tell what comes of size.
-    const LARGE: [Self; 3] = [
-        Self::of(SceneKind::FallingBalls, 8_000),
-        Self::of(SceneKind::Pyramid, 8_000),
-        Self::of(SceneKind::MixedOneAndAHalf, 8_000),
-    ];
-
     const fn of(kind: SceneKind, bodies: usize) -> Self {
         Self {
             kind,
@@ -29,9 +22,11 @@ impl Case {
         SceneKind::ALL.into_iter().map(Self::from)
     }
 
-    /// Some scenes at a larger number of bodies.
+    /// Some scenes at a larger number of bodies, to tell what comes of size.
     pub(super) fn large() -> impl Iterator<Item = Self> {
-        Self::LARGE.into_iter()
+        use SceneKind::{FallingBalls, MixedOneAndAHalf, Pyramid};
+        let kinds = [FallingBalls, Pyramid, MixedOneAndAHalf];
+        kinds.into_iter().map(|kind| Self::of(kind, 8_000))
     }
 
     /// The name of the scene, and the number of bodies behind it if it is not the scene's own.

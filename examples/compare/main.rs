@@ -16,10 +16,8 @@ mod json_lines;
 mod options;
 #[path = "../progress/bar.rs"]
 mod progress;
-mod report;
 mod row;
 mod run;
-mod spread;
 mod table;
 
 use std::process::ExitCode;

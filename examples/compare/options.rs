@@ -1,8 +1,8 @@
 //! The command line.
 
 use crate::case::Case;
+use clap::Parser;
 use clap::builder::RangedU64ValueParser;
-use clap::{Parser, ValueEnum};
 use std::path::PathBuf;
 use unisize::PairFilter;
 use unisize_scenes::SceneKind;
@@ -41,21 +41,19 @@ pub(super) struct Options {
     /// scene, and some with 8000 bodies too unless there is --bodies or --quick]
     #[arg(long = "scene", value_name = "NAME", value_parser = parse_case)]
     cases: Vec<Case>,
-    /// In how many dimensions
-    #[arg(long, value_enum, default_value = "both")]
-    dim: Dim,
+    /// In how many dimensions, 2 or 3 [default: both]
+    #[arg(long, value_parser = clap::value_parser!(u8).range(2..=3))]
+    dim: Option<u8>,
     /// About how many bodies in every scene that does not say so in its name [default: each scene's own number]
     #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
     bodies: Option<usize>,
     /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
-    /// What finds the pairs in unisize
-    #[arg(long, value_enum, default_value = "grid-sweep")]
-    pub(super) kernel: Kernel,
-    /// Which pairs unisize leaves out because they can have no effect
-    #[arg(long, value_enum, default_value = crate::FILTER)]
-    pub(super) filter: Filter,
+    /// Which pairs unisize leaves out because they can have no effect: none, those of one body and of types of bodies that cannot
+    /// meet, also those whose groups forbid it, or also those whose shapes cannot meet
+    #[arg(long, default_value = crate::FILTER, value_parser = ["off", "bodies", "groups", "shapes"])]
+    pub(super) filter: String,
     /// How many threads unisize may use, which pays only for very many bodies, and Rapier if it is built with `parallel`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
@@ -77,22 +75,11 @@ pub(super) struct Options {
     /// More steps and repeats, for figures to rely on: half an hour
     #[arg(long, conflicts_with = "quick")]
     full: bool,
-    /// Check unisize's internal invariants after every step
-    #[arg(long)]
-    pub(super) validate: bool,
-    /// Compute and compare the contacts only at every N-th step and the last
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_000_000))]
-    pub(super) contacts_every: usize,
 }
 
 impl Options {
     pub(super) fn dims(&self) -> impl Iterator<Item = u8> {
-        let dims: &[u8] = match self.dim {
-            Dim::Two => &[2],
-            Dim::Three => &[3],
-            Dim::Both => &[2, 3],
-        };
-        dims.iter().copied()
+        self.dim.map_or(2..=3, |dim| dim..=dim)
     }
 
     pub(super) fn cases(&self) -> impl Iterator<Item = Case> {
@@ -129,64 +116,14 @@ impl Options {
         self.repeats.unwrap_or(if self.full { 3 } else { 1 })
     }
 
-    /// All steps of all simulations.
-    pub(super) fn total_steps(&self) -> usize {
-        // Shapes are left out after boxes have been compared.
-        let driven = 1 + usize::from(matches!(self.filter, Filter::Shapes));
-        let repeats = self.repeats();
-        let runs = driven + 2 * repeats + usize::from(repeats > 0);
-        self.dims().count() * self.cases().count() * self.steps() * runs
-    }
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Dim {
-    #[value(name = "2")]
-    Two,
-    #[value(name = "3")]
-    Three,
-    Both,
-}
-
-/// The kernels of unisize.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Kernel {
-    /// The fast one
-    GridSweep,
-    /// The algorithm of Capannini and Larsson
-    RankSweep,
-    /// Every box against every other
-    BruteForce,
-}
-
-/// Which pairs unisize leaves out.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Filter {
-    /// None
-    Off,
-    /// Those of one body, and of types of bodies that cannot meet
-    Bodies,
-    /// Also those whose groups forbid it
-    Groups,
-    /// Also those whose shapes cannot meet
-    Shapes,
-}
-
-impl From<Filter> for PairFilter {
-    fn from(filter: Filter) -> Self {
-        match filter {
-            Filter::Off => Self::Off,
-            Filter::Bodies => Self::Bodies,
-            Filter::Groups => Self::Groups,
-            Filter::Shapes => Self::Shapes,
+    pub(super) fn pair_filter(&self) -> PairFilter {
+        match self.filter.as_str() {
+            "off" => PairFilter::Off,
+            "bodies" => PairFilter::Bodies,
+            "groups" => PairFilter::Groups,
+            _ => PairFilter::Shapes,
         }
     }
-}
-
-/// What a value is called on the command line.
-pub(super) fn name(value: impl ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 fn between(low: u64, high: u64) -> RangedU64ValueParser<usize> {
@@ -214,46 +151,24 @@ mod tests {
         let count = SceneKind::ALL.len() + 3;
         assert_eq!(options.cases().count(), count);
         assert_eq!(options.dims().collect::<Vec<_>>(), [2, 3]);
-        assert_eq!(
-            (options.steps(), options.repeats(), options.rays),
-            (60, 1, 0)
-        );
         assert_eq!(options.bodies(SceneKind::TileMap.into()), 500);
         assert!(Case::large().all(|case| options.bodies(case) == 8_000));
-        // One run in which the default drives, and one more where shapes are left out.
-        let driven = 1 + usize::from(crate::FILTER == "shapes");
-        assert_eq!(options.total_steps(), count * 2 * 60 * (driven + 3));
+        assert_eq!((options.steps(), options.repeats()), (60, 1));
         let options = parse("--full").unwrap();
-        assert_eq!(options.total_steps(), count * 2 * 300 * (driven + 7));
-    }
-
-    #[test]
-    fn scenes_are_selected() {
-        let options =
-            parse("--scene ghosts --scene tile-map --dim 2 --rays 8 --repeats 0").unwrap();
-        let cases = [SceneKind::Ghosts, SceneKind::TileMap].map(Case::from);
-        assert_eq!(options.cases().collect::<Vec<_>>(), cases);
-        assert_eq!(options.rays, 8);
-        let driven = 1 + usize::from(crate::FILTER == "shapes");
-        assert_eq!(options.total_steps(), 2 * 60 * driven);
+        assert_eq!((options.steps(), options.repeats()), (300, 3));
     }
 
     #[test]
     fn quick_is_the_default_of_sizes_only() {
-        let options = parse("--quick").unwrap();
-        assert_eq!(options.bodies(SceneKind::Gas.into()), QUICK_BODIES);
-        assert_eq!(options.steps(), QUICK_STEPS);
-        let options = parse("--quick --bodies 7 --steps 9").unwrap();
         let gas = SceneKind::Gas.into();
-        assert_eq!((options.bodies(gas), options.steps()), (7, 9));
+        let options = parse("--quick").unwrap();
         assert_eq!(options.cases().count(), SceneKind::ALL.len());
-    }
-
-    #[test]
-    fn a_number_in_the_name_goes_first() {
-        let options = parse("--quick --bodies 7 --scene gas --scene gas-9").unwrap();
+        let sizes = (options.bodies(gas), options.steps());
+        assert_eq!(sizes, (QUICK_BODIES, QUICK_STEPS));
+        // A number in the name goes first.
+        let options = parse("--quick --bodies 7 --steps 9 --scene gas --scene gas-8").unwrap();
         let bodies: Vec<_> = options.cases().map(|case| options.bodies(case)).collect();
-        assert_eq!(bodies, [7, 9]);
+        assert_eq!((bodies, options.steps()), (vec![7, 8], 9));
     }
 
     #[test]
@@ -261,8 +176,8 @@ mod tests {
         for arguments in [
             "--scene nowhere",
             "--bodies 0",
-            "--repeats -1",
-            "--rays many",
+            "--dim 4",
+            "--filter all",
             "--quick --full",
         ] {
             assert!(parse(arguments).is_err(), "{arguments}");

@@ -1,11 +1,56 @@
 //! The tables on standard output. Rows are printed as they come, so the columns have fixed widths.
 
-use crate::row::{End, Row, Sides, WholeSteps};
+use crate::row::Row;
 use indicatif::ProgressBar;
+use unisize_scenes::{Both, End, WholeSteps};
+
+/// The two lines of a head. A cell ends where the word of the second line does, but for the first, which begins the line.
+type Head = [&'static str; 2];
+
+const RESULTS: Head = [
+    "                                      whole step ms                      pairs                                        broad phase ms              without contact         sanity",
+    "scene              bodies colliders   default     ours  ratio quartiles  default    ours contacts intersections equal    default      ours  ratio  default    ours  limit  default/ours",
+];
+
+const UPDATES: Head = [
+    "                   mean ms             longest ms          all pairs           rays",
+    "updates              default      ours   default      ours   default      ours  compared",
+];
+
+const ALONE: Head = [
+    "                   asleep          left            energy                 stretch          ms of rays",
+    "alone               default   ours  default   ours     default       ours  default    ours   default      ours",
+];
 
 /// Prints above the progress bar, or as usual where there is none.
 fn print(bar: &ProgressBar, line: &str) {
     bar.suspend(|| println!("{line}"));
+}
+
+/// Prints a line of a table.
+fn print_cells(bar: &ProgressBar, [_, words]: Head, cells: Vec<String>) {
+    let is_end = |&end: &usize| {
+        let next = words[end..].chars().next().unwrap_or(' ');
+        next == ' ' && !words[..end].ends_with(' ')
+    };
+    let ends = (1..=words.len()).filter(is_end);
+    let line = ends.zip(cells).fold(String::new(), |line, (end, cell)| {
+        if line.is_empty() {
+            return cell;
+        }
+        let width = end.saturating_sub(line.len() + 1);
+        format!("{line} {cell:>width$}")
+    });
+    print(bar, &line);
+}
+
+fn print_head(bar: &ProgressBar, head: Head) {
+    head.iter().for_each(|line| print(bar, line));
+}
+
+/// A figure of each broad phase as two cells.
+fn both<T>(of: &Both<T>, cell: impl Fn(&T) -> String) -> [String; 2] {
+    [cell(&of.default), cell(&of.candidate)]
 }
 
 /// Prints the head of the table of one dimension.
@@ -18,128 +63,73 @@ pub(super) fn print_header(bar: &ProgressBar, dim: u8) {
             crate::RAPIER
         ),
     );
-    let head = format!(
-        "{:18} {:>6} {:>9}  {:>17} {:>6} {:>9}  {:>15} {:>8} {:>9} {:>5}  {:>19} {:>6}  {:>15} {:>6}  {}",
-        "scene",
-        "bodies",
-        "colliders",
-        "whole step ms",
-        "ratio",
-        "quartiles",
-        "pairs",
-        "contacts",
-        "intersec-",
-        "equal",
-        "broad phase ms/step",
-        "ratio",
-        "without contact",
-        "limit",
-        "sanity"
-    );
-    print(bar, &head);
-    let head = format!(
-        "{:18} {:>6} {:>9}  {:>8} {:>8} {:>6} {:>9}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9} {:>9} {:>6}  {:>7} {:>7} {:>6}  {}",
-        "",
-        "",
-        "",
-        "default",
-        "ours",
-        "",
-        "",
-        "default",
-        "ours",
-        "",
-        "tions",
-        "",
-        "default",
-        "ours",
-        "",
-        "default",
-        "ours",
-        "",
-        "default/ours"
-    );
-    print(bar, &head);
+    print_head(bar, RESULTS);
 }
 
 /// Prints the result of one comparison.
 pub(super) fn print_row(bar: &ProgressBar, row: &Row) {
-    let (whole_steps, alone) = match &row.whole_steps {
-        Some(whole_steps) => (
-            format!(
-                "{:>8.3} {:>8.3} {:>6.3} {:>9}",
-                whole_steps.ms_per_step.default,
-                whole_steps.ms_per_step.ours,
-                whole_steps.ratio.median,
-                format!(
-                    "{:.2}-{:.2}",
-                    whole_steps.ratio.lower, whole_steps.ratio.upper
-                ),
-            ),
-            format!(
-                "{:>7} {:>7} {:>6.2}  {}/{}",
-                whole_steps.repeats[0].end.default.pairs_without_contact,
-                whole_steps.repeats[0].end.ours.pairs_without_contact,
-                whole_steps.limit.ratio,
-                verdict(whole_steps, |end| &end.default),
-                verdict(whole_steps, |end| &end.ours)
-            ),
-        ),
-        None => (
-            format!("{:>8} {:>8} {:>6} {:>9}", "-", "-", "-", "-"),
-            format!("{:>7} {:>7} {:>6}  -", "-", "-", "-"),
-        ),
-    };
-    let line = format!(
-        "{:18} {:>6} {:>9}  {whole_steps}  {:>7} {:>7} {:>8} {:>9} {:>5}  {:>9.3} {:>9.3} {:>6.2}  {alone}",
-        row.scene,
-        row.bodies,
-        row.colliders,
-        row.pairs.default,
-        row.pairs.ours,
-        row.contacts.at_end,
-        row.intersections.at_end,
-        if row.equal { "yes" } else { "NO" },
-        row.broad_phase.default.ms_per_step,
-        row.broad_phase.ours.ms_per_step,
-        row.ratio,
-    );
-    print(bar, &line);
-}
-
-fn verdict(whole_steps: &WholeSteps, side: fn(&Sides<End>) -> &End) -> &'static str {
-    let mut ends = whole_steps.repeats.iter().map(|repeat| side(&repeat.end));
-    if ends.all(|end| end.complaint.is_none()) {
-        "ok"
+    let outcome = &row.outcome;
+    let mut cells = vec![
+        row.scene.clone(),
+        outcome.bodies.to_string(),
+        outcome.colliders.to_string(),
+    ];
+    let mut alone = vec!["-".to_owned(); 4];
+    if let Some(WholeSteps {
+        ms_per_step,
+        ratio,
+        limit,
+        repeats,
+    }) = &outcome.whole_steps
+    {
+        cells.extend(both(ms_per_step, |ms| format!("{ms:.3}")));
+        cells.push(format!("{:.3}", ratio.median));
+        cells.push(format!("{:.2}-{:.2}", ratio.lower, ratio.upper));
+        let verdict = |is_sane: bool| if is_sane { "ok" } else { "BAD" };
+        let default = repeats.iter().all(|of| of.end.default.complaint.is_none());
+        let ours = repeats
+            .iter()
+            .all(|of| of.end.candidate.complaint.is_none());
+        alone = both(&repeats[0].end, |end| end.pairs_without_contact.to_string()).to_vec();
+        alone.push(format!("{:.2}", limit.ratio));
+        alone.push(format!("{}/{}", verdict(default), verdict(ours)));
     } else {
-        "BAD"
+        cells.extend(vec!["-".to_owned(); 4]);
     }
+    cells.extend(both(&outcome.pairs, usize::to_string));
+    cells.push(outcome.contacts.at_end.to_string());
+    cells.push(outcome.intersections.at_end.to_string());
+    cells.push(if row.equal { "yes" } else { "NO" }.to_owned());
+    let broad_phase = &outcome.broad_phase;
+    cells.extend(both(broad_phase, |times| {
+        format!("{:.3}", times.ms_per_step)
+    }));
+    cells.push(format!("{:.2}", outcome.ratio));
+    cells.extend(alone);
+    print_cells(bar, RESULTS, cells);
 }
 
 /// Prints what belongs beneath the table of one dimension: means, differences, updates, and the simulations alone.
-pub(super) fn print_footer<'a>(bar: &ProgressBar, rows: impl Iterator<Item = &'a Row> + Clone) {
-    let whole_steps = rows.clone().filter_map(|row| row.whole_steps.as_ref());
+pub(super) fn print_footer(bar: &ProgressBar, rows: &[Row]) {
+    let whole_steps = rows
+        .iter()
+        .filter_map(|row| row.outcome.whole_steps.as_ref());
     let mean = format!(
         "\ngeometric mean of the ratios: whole step {:.3}, broad phase {:.2}",
         geometric_mean(whole_steps.map(|whole_steps| whole_steps.ratio.median)),
-        geometric_mean(rows.clone().map(|row| row.ratio)),
+        geometric_mean(rows.iter().map(|row| row.outcome.ratio)),
     );
     print(bar, &mean);
-    for row in rows.clone() {
-        if let Some(difference) = &row.first_difference {
-            print(
-                bar,
-                &format!("DIFFERENCE in {} {}D: {difference}", row.scene, row.dim),
-            );
+    for row in rows {
+        if let Some(difference) = &row.outcome.first_difference {
+            let line = format!("DIFFERENCE in {} {}D: {difference}", row.scene, row.dim);
+            print(bar, &line);
         }
     }
-    print_updates(bar, rows.clone());
-    let mut alone = rows
-        .filter_map(|row| Some((row, row.whole_steps.as_ref()?)))
-        .peekable();
-    if alone.peek().is_some() {
-        print_alone(bar, alone);
-    }
+    print(bar, "");
+    print_updates(bar, rows);
+    print(bar, "");
+    print_alone(bar, rows);
     print(bar, "");
 }
 
@@ -149,75 +139,40 @@ fn geometric_mean(ratios: impl Iterator<Item = f64>) -> f64 {
     (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
 }
 
-fn print_updates<'a>(bar: &ProgressBar, rows: impl Iterator<Item = &'a Row>) {
-    let head = format!(
-        "\n{:18} {:>19}  {:>19}  {:>17} {:>8}",
-        "updates, ms", "mean", "longest", "pairs, all", "rays"
-    );
-    print(bar, &head);
-    let head = format!(
-        "{:18} {:>9} {:>9}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
-        "", "default", "ours", "default", "ours", "default", "ours", "compared"
-    );
-    print(bar, &head);
+fn print_updates(bar: &ProgressBar, rows: &[Row]) {
+    print_head(bar, UPDATES);
     for row in rows {
-        let Sides { default, ours } = &row.broad_phase;
-        let line = format!(
-            "{:18} {:>9.3} {:>9.3}  {:>9.3} {:>9.3}  {:>8} {:>8} {:>8}",
-            row.scene,
-            default.ms_per_busy_update,
-            ours.ms_per_busy_update,
-            default.ms_worst_update,
-            ours.ms_worst_update,
-            row.pairs_with_dropped.default,
-            row.pairs_with_dropped.ours,
-            row.rays.cast,
-        );
-        print(bar, &line);
+        let outcome = &row.outcome;
+        let times = &outcome.broad_phase;
+        let mut cells = vec![row.scene.clone()];
+        cells.extend(both(times, |of| format!("{:.3}", of.ms_per_busy_update)));
+        cells.extend(both(times, |of| format!("{:.3}", of.ms_worst_update)));
+        cells.extend(both(&outcome.pairs_with_dropped, usize::to_string));
+        cells.push(outcome.rays.cast.to_string());
+        print_cells(bar, UPDATES, cells);
     }
 }
 
 /// Prints the ends of the first repeat of each scene, and all complaints.
-fn print_alone<'a>(bar: &ProgressBar, rows: impl Iterator<Item = (&'a Row, &'a WholeSteps)>) {
-    let head = format!(
-        "\n{:18} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>19}",
-        "each alone", "asleep", "", "left", "", "energy", "", "stretch", "", "rays, ms/step"
-    );
-    print(bar, &head);
-    let head = format!(
-        "{:18} {:>6} {:>6} {:>6} {:>6} {:>10} {:>10} {:>7} {:>7} {:>9} {:>9}",
-        "",
-        "deflt",
-        "ours",
-        "deflt",
-        "ours",
-        "default",
-        "ours",
-        "default",
-        "ours",
-        "default",
-        "ours"
-    );
-    print(bar, &head);
-    for (row, whole_steps) in rows {
-        let Sides { default, ours } = &whole_steps.repeats[0].end;
-        let line = format!(
-            "{:18} {:>6} {:>6} {:>6} {:>6} {:>10.4e} {:>10.4e} {:>7} {:>7} {:>9.3} {:>9.3}",
-            row.scene,
-            default.asleep,
-            ours.asleep,
-            default.outside,
-            ours.outside,
-            default.energy,
-            ours.energy,
-            stretch(default),
-            stretch(ours),
-            default.ms_of_rays,
-            ours.ms_of_rays,
-        );
-        print(bar, &line);
+fn print_alone(bar: &ProgressBar, rows: &[Row]) {
+    let alone = rows
+        .iter()
+        .filter_map(|row| Some((&row.scene, row.outcome.whole_steps.as_ref()?)));
+    for (index, (scene, whole_steps)) in alone.enumerate() {
+        if index == 0 {
+            print_head(bar, ALONE);
+        }
+        let end = &whole_steps.repeats[0].end;
+        let mut cells = vec![scene.clone()];
+        cells.extend(both(end, |end| end.asleep.to_string()));
+        cells.extend(both(end, |end| end.outside.to_string()));
+        cells.extend(both(end, |end| format!("{:.4e}", end.energy)));
+        cells.extend(both(end, stretch));
+        cells.extend(both(end, |end| format!("{:.3}", end.ms_of_rays)));
+        print_cells(bar, ALONE, cells);
         for repeat in &whole_steps.repeats {
-            for (name, end) in [("default", &repeat.end.default), ("ours", &repeat.end.ours)] {
+            let end = &repeat.end;
+            for (name, end) in [("default", &end.default), ("ours", &end.candidate)] {
                 if let Some(complaint) = &end.complaint {
                     let seed = repeat.seed;
                     print(bar, &format!("  on {name}, seed {seed}: {complaint}"));

@@ -13,7 +13,7 @@ use unisize_scenes::DriftingBoxes;
 const FRAMES: usize = 9;
 
 /// A colour for each density, the lowest first.
-const COLORS: [RGBColor; 4] = [color::SKY, color::BLUE, color::PURPLE, color::RED];
+const COLORS: [RGBColor; 4] = [color::MINT, color::GREEN, color::GREY, color::BLACK];
 
 /// The panels, with the columns that they show.
 const PANELS: [(&str, &str); 3] = [

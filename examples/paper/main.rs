@@ -18,6 +18,8 @@
 mod claims;
 mod figure3;
 mod figure4;
+#[path = "../../benches/common/json_lines.rs"]
+mod json_lines;
 mod method;
 mod published;
 mod race;
@@ -51,9 +53,9 @@ struct Options {
     /// The parts to measure [default: all]
     #[arg(value_parser = PossibleValuesParser::new(PARTS.map(|(name, _)| name)))]
     parts: Vec<String>,
-    /// Prints a line of JSON for each figure, instead of tables
-    #[arg(long)]
-    json: bool,
+    /// Append the figures to this file as well, a line of JSON for each
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
     /// Writes the tables into this page as well
     #[arg(long, value_name = "FILE")]
     page: Option<PathBuf>,
@@ -110,11 +112,8 @@ fn run(options: &Options) -> Result<()> {
     if !run.quick {
         claims::judge(&mut run.table);
     }
-    if options.json {
-        run.table.print_json()?;
-    } else {
-        println!("{}", run.table);
-    }
+    println!("{}", run.table);
+    run.table.append_to(options.json.as_deref())?;
     match &options.page {
         Some(page) => run.table.write_into(page),
         None => Ok(()),

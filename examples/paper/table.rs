@@ -1,5 +1,6 @@
 //! All figures, in one table: a part of the page, a row, a column, and a number or a verdict.
 
+use crate::json_lines::JsonLines;
 use anyhow::{Context, Result};
 use serde::Serialize;
 use serde_json::Value;
@@ -73,20 +74,23 @@ impl Table {
         text
     }
 
-    /// Prints a line for each figure.
-    pub(crate) fn print_json(&self) -> Result<()> {
+    /// Appends a line for each figure to this file, if there is one.
+    pub(crate) fn append_to(&self, file: Option<&Path>) -> Result<()> {
+        let mut lines = JsonLines::append(file)?;
         for figure in &self.0 {
-            println!("{}", serde_json::to_string(figure)?);
+            lines.write(figure)?;
         }
         Ok(())
     }
 
-    /// Replaces the tables of a page by these.
+    /// Replaces the tables of a page by these. A page may leave some out.
     pub(crate) fn write_into(&self, page: &Path) -> Result<()> {
         let cannot = || format!("cannot change {}", page.display());
         let mut text = fs::read_to_string(page).with_context(cannot)?;
         for part in self.parts() {
-            text = replaced(&text, part, &self.markdown(part)).with_context(cannot)?;
+            if text.contains(&format!("<!-- begin {part} -->\n")) {
+                text = replaced(&text, part, &self.markdown(part)).with_context(cannot)?;
+            }
         }
         fs::write(page, text).with_context(cannot)
     }

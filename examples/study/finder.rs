@@ -3,15 +3,14 @@
 use unisize::Kernel;
 use unisize_charts::{RGBColor, color};
 
-/// What finds the pairs.
+/// What finds the pairs. Margins are in typical sizes; none is the default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Finder {
     /// Rapier's own broad phase.
     Rapier,
-    /// unisize with this kernel, and a margin in typical sizes; `None` is the default.
     Unisize(Kernel, Option<f32>),
-    /// unisize by default, updated once in so many steps.
-    Seldom(usize),
+    /// unisize, updated once in so many steps.
+    Seldom(usize, Option<f32>),
     /// A hash grid of the centres of boxes.
     Grid(Cell),
     /// Rapier's own, some of whose pairs are lost: what a study of accuracy has to notice.
@@ -38,7 +37,7 @@ impl Finder {
         match self {
             Self::Rapier | Self::Unisize(..) => true,
             Self::Grid(cell) => cell == Cell::Largest,
-            Self::Seldom(_) | Self::Lossy => false,
+            Self::Seldom(..) | Self::Lossy => false,
         }
     }
 
@@ -47,15 +46,13 @@ impl Finder {
         match self {
             Self::Rapier => "Rapier's".to_owned(),
             Self::Unisize(Kernel::GridSweep, None) => "unisize".to_owned(),
-            Self::Unisize(Kernel::GridSweep, Some(0.0)) => "unisize, no margin".to_owned(),
-            Self::Unisize(Kernel::GridSweep, Some(margin)) => {
-                format!("unisize, margin of {margin} sizes")
-            }
+            Self::Unisize(Kernel::GridSweep, Some(_)) => "unisize, no margin".to_owned(),
             Self::Unisize(kernel, _) => format!("unisize, {kernel:?}"),
-            Self::Seldom(2) => "every 2nd step".to_owned(),
-            Self::Seldom(interval) => format!("every {interval}th step"),
+            Self::Seldom(2, None) => "every 2nd step".to_owned(),
+            Self::Seldom(2, Some(_)) => "every 2nd step, wide margin".to_owned(),
+            Self::Seldom(interval, _) => format!("every {interval}th step"),
             Self::Grid(Cell::Largest) => "hash grid, cells of the largest".to_owned(),
-            Self::Grid(Cell::Median) => "hash grid, cells of the median".to_owned(),
+            Self::Grid(Cell::Median) => "hash grid, one size too small".to_owned(),
             Self::Lossy => format!("one pair in {LOST_ONE_IN} lost"),
         }
     }
@@ -66,9 +63,7 @@ impl Finder {
             Self::DEFAULT => color::RED,
             Self::Unisize(..) => color::SALMON,
             Self::Rapier => color::BLUE,
-            Self::Seldom(..=2) => color::PINK,
-            Self::Seldom(..=4) => color::ROSE,
-            Self::Seldom(_) => color::PURPLE,
+            Self::Seldom(..) => color::PURPLE,
             Self::Grid(Cell::Largest) => color::GREEN,
             Self::Grid(Cell::Median) => color::OCHRE,
             Self::Lossy => color::GREY,

@@ -11,17 +11,21 @@
 //! | `stability` | where small worlds fail, does unisize fail alone? |
 //! | `soak` | does unisize run forever in the same memory? |
 //!
-//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, and write a line of JSON for each row to
-//! `--json FILE` and charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
+//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, append a line of JSON for each row to
+//! `--json FILE`, and draw charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
 //! or cannot write. What is timed runs on one thread, by the processor time of that thread.
 
 mod accuracy;
 mod finder;
+#[path = "../../benches/common/json_lines.rs"]
+mod json_lines;
 mod missed;
 mod options;
 mod output;
 #[path = "../progress/bar.rs"]
 mod progress;
+#[path = "../../benches/common/report.rs"]
+mod report;
 mod soak;
 mod stability;
 mod statistics;
@@ -40,49 +44,38 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Off;
 const FINDERS: &[Finder] = &[
     Finder::Rapier,
     Finder::DEFAULT,
-    Finder::Seldom(2),
+    Finder::Seldom(2, None),
     Finder::Grid(Cell::Largest),
     Finder::Grid(Cell::Median),
     Finder::Lossy,
 ];
 
-#[path = "engine"]
-mod dim2 {
-    //! What runs in rapier2d.
-    use unisize::rapier2d_027 as ours;
-    use unisize_scenes::dim2 as scenes;
+/// What runs in Rapier, in one dimension.
+macro_rules! engine {
+    ($name:ident, $unisize:ident, $flavour:literal) => {
+        #[path = "engine"]
+        mod $name {
+            use unisize::$unisize as ours;
+            use unisize_scenes::$name as scenes;
 
-    pub(super) mod accuracy;
-    #[path = "flavour/dim2.rs"]
-    mod flavour;
-    mod grid;
-    pub(super) mod missed;
-    mod seldom;
-    pub(super) mod soak;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_027.rs"]
-    mod version;
+            pub(super) mod accuracy;
+            mod finder;
+            #[path = $flavour]
+            mod flavour;
+            mod grid;
+            pub(super) mod missed;
+            mod seldom;
+            pub(super) mod soak;
+            mod space;
+            pub(super) mod stability;
+            #[path = "version/rapier_027.rs"]
+            mod version;
+        }
+    };
 }
 
-#[path = "engine"]
-mod dim3 {
-    //! What runs in rapier3d.
-    use unisize::rapier3d_027 as ours;
-    use unisize_scenes::dim3 as scenes;
-
-    pub(super) mod accuracy;
-    #[path = "flavour/dim3.rs"]
-    mod flavour;
-    mod grid;
-    pub(super) mod missed;
-    mod seldom;
-    pub(super) mod soak;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_027.rs"]
-    mod version;
-}
+engine!(dim2, rapier2d_027, "flavour/dim2.rs");
+engine!(dim3, rapier3d_027, "flavour/dim3.rs");
 
 /// Studies of what unisize does to a simulation.
 #[derive(Debug, Parser)]

@@ -18,13 +18,10 @@ pub(crate) struct Common {
     /// From how many starts, or how often, each case is run
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     seeds: Option<usize>,
-    /// The first seed
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(crate) seed: u32,
     /// Little of everything, for a check of some seconds; its figures are rough
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Write what was found to this file as well, a line of JSON for each row
+    /// Append what is found to this file as well, a line of JSON for each row
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
     /// Draw the charts of studies that have some into this folder
@@ -41,10 +38,9 @@ impl Common {
         }
     }
 
-    /// The number that was asked for, or one of these: of a quick run, and of a full one.
-    pub(crate) fn seeds(&self, quick: usize, full: usize) -> Range<u64> {
-        let first = u64::from(self.seed);
-        first..first + self.seeds.unwrap_or(self.usual(quick, full)) as u64
+    /// Seeds from 1 on: as many as were asked for, or else as a quick run has, or a full one.
+    pub(crate) fn seeds(&self, usual: [usize; 2]) -> Range<u64> {
+        1..1 + self.seeds.unwrap_or(self.usual(usual)) as u64
     }
 
     /// Those of these scenes that were asked for by name, or all of them.
@@ -54,8 +50,8 @@ impl Common {
         all.iter().copied().filter(is_meant).collect()
     }
 
-    /// One of these: for a quick run, and for a full one.
-    pub(crate) fn usual<T>(&self, quick: T, full: T) -> T {
+    /// What a quick run has, or a full one.
+    pub(crate) fn usual<T>(&self, [quick, full]: [T; 2]) -> T {
         if self.quick { quick } else { full }
     }
 }
@@ -69,31 +65,6 @@ enum Dimension {
     Both,
 }
 
-/// Of numbers.
-pub(crate) fn at_least_one() -> RangedU64ValueParser<usize> {
+fn at_least_one() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(1..=10_000_000)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Common;
-    use clap::{Args, Command, FromArgMatches};
-
-    #[test]
-    fn what_is_asked_for_goes_first() {
-        let parse = |line: &str| {
-            let command = Common::augment_args(Command::new("study"));
-            let line = ["study"].into_iter().chain(line.split_whitespace());
-            let matches = command.try_get_matches_from(line)?;
-            Common::from_arg_matches(&matches)
-        };
-        let full = parse("").unwrap();
-        assert_eq!((full.dims(), full.seeds(2, 20)), (&[2, 3][..], 1..21));
-        let quick = parse("--quick --seed 7 --dimension 3").unwrap();
-        assert_eq!((quick.dims(), quick.seeds(2, 20)), (&[3][..], 7..9));
-        assert_eq!(parse("--quick --seeds 3").unwrap().seeds(2, 20), 1..4);
-        for wrong in ["--seeds 0", "--steps 0", "--dimension 4"] {
-            assert!(parse(wrong).is_err(), "{wrong}");
-        }
-    }
 }

@@ -1,13 +1,11 @@
-//! What a study puts out: tables in Markdown, rows in JSON, charts in SVG.
+//! What a study puts out: rows as tables in Markdown and as lines of JSON, and charts in SVG.
 
 use crate::RAPIER;
 use crate::options::Common;
+use crate::report::Report;
 use anyhow::{Context, Result};
-use comfy_table::presets::ASCII_MARKDOWN;
-use comfy_table::{CellAlignment, ColumnConstraint, Table};
-use serde::Serialize;
-use std::fs::{File, create_dir_all};
-use std::io::{BufWriter, Write};
+use serde_json::Value;
+use std::fs::create_dir_all;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unisize_charts::Chart;
@@ -15,52 +13,29 @@ use unisize_charts::Chart;
 /// Where the rows and charts of a study go.
 pub(crate) struct Output {
     study: &'static str,
-    json: Option<BufWriter<File>>,
+    report: Report,
     charts: Option<PathBuf>,
-}
-
-/// A line of the file of rows.
-#[derive(Serialize)]
-struct Line<'a, T> {
-    study: &'static str,
-    rapier: &'static str,
-    kind: &'static str,
-    #[serde(flatten)]
-    row: &'a T,
 }
 
 impl Output {
     /// Opens what was asked for, before a long run, which a failure would waste.
     pub(crate) fn create(study: &'static str, common: &Common) -> Result<Self> {
-        let json = common.json.as_ref().map(|file| {
-            let opened = File::create(file).map(BufWriter::new);
-            opened.with_context(|| format!("cannot write {}", file.display()))
-        });
         if let Some(folder) = &common.chart {
             create_dir_all(folder)
                 .with_context(|| format!("cannot create {}", folder.display()))?;
         }
         Ok(Self {
             study,
-            json: json.transpose()?,
+            report: Report::new(common.json.as_deref()).context("cannot write the rows")?,
             charts: common.chart.clone(),
         })
     }
 
-    /// Writes a row of this kind.
-    pub(crate) fn row(&mut self, kind: &'static str, row: &impl Serialize) -> Result<()> {
-        if let Some(json) = &mut self.json {
-            let line = Line {
-                study: self.study,
-                rapier: RAPIER,
-                kind,
-                row,
-            };
-            serde_json::to_writer(&mut *json, &line)?;
-            writeln!(json)?;
-            json.flush()?;
-        }
-        Ok(())
+    /// Prints and writes a row of this kind.
+    pub(crate) fn row(&mut self, kind: &str, row: &[(&str, Value)]) -> Result<()> {
+        let mut all = vec![("rapier", RAPIER.into()), ("kind", kind.into())];
+        all.extend_from_slice(row);
+        Ok(self.report.row(&all)?)
     }
 
     /// Draws the chart of the study, or of one dimension.
@@ -72,7 +47,7 @@ impl Output {
         let rapier = RAPIER.replace('.', "-");
         let file = folder.join(format!("{}{dim}-{rapier}.svg", self.study));
         chart().write_svg(&file)?;
-        println!("Drawn: {}\n", file.display());
+        println!("\nDrawn: {}", file.display());
         Ok(())
     }
 }
@@ -88,56 +63,5 @@ pub(crate) fn exit_code(study: impl FnOnce() -> Result<bool>) -> ExitCode {
             eprintln!("error: {error:#}");
             ExitCode::from(2)
         }
-    }
-}
-
-/// A table whose first column is text and whose others are figures.
-pub(crate) fn table<T: Into<comfy_table::Row>>(head: T) -> Table {
-    let mut table = Table::new();
-    table.load_preset(ASCII_MARKDOWN).set_header(head);
-    for column in table.column_iter_mut() {
-        // However wide the terminal is: a line of Markdown must not be broken.
-        column.set_constraint(ColumnConstraint::ContentWidth);
-        if column.index > 0 {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table
-}
-
-/// A number with three digits that count.
-pub(crate) fn number(value: f64) -> String {
-    if value.is_nan() {
-        return "-".to_owned();
-    }
-    if value == 0.0 || value.is_infinite() {
-        return value.to_string();
-    }
-    let power = value.abs().log10().floor() as i32;
-    match power {
-        -3..=5 => format!("{value:.*}", (2 - power).max(0) as usize),
-        _ => format!("{value:.1e}"),
-    }
-}
-
-/// A share in percent.
-pub(crate) fn percent(share: f64) -> String {
-    match share {
-        0.0 => "none".to_owned(),
-        _ => format!("{} %", number(100.0 * share)),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{number, percent};
-
-    #[test]
-    fn three_digits_count() {
-        let numbers = [0.0, 0.00123456, 0.5, 12.3456, 1234.5, 1.0e-6, f64::NAN];
-        let texts = numbers.map(number);
-        let expected = ["0", "0.00123", "0.500", "12.3", "1234", "1.0e-6", "-"];
-        assert_eq!(texts, expected);
-        assert_eq!([0.0, 0.5].map(percent), ["none", "50.0 %"]);
     }
 }

@@ -96,7 +96,7 @@ async function scenes() {
   });
 }
 
-/** Buttons, keys, boxes and pairs. */
+/** Buttons, keys, boxes, pairs and fat boxes. */
 async function switches() {
   await withPage({ query: "scene=hopper&bodies=300" }, async (page) => {
     await afterSteps(page, 40);
@@ -113,7 +113,7 @@ async function switches() {
     await page.keyboard.press("n");
     assert.equal((await told(page)).steps, steps + 2, "one step by a key");
     const shots = [await page.locator("#unisize").screenshot()];
-    for (const overlay of ["boxes", "pairs"]) {
+    for (const overlay of ["boxes", "pairs", "search"]) {
       await page.focus(`[name=${overlay}]`);
       await page.keyboard.press("Space");
       await page.waitForTimeout(500);
@@ -196,6 +196,11 @@ async function pictures() {
           await page.check("[name=boxes]");
           await page.waitForTimeout(1500);
           await page.screenshot({ path: join(folder, `overlays-${colorScheme}.png`), fullPage: true });
+        }
+        if (width === 1600) {
+          await page.check("[name=search]");
+          await page.waitForTimeout(1500);
+          await page.screenshot({ path: join(folder, `search-${colorScheme}.png`), fullPage: true });
         }
       });
     }

@@ -39,8 +39,9 @@ pub struct UnisizeBroadPhase {
     /// Scratch: how pairs have changed.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
-    /// See [`Self::unreported_neighbors`].
-    pub(super) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
+    /// What the last update was given, each with one whose box had overlapped its own and that is no pair by its shape, and whether it
+    /// was given as removed.
+    pub(crate) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
     /// What the next update is told of in particular.
     pub(crate) noted: Noted,
 }
@@ -51,8 +52,23 @@ pub(crate) struct Input<'a> {
     pub(crate) params: &'a IntegrationParameters,
     pub(crate) colliders: &'a ColliderSet,
     pub(crate) bodies: &'a RigidBodySet,
-    pub(crate) modified: &'a [ColliderHandle],
-    pub(crate) removed: &'a [ColliderHandle],
+    pub(crate) lists: Lists<'a, ColliderHandle>,
+}
+
+impl<'a> Input<'a> {
+    pub(crate) fn new(
+        params: &'a IntegrationParameters,
+        colliders: &'a ColliderSet,
+        bodies: &'a RigidBodySet,
+        lists: Lists<'a, ColliderHandle>,
+    ) -> Self {
+        Self {
+            params,
+            colliders,
+            bodies,
+            lists,
+        }
+    }
 }
 
 /// Colliders of which more is known than that they have changed; see [`Lists`].
@@ -137,10 +153,13 @@ impl UnisizeBroadPhase {
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.table.pairs();
-        pairs.map(|pair| {
-            let [first, second] = self.table.handles(pair);
-            ColliderPair::new(first, second)
-        })
+        pairs.map(|[first, second]| ColliderPair::new(first, second))
+    }
+
+    /// The boxes by which pairs are searched for, drawn ahead of the motion of their colliders. For pictures.
+    #[doc(hidden)]
+    pub fn fat_boxes(&self) -> impl Iterator<Item = RapierAabb> + '_ {
+        self.table.fat_boxes().map(|&aabb| aabb.into())
     }
 
     /// Checks the internal invariants: the records of colliders, and the pairs held, by a full search. For tests.
@@ -173,7 +192,7 @@ impl UnisizeBroadPhase {
     }
 
     /// One update as by the pipelines of an opened Rapier 0.36, which have noted more than the lists say, and ask for the
-    /// [neighbors](Self::unreported_neighbors).
+    /// neighbors.
     pub(crate) fn update_as_noted(
         &mut self,
         input: &Input<'_>,
@@ -181,36 +200,19 @@ impl UnisizeBroadPhase {
     ) {
         let noted = std::mem::take(&mut self.noted);
         let lists = Lists {
-            modified: input.modified,
             reinserted: &noted.reinserted,
             unmoved: &noted.unmoved,
-            removed: input.removed,
+            ..input.lists
         };
-        self.note_neighbors(&lists);
-        self.bring_up_to_date(input.params, input.colliders, input.bodies, &lists, events);
-    }
-
-    /// Notes the neighbors that [`Self::unreported_neighbors`] tells of, before an update with these lists.
-    fn note_neighbors(&mut self, lists: &Lists<'_, ColliderHandle>) {
         self.near.clear();
-        if !version::ASKS_FOR_NEIGHBORS || self.filter() < PairFilter::Shapes {
-            return;
+        if version::ASKS_FOR_NEIGHBORS && self.filter() >= PairFilter::Shapes {
+            let lists = [lists.modified, lists.unmoved, lists.removed];
+            for (i, listed) in lists.into_iter().enumerate() {
+                let note = |listed, other| self.near.push((listed, other, i == 2));
+                self.table.near(listed, note);
+            }
         }
-        let Lists {
-            modified, unmoved, ..
-        } = lists;
-        for (handles, is_removed) in [(modified, false), (unmoved, false), (&lists.removed, true)] {
-            self.table.near(handles, |listed, other| {
-                self.near.push((listed, other, is_removed))
-            });
-        }
-    }
-
-    /// What the last update was given, each with one whose box had overlapped its own and that is no pair by its shape, and whether it
-    /// was given as removed.
-    #[allow(dead_code, reason = "only an opened copy of Rapier 0.36 asks")]
-    pub(crate) fn unreported_neighbors(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
-        &self.near
+        self.bring_up_to_date(&Input { lists, ..*input }, events);
     }
 
     /// Takes boxes that are handed over, as a part of the next update. Without the colliders, only balls keep their volumes.
@@ -240,31 +242,21 @@ impl UnisizeBroadPhase {
     /// One update.
     pub(crate) fn bring_up_to_date(
         &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        lists: &Lists<'_, ColliderHandle>,
+        input: &Input<'_>,
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        if lists.are_empty() && !self.table.is_begun() {
+        if input.lists.are_empty() && !self.table.is_begun() {
             return;
         }
-        let boxes = ColliderBoxes::new(params, colliders, bodies, self.filter());
-        let margin = self.margin(params);
-        self.table.update(lists, &boxes, margin);
-        self.table.finish(
-            2.0 * margin,
-            &mut self.changes,
-            events,
-            |is_added, [first, second]| {
-                let pair = ColliderPair::new(first, second);
-                if is_added {
-                    BroadPhasePairEvent::AddPair(pair)
-                } else {
-                    BroadPhasePairEvent::DeletePair(pair)
-                }
-            },
-        );
+        let margin = self.margin(input.params);
+        let boxes = ColliderBoxes::new(input, self.filter());
+        self.table.update(&input.lists, &boxes, margin);
+        let event = |is_added, [first, second]: [_; 2]| match is_added {
+            true => BroadPhasePairEvent::AddPair(ColliderPair::new(first, second)),
+            false => BroadPhasePairEvent::DeletePair(ColliderPair::new(first, second)),
+        };
+        let slack = 2.0 * margin;
+        self.table.finish(slack, &mut self.changes, events, event);
         let (touched, slots) = (self.table.last_touched(), self.table.boxes().len());
         self.query_tree.note(touched, slots);
     }

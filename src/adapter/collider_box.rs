@@ -1,5 +1,6 @@
 //! The box that a collider is to be tracked by, as Rapier's own broad phase computes it, and its filter key.
 
+use super::broad_phase::Input;
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -21,17 +22,12 @@ pub(super) struct ColliderBoxes<'a> {
 }
 
 impl<'a> ColliderBoxes<'a> {
-    pub(super) fn new(
-        params: &'a IntegrationParameters,
-        colliders: &'a ColliderSet,
-        bodies: &'a RigidBodySet,
-        filter: PairFilter,
-    ) -> Self {
+    pub(super) fn new(input: &Input<'a>, filter: PairFilter) -> Self {
         Self {
-            colliders,
-            bodies,
-            params,
-            half_distance: params.prediction_distance() / 2.0,
+            colliders: input.colliders,
+            bodies: input.bodies,
+            params: input.params,
+            half_distance: input.params.prediction_distance() / 2.0,
             filter,
         }
     }

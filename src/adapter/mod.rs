@@ -2,11 +2,8 @@
 //!
 //! It turns colliders into boxes, and changes of the pair set into Rapier's events; which boxes are kept and how pairs are
 //! found is none of its business. The module that includes it names the engine as `rapier`, and as `version` what
-//! depends on the engine's version: `rapier_027` or `rapier_036`. What its tests need and Rapier spells
-//! differently in two and three dimensions is in `test_support`.
+//! depends on the engine's version: `rapier_027` or `rapier_036`.
 
-#[cfg(test)]
-use super::test_support;
 use super::{rapier, version};
 
 mod broad_phase;

@@ -10,15 +10,27 @@ use super::collider_key::ColliderKey;
 use super::rapier::math::{DIM, Real};
 use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
-use crate::snapshot_format::SnapshotFormat;
+
+/// The number of the format. It changes with every change of a field, or of what a field decides.
+const FORMAT: u32 = 9;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Snapshot {
     /// First, so that it is read before anything that another version may write differently.
-    format: SnapshotFormat,
+    #[serde(deserialize_with = "this_format")]
+    format: u32,
     settings: Settings,
     table: TableSnapshot<Real, DIM, ColliderKey>,
+}
+
+fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    match u32::deserialize(deserializer)? {
+        FORMAT => Ok(FORMAT),
+        other => Err(D::Error::custom(format_args!(
+            "snapshot: it has format {other}, and this version of unisize reads format {FORMAT}"
+        ))),
+    }
 }
 
 /// What is written decides all events to come: a simulation that is restored, with all of Rapier's
@@ -27,7 +39,7 @@ struct Snapshot {
 impl Serialize for UnisizeBroadPhase {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let snapshot = Snapshot {
-            format: SnapshotFormat,
+            format: FORMAT,
             settings: self.settings,
             table: self.table.snapshot(),
         };

@@ -1,7 +1,7 @@
 //! Both broad phases at once, to find out what unisize gains in a scene before it is used.
 
 mod cost;
-mod ledger;
+mod pairs;
 mod report;
 #[cfg(test)]
 mod tests;
@@ -20,9 +20,10 @@ use super::rapier::geometry::*;
 use super::version;
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
+use crate::proxy_table::Lists;
 use crate::stopwatch;
 use cost::Cost;
-use ledger::{Ledger, Side};
+use pairs::HeldPairs;
 
 /// The levels of the filter, from the one that leaves out nothing.
 const LEVELS: [PairFilter; 4] = [
@@ -45,8 +46,7 @@ const LEVELS: [PairFilter; 4] = [
 ///
 /// The simulation is the same to the last bit, only slower: unisize runs once for each [level of the filter](PairFilter), and what that
 /// takes is in the report. All of them share the caches of the processor, so each is a little faster without the others. After each
-/// update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own: **O(events)**, and **O(pairs)** if
-/// colliders were removed.
+/// update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own, in **O(pairs)**.
 #[derive(Clone)]
 pub struct Trial {
     pub(crate) own: DefaultBroadPhase,
@@ -58,7 +58,9 @@ pub struct Trial {
     is_prepared: bool,
     /// What all has taken, the comparison included.
     total: Duration,
-    ledger: Ledger,
+    /// What Rapier's own holds, and what unisize holds at the same level of the filter.
+    own_pairs: HeldPairs,
+    pairs: HeldPairs,
     first_difference: Option<Difference>,
     /// See [`Self::with_allocated`].
     allocated: Option<fn() -> usize>,
@@ -97,7 +99,8 @@ impl Trial {
             updates: 0,
             is_prepared: false,
             total: Duration::ZERO,
-            ledger: Ledger::default(),
+            own_pairs: HeldPairs::default(),
+            pairs: HeldPairs::default(),
             first_difference: None,
             allocated: None,
             looked_at: HashMap::new(),
@@ -162,21 +165,21 @@ impl Trial {
             params,
             colliders,
             bodies,
-            modified,
-            removed,
+            lists: Lists {
+                modified, removed, ..
+            },
         } = *input;
-        let is_prepared = std::mem::take(&mut self.is_prepared);
-        let is_busy = is_prepared || !(modified.is_empty() && removed.is_empty());
+        let is_busy = std::mem::take(&mut self.is_prepared) || !input.lists.are_empty();
         self.updates += u64::from(is_busy);
         let update = is_busy.then_some(self.updates);
-        self.ledger.forget(removed);
         let (allocated, earlier) = (self.allocated, events.len());
         self.own_cost.of(allocated, events, |events| {
             self.own
                 .update(params, colliders, bodies, modified, removed, events);
         });
-        self.ledger.note(Side::Own, &events[earlier..]);
-        self.own_cost.end_update(update, self.ledger.held_by_own());
+        self.own_pairs.forget(removed);
+        self.own_pairs.note(&events[earlier..]);
+        self.own_cost.end_update(update, self.own_pairs.0.len());
 
         let tried = self.tried.iter_mut().zip(&mut self.costs);
         for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
@@ -186,7 +189,8 @@ impl Trial {
             });
             cost.end_update(update, broad_phase.stats().pairs);
             if level == version::FILTER_OF_OWN {
-                self.ledger.note(Side::Unisize, &events);
+                self.pairs.forget(removed);
+                self.pairs.note(&events);
             }
         }
         if self.first_difference.is_none() {
@@ -195,21 +199,22 @@ impl Trial {
         self.total += stopwatch::since(began);
     }
 
-    /// A pair that only one of the two holds, although the narrow phase would not drop it.
+    /// The least pair that only one of the two holds, although the narrow phase would not drop it.
     fn difference(&self, input: &Input<'_>) -> Option<Difference> {
-        let differing = self.ledger.held_by_one().filter(|(pair, _)| {
-            let keys = pair.map(|handle| {
-                let collider = input.colliders.get(handle)?;
-                Some(key(collider, input.bodies))
-            });
+        let HeldPairs(own) = &self.own_pairs;
+        let mut differing = own.symmetric_difference(&self.pairs.0);
+        let handles = |pair: [(u32, u32); 2]| {
+            pair.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation))
+        };
+        let pair = differing.find(|&&pair| {
+            let colliders = handles(pair).map(|handle| input.colliders.get(handle));
+            let keys = colliders.map(|collider| Some(key(collider?, input.bodies)));
             matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
-        });
-        // The least, so that it is always the same one.
-        let (pair, holder) = differing.min_by_key(|(pair, _)| pair.map(|h| h.into_raw_parts()))?;
+        })?;
         Some(Difference {
             update: self.updates,
-            colliders: pair,
-            is_missing: holder == Side::Own,
+            colliders: handles(*pair),
+            is_missing: own.contains(pair),
         })
     }
 }

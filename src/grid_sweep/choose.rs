@@ -6,8 +6,7 @@ use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::tuning::kernel::{
     BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
-    GRID_SAMPLE_ONE_IN, GRID_SIZE_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES, ONE_CUT_SAMPLE,
-    ONE_CUT_SAMPLE_ONE_IN, POINTS_A_TUBE,
+    GRID_SIZE_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES, ONE_CUT_SAMPLE, POINTS_A_TUBE, Sample,
 };
 
 impl<R: Real> Grid<R> {
@@ -19,7 +18,7 @@ impl<R: Real> Grid<R> {
     ) -> Self {
         let cuts = cut_axes::<D>();
         let n = members.count() as f64;
-        let indices = sample_indices(members.count(), GRID_SAMPLE_ONE_IN, GRID_SAMPLE);
+        let indices = sample_indices(members.count(), GRID_SAMPLE);
         let sample: Vec<_> = indices.map(|i| &boxes[members.index(i) as usize]).collect();
         let axes: [AxisSample; 3] = core::array::from_fn(|k| AxisSample::of(&sample, k.min(D - 1)));
 
@@ -38,19 +37,15 @@ impl<R: Real> Grid<R> {
             let AxisSample { size, low, spread } = axes[cut + 1];
             // Points have no size: aim at some points per tube.
             let least = spread / root(n / POINTS_A_TUBE, cuts).max(1.0);
-            let width = if size > 0.0 {
-                size * width_in_boxes
-            } else {
-                least * widening
+            let width = match size > 0.0 {
+                true => size * width_in_boxes,
+                false => least * widening,
             };
             // Strip numbers are 32-bit; leave room for what lies outside of the sample.
             let width = width.max(spread / f64::from(1 << 28));
             let width = if width > 0.0 { width } else { 1.0 };
-            grid.axes[cut] = Strips::new(
-                low - spread * GRID_MARGIN,
-                width,
-                spread * (1.0 + 2.0 * GRID_MARGIN),
-            );
+            let margin = spread * GRID_MARGIN;
+            grid.axes[cut] = Strips::new(low - margin, width, spread + 2.0 * margin);
         }
         if cuts == 2 && !grid.fits_table(members.count()) {
             return grid.along_one_axis(boxes, members).unwrap_or(grid);
@@ -69,7 +64,7 @@ impl<R: Real> Grid<R> {
         members: impl Members,
     ) -> Option<Self> {
         let n = members.count();
-        let indices = sample_indices(n, ONE_CUT_SAMPLE_ONE_IN, ONE_CUT_SAMPLE);
+        let indices = sample_indices(n, ONE_CUT_SAMPLE);
         let sample: Vec<_> = indices.map(|i| &boxes[members.index(i) as usize]).collect();
         // Of `n` boxes, each has `n / k²` times as many candidates as `k` of them have in all.
         let k = sample.len() as f64;
@@ -105,15 +100,11 @@ impl<R: Real> Grid<R> {
     }
 }
 
-/// Which of `n` boxes are looked at to choose a grid: one in so many, at least and at most so many, or all if they are few.
-///
-/// The same ones each time, but irregularly spaced, so that a pattern in the order of the boxes does not mislead.
-pub(super) fn sample_indices(
-    n: usize,
-    one_in: usize,
-    [least, most]: [usize; 2],
-) -> impl Iterator<Item = usize> {
-    let count = (n / one_in).clamp(least, most).min(n);
+/// Which of `n` boxes are looked at. The same ones each time, but irregularly spaced, so that a pattern in the order of the boxes
+/// does not mislead.
+pub(super) fn sample_indices(n: usize, sample: Sample) -> impl Iterator<Item = usize> {
+    let [least, most] = sample.range;
+    let count = (n / sample.one_in).clamp(least, most).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| i * n / count);

@@ -30,21 +30,19 @@ pub(super) struct FoundInvalid;
 /// Scratch memory: which boxes of a class are in which tube.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Assignment {
-    /// By tubes, of which there is a table: a part for each thread. The first `part_count` are in use.
+    /// By tubes, of which there is a table: a part for each thread.
     parts: Vec<Part>,
-    /// 0 if there are too many tubes for a table.
-    part_count: usize,
-    /// In that case, the boxes sorted by tubes.
+    /// Where there are too many tubes for a table, the boxes sorted by tubes instead.
     scattered: Scattered,
+    is_scattered: bool,
 }
 
 /// The boxes of one size class, sorted into tubes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
-    /// The first `slab_count` cover the grid. The others are kept for their memory.
+    /// Together they cover the grid.
     slabs: Vec<Slab<R, D>>,
-    pub(super) slab_count: usize,
     /// The boxes too large for this class: the members of all following classes.
     pub(super) oversized: Vec<u32>,
 }
@@ -72,18 +70,19 @@ impl<R: Real, const D: usize> Class<R, D> {
                 None => Grid::default(),
             };
             self.oversized.clear();
-            if self.grid.fits_table(count) {
-                self.count_by_tube(members, assignment, run)?;
-            } else {
-                self.scatter(members, assignment, run)?;
+            assignment.is_scattered = !self.grid.fits_table(count);
+            match assignment.is_scattered {
+                true => self.scatter(members, &mut assignment.scattered, run)?,
+                false => self.count_by_tube(members, &mut assignment.parts, run)?,
             }
             if self.oversized.len() <= count / 8 * OVERSIZED_UP_TO_EIGHTHS {
                 break;
             }
         }
         run.stopwatch.enter(Phase::Sort);
-        let parts = &mut assignment.parts[..assignment.part_count];
-        parallel::for_each(parts, |part| part.place(members));
+        if !assignment.is_scattered {
+            parallel::for_each(&mut assignment.parts, |part| part.place(members));
+        }
         run.stopwatch.leave();
         Ok(())
     }
@@ -92,18 +91,14 @@ impl<R: Real, const D: usize> Class<R, D> {
     fn count_by_tube(
         &mut self,
         members: impl Members,
-        assignment: &mut Assignment,
+        parts: &mut Vec<Part>,
         run: &Run<R, D>,
     ) -> Result<(), FoundInvalid> {
-        let (parts, part_count) = (&mut assignment.parts, &mut assignment.part_count);
         let count = members.count();
-        *part_count = run.slab_count.min(count).max(1);
-        if parts.len() < *part_count {
-            parts.resize_with(*part_count, Part::default);
-        }
-        let parts = &mut parts[..*part_count];
+        let part_count = run.slab_count.min(count).max(1);
+        parts.resize_with(part_count, Part::default);
         for (i, part) in parts.iter_mut().enumerate() {
-            part.range = i * count / *part_count..(i + 1) * count / *part_count;
+            part.range = i * count / part_count..(i + 1) * count / part_count;
         }
         parallel::for_each(parts, |part| part.count(run.boxes, members, &self.grid));
         for part in parts {
@@ -119,7 +114,7 @@ impl<R: Real, const D: usize> Class<R, D> {
     fn scatter<M: Members>(
         &mut self,
         members: M,
-        assignment: &mut Assignment,
+        scattered: &mut Scattered,
         run: &mut Run<R, D>,
     ) -> Result<(), FoundInvalid> {
         let mut are_valid = true;
@@ -133,8 +128,6 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         run.stopwatch.enter(Phase::Sort);
         self.grid.extend::<D>();
-        assignment.part_count = 0;
-        let scattered = &mut assignment.scattered;
         scattered.assign(run.boxes, members, &self.grid, &mut self.oversized);
         Ok(())
     }
@@ -149,24 +142,21 @@ impl<R: Real, const D: usize> Class<R, D> {
         } = *run;
         let keeps = run.keeps || !self.oversized.is_empty();
         let parts = Parts {
-            parts: &assignment.parts[..assignment.part_count],
+            parts: &assignment.parts,
             tubes: self.grid.tube_count() as u32,
             columns: self.grid.columns(),
         };
-        let ranges = match parts.parts {
-            [] => std::iter::once(0..0).collect(),
-            _ => parts.split(run.slab_count),
+        let ranges = match assignment.is_scattered {
+            true => std::iter::once(0..0).collect(),
+            false => parts.split(run.slab_count),
         };
-        self.slab_count = ranges.len();
-        if self.slabs.len() < ranges.len() {
-            self.slabs.resize_with(ranges.len(), Slab::default);
-        }
+        self.slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in self.slabs.iter_mut().zip(ranges) {
             slab.tubes.clear(range);
             slab.stopwatch = run.stopwatch.reset();
         }
-        match &mut self.slabs[..self.slab_count] {
-            [slab] if parts.parts.is_empty() => {
+        match &mut self.slabs[..] {
+            [slab] if assignment.is_scattered => {
                 slab.sweep_scattered(boxes, &assignment.scattered, keeps, pairs);
             }
             [slab] => slab.sweep_parts(boxes, parts, keeps, pairs),
@@ -185,10 +175,10 @@ impl<R: Real, const D: usize> Class<R, D> {
             }
         }
         // They have worked at the same time.
-        for slab in self.slabs() {
+        for slab in &self.slabs {
             let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
-            run.stopwatch.times.sort += sort / self.slab_count as u32;
-            run.stopwatch.times.sweep += sweep / self.slab_count as u32;
+            run.stopwatch.times.sort += sort / self.slabs.len() as u32;
+            run.stopwatch.times.sweep += sweep / self.slabs.len() as u32;
         }
     }
 
@@ -207,34 +197,26 @@ impl<R: Real, const D: usize> Class<R, D> {
         run.stopwatch.leave();
     }
 
-    fn slabs(&self) -> &[Slab<R, D>] {
-        &self.slabs[..self.slab_count]
-    }
-
     /// Prepares for [`look_up`](Self::look_up), until the next run.
     pub(super) fn prepare_lookup(&mut self) {
-        if self.slabs().iter().all(|slab| slab.tubes.is_prepared()) {
+        if self.slabs.iter().all(|slab| slab.tubes.is_prepared()) {
             return;
         }
         let columns = self.grid.columns();
-        parallel::for_each(&mut self.slabs[..self.slab_count], |slab| {
-            slab.tubes.prepare_lookup(columns);
-        });
+        parallel::for_each(&mut self.slabs, |slab| slab.tubes.prepare_lookup(columns));
     }
 
     /// Emits the pair of a box with every box of the class that it overlaps.
     pub(super) fn look_up(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
         let span = self.grid.tube_span(aabb);
         let query = Query { aabb, index, span };
-        for slab in self.slabs() {
+        for slab in &self.slabs {
             slab.tubes.look_up(&query, self.grid.columns(), emitter);
         }
     }
 
     /// Frees what only a run needs.
-    #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
-        self.slabs.truncate(self.slab_count);
         self.slabs.iter_mut().for_each(Slab::free_scratch);
     }
 }

@@ -1,32 +1,12 @@
 //! Pairs on their way to the output.
 //!
 //! Most boxes have a few candidates, and how many of them are hits is practically random; a branch on that would be
-//! mispredicted for every other box. So a fixed number of pairs is always written to a buffer, and the cursor moves on by the
-//! number of hits.
+//! mispredicted for every other box. So pairs are written to a buffer whether they are hits or not, and the cursor moves on by
+//! the hits; or the hits of several boxes are gone through in one loop.
 
 use super::owner::Owner;
 use crate::lanes::LANES;
 use crate::pair_finder::ordered;
-
-/// For each byte, the positions of the bits that are set, three bits each, the lowest first; from bit 24 on, how many
-/// there are. Not every processor can be relied on to count bits, and searching for them one by one takes more steps.
-const ONES: [u32; 1 << LANES] = {
-    let mut ones = [0; 1 << LANES];
-    let mut bits = 0;
-    while bits < ones.len() {
-        let (mut position, mut count) = (0, 0);
-        while position < LANES {
-            if bits >> position & 1 == 1 {
-                ones[bits] |= (position as u32) << (3 * count);
-                count += 1;
-            }
-            position += 1;
-        }
-        ones[bits] |= count << 24;
-        bits += 1;
-    }
-    ones
-};
 
 /// How many pairs are collected before they are appended to the output.
 const BUFFER: usize = 512;
@@ -49,20 +29,22 @@ impl<'a> Emitter<'a> {
 
     /// Emits the pairs of `owner` with those of eight others whose bit in `hits` is set.
     #[inline(always)]
-    pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], hits: u32) {
+    pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], mut hits: u32) {
         if self.len > BUFFER - LANES {
             self.flush();
         }
-        let mut ones = ONES[hits as usize % ONES.len()];
-        let count = (ones >> 24) as usize;
-        for written in 0..2 {
-            let other = others[ones as usize % LANES];
-            self.append(owner, other, written < count);
-            ones >>= 3;
+        let mut next = || {
+            let other = others[hits.trailing_zeros() as usize % LANES];
+            let is_hit = hits != 0;
+            hits &= hits.wrapping_sub(1);
+            (other, is_hit)
+        };
+        for _ in 0..2 {
+            let (other, is_hit) = next();
+            self.append(owner, other, is_hit);
         }
-        for _ in 2..count {
-            self.append(owner, others[ones as usize % LANES], true);
-            ones >>= 3;
+        while let (other, true) = next() {
+            self.append(owner, other, true);
         }
     }
 

@@ -102,7 +102,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
     }
 
     /// Frees what only a run needs.
-    #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
         self.entries = Vec::new();
         self.pairs = Vec::new();

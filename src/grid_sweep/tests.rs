@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::brute_force::BruteForce;
-use crate::tuning::kernel::{GRID_SAMPLE, GRID_SAMPLE_ONE_IN};
+use crate::tuning::kernel::GRID_SAMPLE;
 
 /// The pairs that a kernel finds, which are also checked.
 fn checked<const D: usize>(
@@ -22,27 +22,6 @@ fn cube<const D: usize>(mins: [f32; D]) -> Aabb<f32, D> {
     Aabb::new(mins, mins.map(|x| x + 1.0))
 }
 
-/// Unit squares in rows of ten.
-#[cfg(feature = "parallel")]
-fn rows(count: usize) -> Vec<Aabb<f32, 2>> {
-    let corner = |i: usize| [(i % 10) as f32 * 0.9, (i / 10) as f32 * 0.9];
-    (0..count).map(|i| cube(corner(i))).collect()
-}
-
-#[cfg(feature = "parallel")]
-#[test]
-fn each_thread_has_a_slab_if_there_is_enough_to_do() {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build();
-    let slabs_of = |count| {
-        let mut kernel = GridSweep::default();
-        kernel.find_pairs(&rows(count), &mut Vec::new()).unwrap();
-        kernel.classes[0].slab_count
-    };
-    let counts = [THREADS_FROM - 1, THREADS_FROM];
-    let slabs = pool.unwrap().install(|| counts.map(slabs_of));
-    assert_eq!(slabs, [1, 3]);
-}
-
 /// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
 #[test]
 fn a_sample_that_misleads_costs_time_and_nothing_else() {
@@ -50,7 +29,7 @@ fn a_sample_that_misleads_costs_time_and_nothing_else() {
         let mut boxes: Vec<_> = (0..2000)
             .map(|i| Aabb::new([i as f32, -1e9], [i as f32 + 1.5, 1e9]))
             .collect();
-        for i in choose::sample_indices(boxes.len(), GRID_SAMPLE_ONE_IN, GRID_SAMPLE) {
+        for i in choose::sample_indices(boxes.len(), GRID_SAMPLE) {
             let corner = [i as f32, spread * (i % 50) as f32];
             boxes[i] = Aabb::new(corner, corner);
         }

@@ -156,7 +156,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Frees what only building needs, and is otherwise kept for the next time.
-    #[cfg(feature = "_adapter")]
     pub(super) fn free_scratch(&mut self) {
         self.order = Order::default();
     }

@@ -23,7 +23,7 @@ use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_U
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Layers<R, const D: usize> {
+pub(super) struct Layers<R: Real, const D: usize> {
     kernel: Kernel,
     are_used: bool,
     base: Layer<R, D>,

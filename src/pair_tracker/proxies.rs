@@ -95,6 +95,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         &self.boxes
     }
 
+    /// The fat boxes by slot; all NaN where there is none.
+    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
+        &self.fat_boxes
+    }
+
     /// The box under this slot, if there is a proxy.
     pub(crate) fn get(&self, slot: u32) -> Option<&Aabb<R, D>> {
         self.boxes.get(slot as usize).filter(|b| b.is_valid())

@@ -18,8 +18,8 @@ use crate::real::Real;
 /// What decides the changes to come.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
-    serialize = "R: Serialize, K: Serialize",
-    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+    serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
+    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
 ))]
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     /// By slot, as of the last `finish`.
@@ -40,8 +40,8 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
 /// A box and its filter key.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
-    serialize = "R: Serialize, K: Serialize",
-    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+    serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
+    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
 ))]
 struct Proxy<R, const D: usize, K> {
     aabb: Aabb<R, D>,

@@ -26,8 +26,8 @@ pub(super) type Pending<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedO
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize),
     serde(bound(
-        serialize = "R: serde::Serialize",
-        deserialize = "R: Real + serde::Deserialize<'de>"
+        serialize = "[R; D]: serde::Serialize",
+        deserialize = "[R; D]: serde::Deserialize<'de>"
     ))
 )]
 pub(super) struct HandedOver<R, const D: usize> {

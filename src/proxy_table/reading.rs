@@ -142,10 +142,9 @@ impl Reader {
     ) {
         self.listed.resize(table.generations.len());
         // More parts than threads, because some will be faster than others.
-        let parts = if is_shared {
-            PARTS_A_THREAD * parallel::threads()
-        } else {
-            1
+        let parts = match is_shared {
+            true => PARTS_A_THREAD * parallel::threads(),
+            false => 1,
         };
         let words = self.listed.words();
         let words_a_part = words.len().div_ceil(parts).max(1);
@@ -206,8 +205,8 @@ impl Reader {
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Brings one collider up to date by what its source says.
-    pub(super) fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
+    /// Brings one collider up to date by what the source says.
+    fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
@@ -215,6 +214,50 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.admit(handle, margin, |memo| {
             Reading::of(source, handle, memo, are_used)
         });
+    }
+
+    /// Renews the boxes of known colliders without a margin.
+    pub(super) fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            let Some(slot) = self.slot_of(handle) else {
+                continue;
+            };
+            let read = source.read(handle, &mut self.memos[slot as usize]);
+            let held = self.tracker.proxies.get(slot);
+            if let (Some((aabb, _)), Some(held)) = (read, held) {
+                if aabb != *held {
+                    self.tracker.proxies.place(slot, aabb);
+                    self.gathered.moved += 1;
+                }
+            }
+        }
+    }
+
+    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
+    pub(super) fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let proxies = &mut self.tracker.proxies;
+        let are_used = proxies.volumes().are_used();
+        for &handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            if !is_known(&self.generations, slot, generation) {
+                continue;
+            }
+            let memo = &mut self.memos[slot as usize];
+            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
+            else {
+                continue;
+            };
+            proxies.set_key(slot, key);
+            if are_used && proxies.volumes().get(slot).kind != volume.kind {
+                proxies.set_volume(slot, &volume, false);
+            }
+        }
     }
 }
 

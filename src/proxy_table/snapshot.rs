@@ -17,8 +17,8 @@ use crate::stopwatch::PhaseTimes;
 /// What decides the events to come.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
-    serialize = "R: Serialize, K: Serialize",
-    deserialize = "R: Real + Deserialize<'de>, K: Deserialize<'de>"
+    serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
+    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
 ))]
 pub(crate) struct TableSnapshot<R, const D: usize, K> {
     stats: Stats,

@@ -174,7 +174,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
         let [a, b] = stats.map(|s| [s.proxies, s.refused, s.listed, s.moved, s.pairs]);
         assert_eq!(a, b);
     }
-    assert!(at_once.pairs().count() > 0 && at_once.stats().refused > 0);
+    assert!(at_once.pairs::<Id>().count() > 0 && at_once.stats().refused > 0);
 }
 
 #[test]

@@ -106,7 +106,10 @@ fn all_that_touch_meet<R: Real, const D: usize>() {
                     assert!(a.meets(&b, R::ZERO) && b.meets(&a, R::ZERO), "{a:?} {b:?}");
                     // As in a broad phase, where a ball is what its box says.
                     let [a, b] = [0, 1].map(|i| [a, b][i].in_box(&pair[i].aabb()));
-                    assert!(!a.ball.center[0].is_nan(), "{a:?} does not fill its box");
+                    assert!(
+                        !a.ball.center[0].to_f64().is_nan(),
+                        "{a:?} does not fill its box"
+                    );
                     assert!(a.meets(&b, R::ZERO), "{a:?} {b:?}");
                     // And anything that is nearer than the slack.
                     let pair = touching::<D>(&mut random, [first, second], place, 0.125);

@@ -1,7 +1,8 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
 use super::{FLAVOUR, Kernel, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
-use crate::hash::{Hash, golden};
+use crate::golden;
+use crate::hash::Hash;
 use crowd::Crowd;
 use oorandom::Rand32;
 use rapier::prelude::*;

@@ -71,7 +71,7 @@ mod brute_force {
 // One dimension and four are unusual, but allowed.
 suites!(grid_sweep, GridSweep, f32_1 f32, 1, f64_4 f64, 4);
 suites!(grid_sweep_in_slabs, InSlabs);
-suites!(rank_sweep, RankSweep);
+suites!(rank_sweep, RankSweep, f32_1 f32, 1, f64_4 f64, 4);
 
 mod references {
     use super::*;

@@ -1,15 +1,15 @@
-//! An axis: its title, its range, and its ticks.
+//! An axis: its title, and for the values along it its range and its ticks.
 
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
 
 /// An axis, either linear from zero on or logarithmic.
+///
+/// Values below zero are not shown. Zero has a place of its own on a logarithmic axis, a shaded band below all other values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     pub(crate) title: String,
     is_log: bool,
-    /// The band that stands for zero on a logarithmic axis, as the values that would be at its ends.
-    zero: Option<[f64; 2]>,
 }
 
 /// A logarithmic axis spans at least this factor, lest small differences look large.
@@ -25,46 +25,78 @@ const SHORT: f64 = 10.0;
 const FEW: usize = 4;
 const FEW_POWERS: usize = 3;
 
+/// How far zero is below the least of the other values, and how wide its band is, in powers of ten.
+const ZERO_BELOW: f64 = 1.1;
+const ZERO_WIDTH: f64 = 0.8;
+
 impl Axis {
-    /// From zero on; values below zero are not shown.
+    /// From zero on.
     pub fn linear(title: impl Into<String>) -> Self {
+        let title = title.into();
         Self {
-            title: title.into(),
+            title,
             is_log: false,
-            zero: None,
         }
     }
 
-    /// Logarithmic; values that are not above zero are not shown, unless [zero has a place](Self::with_zero_between).
+    /// Logarithmic.
     pub fn log(title: impl Into<String>) -> Self {
+        let title = title.into();
         Self {
-            title: title.into(),
+            title,
             is_log: true,
-            zero: None,
         }
     }
 
-    /// With a shaded band for zero, labelled "none", on a logarithmic axis: between these two values, which must be less than
-    /// all others. Zero itself is in the middle. What is zero too may be given a value in the band, so that it does not cover
-    /// the rest.
-    pub fn with_zero_between(mut self, from: f64, to: f64) -> Self {
-        self.zero = Some([from, to]);
-        self
+    /// Its range and ticks for these values.
+    pub(crate) fn scale(&self, values: impl Iterator<Item = f64>) -> Scale {
+        let values: Vec<_> = values.filter(|value| value.is_finite()).collect();
+        let mut scale = Scale {
+            is_log: self.is_log,
+            zero: None,
+            range: 0.0..1.0,
+            ticks: Vec::new(),
+        };
+        let place = |value: &f64| scale.place(*value);
+        let places = values.iter().map(place).filter(|place| place.is_finite());
+        let wider = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
+        let (mut low, high) = places.fold((f64::MAX, f64::MIN), wider);
+        if low <= high {
+            if self.is_log && values.contains(&0.0) {
+                scale.zero = Some(low - ZERO_BELOW);
+                low -= ZERO_BELOW + ZERO_WIDTH / 2.0;
+            }
+            scale.range = self.range(low, high);
+        }
+        scale.ticks = scale.ticks();
+        scale
     }
 
-    /// The places of the two ends of the band for zero, if there is one.
-    pub(crate) fn zero_band(&self) -> Option<[f64; 2]> {
-        self.zero.map(|ends| ends.map(f64::log10))
+    /// From the lowest to the highest place, with some room around them.
+    fn range(&self, low: f64, high: f64) -> Range<f64> {
+        if !self.is_log {
+            return 0.0..if high > 0.0 { high * (1.0 + ROOM) } else { 1.0 };
+        }
+        let span = (high - low).max(LEAST_FACTOR.log10());
+        let room = (span - (high - low)) / 2.0 + ROOM * span;
+        low - room..high + room
     }
+}
 
-    /// Where zero is if it has a place.
-    fn zero_place(&self) -> Option<f64> {
-        self.zero_band().map(|[from, to]| (from + to) / 2.0)
-    }
+/// The places that an axis spans, and those of its ticks.
+#[derive(Clone, Debug)]
+pub(crate) struct Scale {
+    is_log: bool,
+    /// Where zero is, on a logarithmic axis with values that are zero.
+    zero: Option<f64>,
+    range: Range<f64>,
+    ticks: Vec<f64>,
+}
 
+impl Scale {
     /// Where a value is along the axis: its logarithm to base 10, or itself.
     pub(crate) fn place(&self, value: f64) -> f64 {
-        match self.zero_place() {
+        match self.zero {
             Some(zero) if value == 0.0 => zero,
             _ if self.is_log => value.log10(),
             _ => value,
@@ -79,35 +111,15 @@ impl Axis {
         }
     }
 
-    /// Its range and ticks for these values.
-    pub(crate) fn scale(&self, values: impl Iterator<Item = f64>) -> Scale {
-        let range = self.range(values);
-        Scale {
-            ticks: self.ticks(&range),
-            range,
-        }
-    }
-
-    /// The places that the axis spans for these values, with some room around them.
-    fn range(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
-        let places = values.map(|value| self.place(value));
-        let places = places.chain(self.zero_band().into_iter().flatten());
-        let wider = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
-        let finite = places.filter(|x| x.is_finite());
-        let (low, high) = finite.fold((f64::MAX, f64::MIN), wider);
-        if low > high {
-            return 0.0..1.0;
-        }
-        if !self.is_log {
-            return 0.0..if high > 0.0 { high * (1.0 + ROOM) } else { 1.0 };
-        }
-        let span = (high - low).max(LEAST_FACTOR.log10());
-        let room = (span - (high - low)) / 2.0 + ROOM * span;
-        low - room..high + room
+    /// The upper end of the band for zero, if there is one.
+    pub(crate) fn end_of_zero(&self) -> Option<f64> {
+        self.zero.map(|zero| zero + ZERO_WIDTH / 2.0)
     }
 
     /// The places of the ticks: as coarse as will do.
-    fn ticks(&self, range: &Range<f64>) -> Vec<f64> {
+    fn ticks(&self) -> Vec<f64> {
+        let start = self.end_of_zero().unwrap_or(self.range.start);
+        let range = start..self.range.end;
         let [low, high] = [range.start, range.end].map(|place| self.value(place));
         let (candidates, few): (Vec<Vec<f64>>, _) = if self.is_log && high >= SHORT * low {
             let powers = range.start.floor() as i32..=range.end.ceil() as i32;
@@ -137,16 +149,13 @@ impl Axis {
             };
             ticks = finer;
         }
-        if let (Some([_, end]), Some(zero)) = (self.zero_band(), self.zero_place()) {
-            ticks.retain(|&place| place > end);
-            ticks.insert(0, zero);
-        }
+        ticks.extend(self.zero);
         ticks
     }
 
     /// The value at a tick, without the noise of its last bits.
     pub(crate) fn label(&self, place: f64) -> String {
-        if self.zero_place() == Some(place) {
+        if self.zero == Some(place) {
             return "none".to_owned();
         }
         // Logarithms are not exact: what is just below a power of ten is one.
@@ -163,13 +172,6 @@ impl Axis {
         }
         text + unit
     }
-}
-
-/// The places that an axis spans, and those of its ticks.
-#[derive(Clone, Debug)]
-pub(crate) struct Scale {
-    range: Range<f64>,
-    ticks: Vec<f64>,
 }
 
 impl Ranged for Scale {
@@ -192,12 +194,16 @@ impl Ranged for Scale {
 
 #[cfg(test)]
 mod tests {
-    use super::Axis;
+    use super::{Axis, Scale};
 
-    fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
-        let range = axis.range(values.into_iter());
-        let ticks = axis.ticks(&range);
-        ticks.iter().map(|&tick| axis.label(tick)).collect()
+    fn labels<const N: usize>(axis: &Axis, values: [f64; N]) -> Vec<String> {
+        let scale = axis.scale(values.into_iter());
+        let ticks = scale.ticks.iter();
+        ticks.map(|&tick| scale.label(tick)).collect()
+    }
+
+    fn of(axis: Axis) -> Scale {
+        axis.scale(std::iter::empty())
     }
 
     #[test]
@@ -215,48 +221,43 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         let numbers = [0.0, 0.000_25, 0.02, 1.5, 30.000_000_001, 1000.0, 12_500.0];
-        let labels = numbers.map(|number| Axis::linear("y").label(number));
-        assert_eq!(
-            labels,
-            ["0", "0.00025", "0.02", "1.5", "30", "1000", "12.5 k"]
-        );
+        let labels = numbers.map(|number| of(Axis::linear("y")).label(number));
+        let expected = ["0", "0.00025", "0.02", "1.5", "30", "1000", "12.5 k"];
+        assert_eq!(labels, expected);
     }
 
     #[test]
     fn short_axes_have_ticks_too() {
-        let axis = Axis::log("x");
-        for [low, high] in [
-            [1.05, 2.1_f64],
-            [0.9, 3.0],
-            [0.0021, 0.0029],
-            [3.0, 20.0],
-            [95.0, 105.0],
+        for values in [
+            [1.2, 2.0],
+            [1.0, 2.7],
+            [0.0022, 0.0028],
+            [3.5, 18.0],
+            [98.0, 102.0],
         ] {
-            let range = low.log10()..high.log10();
-            let ticks = axis.ticks(&range);
-            assert!((4..12).contains(&ticks.len()), "{range:?}: {ticks:?}");
+            let count = labels(&Axis::log("x"), values).len();
+            assert!((4..12).contains(&count), "{values:?}: {count}");
         }
     }
 
     #[test]
-    fn zero_may_have_a_place_on_a_logarithmic_axis() {
-        let axis = Axis::log("x").with_zero_between(1e-5, 1e-3);
-        assert_eq!(axis.place(0.0), -4.0);
-        assert_eq!(axis.place(0.01), -2.0);
-        assert_eq!(labels(&axis, [0.0, 0.2]), ["none", "0.01", "0.1"]);
-        assert!(axis.range([0.5].into_iter()).contains(&-5.0));
-        assert!(Axis::log("x").place(0.0).is_infinite());
+    fn zero_has_a_place_below_all_others() {
+        let axis = Axis::log("x");
+        let scale = axis.scale([0.0, 0.01, 0.2].into_iter());
+        let [zero, least] = [0.0, 0.01].map(|value| scale.place(value));
+        assert!(zero < scale.end_of_zero().unwrap() && scale.end_of_zero().unwrap() < least);
+        assert!(scale.range.contains(&zero));
+        let expected = ["0.01", "0.1", "1", "none"];
+        assert_eq!(labels(&axis, [0.0, 0.02, 3.0]), expected);
+        assert!(of(axis).place(0.0).is_infinite());
     }
 
     #[test]
     fn there_is_a_range_for_all_values() {
-        let log = Axis::log("x");
-        assert_eq!(log.range(std::iter::empty()), 0.0..1.0);
-        assert_eq!(Axis::linear("x").range([0.0].into_iter()), 0.0..1.0);
-        assert_eq!(labels(&Axis::linear("x"), [0.0; 2]).len(), 5);
-        // One value, and one that has no logarithm.
-        let range = log.range([5.0, 0.0].into_iter());
-        assert!(range.end - range.start > 0.3);
-        assert!(range.contains(&5_f64.log10()));
+        assert_eq!(of(Axis::log("x")).range, 0.0..1.0);
+        let zero = Axis::linear("x").scale([0.0].into_iter());
+        assert_eq!((zero.range, zero.ticks.len()), (0.0..1.0, 5));
+        let one = Axis::log("x").scale([5.0, -1.0].into_iter()).range;
+        assert!(one.end - one.start > 0.3 && one.contains(&5_f64.log10()));
     }
 }

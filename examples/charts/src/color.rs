@@ -1,4 +1,5 @@
-//! Colours that most people can tell apart, in pairs of a strong one and a light one. Reds are for this repository's own.
+//! Colours that most people can tell apart, in pairs of a strong one and a light one, with one meaning in all charts: reds are
+//! unisize, blues are Rapier's own broad phases, and all others the rest.
 
 use plotters::style::RGBColor;
 
@@ -6,9 +7,9 @@ use plotters::style::RGBColor;
 pub const RED: RGBColor = RGBColor(213, 0, 0);
 /// The light red.
 pub const SALMON: RGBColor = RGBColor(228, 112, 88);
-/// A strong blue.
+/// A strong blue, for Rapier 0.27.
 pub const BLUE: RGBColor = RGBColor(0, 90, 181);
-/// The light blue.
+/// The light blue, for Rapier 0.36.
 pub const SKY: RGBColor = RGBColor(80, 170, 230);
 /// A strong green.
 pub const GREEN: RGBColor = RGBColor(0, 130, 80);
@@ -22,8 +23,6 @@ pub const OCHRE: RGBColor = RGBColor(200, 140, 0);
 pub const BLACK: RGBColor = RGBColor(60, 60, 60);
 /// The light black.
 pub const GREY: RGBColor = RGBColor(160, 160, 160);
-/// Nearly white, for what is in the background.
-pub const PALE: RGBColor = RGBColor(200, 200, 200);
 /// A strong pink.
 pub const PINK: RGBColor = RGBColor(225, 70, 180);
 /// The light pink.
@@ -32,7 +31,5 @@ pub const ROSE: RGBColor = RGBColor(240, 160, 215);
 /// The reds.
 pub const OURS: [RGBColor; 2] = [RED, SALMON];
 
-/// All others.
-pub const OTHERS: [RGBColor; 10] = [
-    BLUE, SKY, GREEN, MINT, PURPLE, OCHRE, BLACK, GREY, PINK, ROSE,
-];
+/// For what is neither unisize nor Rapier.
+pub const OTHERS: [RGBColor; 8] = [GREEN, MINT, BLACK, GREY, PURPLE, OCHRE, PINK, ROSE];

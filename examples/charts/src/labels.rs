@@ -7,9 +7,6 @@ const LINE: i32 = 12;
 /// How far a label is from its point.
 const GAP: i32 = 8;
 
-/// A line is kept clear at points this far apart.
-const DOT: i32 = 4;
-
 /// A rectangle on the page: left, top, right, bottom.
 type Rectangle = [i32; 4];
 
@@ -22,16 +19,6 @@ impl Labels {
     pub(crate) fn avoid(&mut self, (x, y): (i32, i32), radius: i32) {
         self.0
             .push([x - radius, y - radius, x + radius, y + radius]);
-    }
-
-    /// Keeps labels off a line.
-    pub(crate) fn avoid_line(&mut self, (x, y): (i32, i32), end: (i32, i32)) {
-        let (width, height) = (end.0 - x, end.1 - y);
-        let parts = (width.abs().max(height.abs()) / DOT).max(1);
-        self.0.extend((0..=parts).map(|part| {
-            let (x, y) = (x + width * part / parts, y + height * part / parts);
-            [x - 1, y - 1, x + 1, y + 1]
-        }));
     }
 
     /// Where the upper left corner of a label should be, from its point: at the first place around it, nearer ones

@@ -1,4 +1,5 @@
-//! Line charts in SVG with one look: panels in rows, and one legend below them.
+//! Line charts in SVG with one look: panels in rows of two, and one legend below them. All are as wide as a page shows them, so that
+//! their text can be read there.
 //!
 //! ```
 //! use unisize_charts::{Axis, Chart, Panel, Series, color};
@@ -32,10 +33,8 @@ use plotters::prelude::*;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-const PANEL_SIZE: (u32, u32) = (430, 380);
-
-/// A chart with a single panel is wider.
-const SINGLE_PANEL_SIZE: (u32, u32) = (860, 420);
+const WIDTH: u32 = 860;
+const PANEL_HEIGHT: u32 = 380;
 
 const TITLE_HEIGHT: u32 = 40;
 const LINE_HEIGHT: u32 = 22;
@@ -46,33 +45,24 @@ const TEXT: (&str, u32) = ("sans-serif", 15);
 pub struct Chart {
     title: String,
     panels: Vec<Panel>,
-    columns: usize,
-    has_own_ranges: bool,
+    has_legend: bool,
     notes: Vec<String>,
 }
 
 impl Chart {
-    /// A chart with all panels in one row. Axes with the same title span the same range in all of them.
+    /// A chart of some panels. Axes with the same title span the same range in all of them.
     pub fn new(title: impl Into<String>, panels: impl IntoIterator<Item = Panel>) -> Self {
-        let panels: Vec<_> = panels.into_iter().collect();
         Self {
             title: title.into(),
-            columns: panels.len().max(1),
-            panels,
-            has_own_ranges: false,
+            panels: panels.into_iter().collect(),
+            has_legend: true,
             notes: Vec::new(),
         }
     }
 
-    /// The number of panels in a row.
-    pub fn columns(mut self, columns: usize) -> Self {
-        self.columns = columns.clamp(1, self.panels.len().max(1));
-        self
-    }
-
-    /// Every panel gets axes that fit its own values.
-    pub fn own_ranges(mut self) -> Self {
-        self.has_own_ranges = true;
+    /// Without a legend, where labels say all.
+    pub fn without_legend(mut self) -> Self {
+        self.has_legend = false;
         self
     }
 
@@ -92,28 +82,25 @@ impl Chart {
     }
 
     fn draw(&self, file: &Path) -> Result<(), Box<dyn Error>> {
-        let rows = self.panels.len().div_ceil(self.columns);
-        let (panel_width, panel_height) = match self.panels.len() {
-            1 => SINGLE_PANEL_SIZE,
-            _ => PANEL_SIZE,
+        let columns = self.panels.len().clamp(1, 2);
+        let rows = self.panels.len().div_ceil(columns);
+        let panels_height = PANEL_HEIGHT * rows as u32;
+        let shown = if self.has_legend {
+            &self.panels[..]
+        } else {
+            &[]
         };
-        let width = panel_width * self.columns as u32;
-        let panels_height = panel_height * rows as u32;
-        let legend = Legend::new(&self.panels, width);
+        let legend = Legend::new(shown, WIDTH);
         let footer_height = LINE_HEIGHT * (legend.rows() + self.notes.len() as u32) + 10;
-        let size = (width, TITLE_HEIGHT + panels_height + footer_height);
+        let size = (WIDTH, TITLE_HEIGHT + panels_height + footer_height);
 
         let root = SVGBackend::new(file, size).into_drawing_area();
         root.fill(&WHITE)?;
         let root = root.titled(&self.title, ("sans-serif", 22))?;
         let (upper, lower) = root.split_vertically(panels_height);
-        let areas = upper.split_evenly((rows, self.columns));
+        let areas = upper.split_evenly((rows, columns));
         for (area, panel) in areas.iter().zip(&self.panels) {
-            let sharing = match self.has_own_ranges {
-                true => std::slice::from_ref(panel),
-                false => &self.panels,
-            };
-            panel.draw(area, sharing)?;
+            panel.draw(area, &self.panels)?;
         }
         legend.draw(&lower)?;
         for (row, note) in (legend.rows()..).zip(&self.notes) {

@@ -1,5 +1,6 @@
 //! One panel: series over two axes.
 
+use crate::axis::Scale;
 use crate::labels::Labels;
 use crate::{Axis, Series};
 use plotters::coord::Shift;
@@ -38,14 +39,14 @@ impl Panel {
         }
     }
 
-    /// Draws the panel. Its axes span the values of all `sharing` panels that have the same axis.
+    /// Draws the panel. Its axes span the values of all panels that have the same axis.
     pub(crate) fn draw<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
-        sharing: &[Self],
+        all: &[Self],
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
-        let xs = sharing.iter().filter(|panel| panel.x == self.x);
-        let ys = sharing.iter().filter(|panel| panel.y == self.y);
+        let xs = all.iter().filter(|panel| panel.x == self.x);
+        let ys = all.iter().filter(|panel| panel.y == self.y);
         let x = self.x.scale(xs.flat_map(points_of).map(|(x, _)| x));
         let y = self.y.scale(ys.flat_map(points_of).map(|(_, y)| y));
         let mut chart = ChartBuilder::on(area)
@@ -54,7 +55,7 @@ impl Panel {
             .margin_right(18)
             .x_label_area_size(42)
             .y_label_area_size(60)
-            .build_cartesian_2d(x, y)?;
+            .build_cartesian_2d(x.clone(), y.clone())?;
         chart
             .configure_mesh()
             .light_line_style(WHITE)
@@ -62,10 +63,10 @@ impl Panel {
             .axis_desc_style(AXIS_TITLE)
             .x_desc(&self.x.title)
             .y_desc(&self.y.title)
-            .x_label_formatter(&|&place| self.x.label(place))
-            .y_label_formatter(&|&place| self.y.label(place))
+            .x_label_formatter(&|&place| x.label(place))
+            .y_label_formatter(&|&place| y.label(place))
             .draw()?;
-        if let Some([_, end]) = self.x.zero_band() {
+        if let Some(end) = x.end_of_zero() {
             let [xs, ys] = [chart.x_range(), chart.y_range()];
             let corners = [(xs.start, ys.start), (end, ys.end)];
             let shade = BLACK.mix(ZERO_SHADE).filled();
@@ -74,29 +75,23 @@ impl Panel {
         let mut labels = Labels::default();
         let mut texts = Vec::new();
         for series in self.series.iter().rev() {
-            let places: Vec<_> = places(series, &self.x, &self.y).collect();
-            let line = || places.iter().map(|(place, _)| *place);
+            let places: Vec<_> = places(series, &x, &y).collect();
             if series.has_line() {
-                chart.draw_series(LineSeries::new(line(), series.line_style()))?;
+                chart.draw_series(LineSeries::new(places.clone(), series.line_style()))?;
             }
             if series.has_marks() {
-                chart.draw_series(line().map(|place| series.mark(place)))?;
+                chart.draw_series(places.iter().map(|&place| series.mark(place)))?;
             }
-            let pixels: Vec<_> = line().map(|place| chart.backend_coord(&place)).collect();
-            for &pixel in &pixels {
+            for place in places {
+                let pixel = chart.backend_coord(&place);
                 labels.avoid(pixel, series.radius());
+                if series.is_labelled {
+                    texts.push((place, series.name.clone(), pixel, series.color()));
+                }
             }
-            for ends in pixels.windows(2).filter(|_| series.has_line()) {
-                labels.avoid_line(ends[0], ends[1]);
-            }
-            let labelled = places.into_iter().zip(pixels);
-            let labelled = labelled.filter(|((_, label), _)| !label.is_empty());
-            texts.extend(
-                labelled.map(|((place, label), at)| (place, label.to_owned(), at, series.color())),
-            );
         }
-        let (x, y) = chart.plotting_area().get_pixel_range();
-        let bounds = [x.start, y.start, x.end, y.end];
+        let (xs, ys) = chart.plotting_area().get_pixel_range();
+        let bounds = [xs.start, ys.start, xs.end, ys.end];
         for (place, label, at, color) in texts {
             let offset = labels.place(at, &label, bounds);
             let text = Text::new(label, offset, POINT_LABEL.into_font().color(&color));
@@ -106,17 +101,14 @@ impl Panel {
     }
 }
 
-/// Where the points of a series are, with their labels. Those without a place on a logarithmic axis are left out.
+/// Where the points of a series are. Those without a place on a logarithmic axis are left out.
 fn places<'a>(
     series: &'a Series,
-    x: &'a Axis,
-    y: &'a Axis,
-) -> impl Iterator<Item = ((f64, f64), &'a str)> {
-    let labels = series.labels.iter().map(String::as_str);
-    let labels = labels.chain(std::iter::repeat(""));
-    let points = series.points.iter().zip(labels);
-    let places = points.map(|(&(a, b), label)| ((x.place(a), y.place(b)), label));
-    places.filter(|((a, b), _)| a.is_finite() && b.is_finite())
+    x: &'a Scale,
+    y: &'a Scale,
+) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let places = series.points.iter().map(|&(a, b)| (x.place(a), y.place(b)));
+    places.filter(|(a, b)| a.is_finite() && b.is_finite())
 }
 
 fn points_of(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {

@@ -7,8 +7,8 @@ use plotters::prelude::*;
 pub struct Series {
     pub(crate) name: String,
     pub(crate) points: Vec<(f64, f64)>,
-    /// The labels of the first points; an empty one is not drawn.
-    pub(crate) labels: Vec<String>,
+    /// Whether its name is beside its points.
+    pub(crate) is_labelled: bool,
     color: RGBColor,
     stroke: u32,
     mark: Mark,
@@ -37,7 +37,7 @@ impl Series {
         Self {
             name: name.into(),
             points: points.into_iter().collect(),
-            labels: Vec::new(),
+            is_labelled: false,
             color,
             stroke: 2,
             mark: Mark::Dot(3),
@@ -56,9 +56,9 @@ impl Series {
         self
     }
 
-    /// With a label beside each point, in the order of the points; an empty one is left out.
-    pub fn labelled(mut self, labels: impl IntoIterator<Item = String>) -> Self {
-        self.labels = labels.into_iter().collect();
+    /// With its name beside each point.
+    pub fn labelled(mut self) -> Self {
+        self.is_labelled = true;
         self
     }
 

@@ -1,27 +1,22 @@
 //! The bodies of one process, its copies of others, and the pairs among them.
 
-use crate::{Bisection, exchange, gather, greatest};
+use crate::bisection::Bisection;
+use crate::{Sent, World};
 use anyhow::{Context, Result};
-use mpi::topology::SimpleCommunicator;
-use mpi::traits::{Communicator, CommunicatorCollectives};
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder, Real};
 
 /// Regions are cut by so many centres a process. With fewer, loads differ by more: by some 2 % at the last cut.
-const SAMPLES: u64 = 2048;
+const SAMPLES: usize = 2048;
 
 /// Boxes up to so many times as long as the median are the unisize class. With more, one long box makes all processes send more; with
 /// less, fewer boxes have all their partners on their own process.
 const CLASS: f64 = 4.0;
 
-/// What is dealt to processes: a box, its number, and what travels with it, in the format of postcard.
+/// What is dealt to processes: a box, its number, and what travels with it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(bound(
-    serialize = "R: Serialize, T: Serialize",
-    deserialize = "R: Real + Deserialize<'de>, T: Deserialize<'de>"
-))]
+#[serde(bound = "R: Real + Sent, T: Sent")]
 pub struct Body<R, const D: usize, T = ()> {
     /// Its number, the same wherever it is. No two bodies have one number.
     pub number: u64,
@@ -40,11 +35,9 @@ pub struct Stats {
     pub sweep_ms: f64,
     /// Bytes of bodies that it sent to others.
     pub bytes: u64,
-    /// Bodies that it owns.
-    pub own: usize,
     /// Bodies that it received for good.
     pub migrated: usize,
-    /// Bodies that it received a copy of.
+    /// Bodies that it has a copy of.
     pub copies: usize,
     /// Whether regions were cut anew.
     pub bisected: bool,
@@ -53,13 +46,15 @@ pub struct Stats {
 /// The bodies that a process owns, and the pairs it finds, on the threads of the current Rayon pool. All processes must call the same
 /// methods in the same order.
 pub struct Domains<'a, R, const D: usize, T = ()> {
-    world: &'a SimpleCommunicator,
-    bisection: Bisection,
+    /// All processes.
+    pub world: &'a World,
+    bisection: Bisection<D>,
+    /// What of space is this process's own.
     region: Aabb<f64, D>,
     /// What a side of the unisize class is at most.
     class: f64,
-    /// By how much loads may differ before regions are cut anew; none if they have not been cut yet.
-    tolerated: Option<u64>,
+    /// By how much loads may differ before regions are cut anew; nothing until they have been cut.
+    tolerated: Option<usize>,
     /// The bodies of this process, which the caller moves, then the copies of others. Numbers must stay.
     pub bodies: Vec<Body<R, D, T>>,
     /// How many of the bodies are its own.
@@ -72,17 +67,13 @@ pub struct Domains<'a, R, const D: usize, T = ()> {
     pub stats: Stats,
 }
 
-impl<'a, R, const D: usize, T> Domains<'a, R, D, T>
-where
-    R: Real + Serialize + DeserializeOwned,
-    T: Copy + Serialize + DeserializeOwned,
-{
+impl<'a, R: Real + Sent, const D: usize, T: Copy + Sent> Domains<'a, R, D, T> {
     /// With these bodies on this process: any, for they are dealt when pairs are first searched for.
-    pub fn new(world: &'a SimpleCommunicator, bodies: Vec<Body<R, D, T>>) -> Self {
+    pub fn new(world: &'a World, bodies: Vec<Body<R, D, T>>) -> Self {
         Self {
             world,
-            bisection: Bisection::Leaf(0),
-            region: Aabb::new([0.0; D], [0.0; D]),
+            bisection: Bisection::Leaf(0, everywhere()),
+            region: everywhere(),
             class: 0.0,
             tolerated: None,
             own: bodies.len(),
@@ -101,7 +92,7 @@ where
 
     /// Whether a box is of the unisize class: not much longer than most.
     pub fn is_unisize(&self, aabb: &Aabb<R, D>) -> bool {
-        longest_side(&widened(aabb)) <= self.class
+        longest_side(aabb) <= self.class
     }
 
     /// The numbers of the pairs that this process reports, smaller first. Over all processes, each overlapping pair is reported once.
@@ -131,18 +122,15 @@ where
         self.pairs.clear();
         self.bodies.truncate(self.own);
         self.check()?;
-        let loads = self.loads();
-        if self.tolerated.is_none_or(|most| spread(&loads) > most) {
-            self.bisect(loads.iter().sum())?;
-            self.migrate()?;
-            // Where bodies coincide no cut helps, and another one is not tried in every frame.
-            let dealt = spread(&self.loads());
-            let mean = loads.iter().sum::<u64>() / loads.len() as u64;
-            self.tolerated = Some((mean / 5).max(2 * dealt));
-        } else {
-            self.migrate()?;
+        let (mean, spread) = self.loads();
+        if self.tolerated.is_none_or(|most| spread > most) {
+            self.bisect(mean)?;
         }
-        self.copy_borders()?;
+        self.deal()?;
+        if self.stats.bisected {
+            // Where bodies coincide no cut helps, and another one is not tried in every frame.
+            self.tolerated = Some((mean / 5).max(2 * self.loads().1));
+        }
         self.boxes.clear();
         self.boxes.extend(self.bodies.iter().map(|body| body.aabb));
         let exchanged = began.elapsed();
@@ -157,94 +145,89 @@ where
     fn check(&self) -> Result<()> {
         let invalid = self.own().iter().filter(|body| !body.aabb.is_valid());
         let mine = invalid.min_by_key(|body| body.number).copied();
-        if greatest(self.world, u64::from(mine.is_some())) == 0 {
-            return Ok(());
-        }
-        let all = gather(self.world, Vec::from_iter(mine))?;
-        if let Some(first) = all.iter().min_by_key(|body| body.number) {
-            let refused = BruteForce.find_pairs(&[first.aabb], &mut Vec::new());
-            refused.map_err(|error| InvalidInput::new(first.number as usize, error.reason))?;
+        if self.world.each(mine.is_some()).contains(&true) {
+            let mut all = self.world.gather(Vec::from_iter(mine))?;
+            all.sort_unstable_by_key(|body| body.number);
+            let refused = BruteForce.find_pairs(&[all[0].aabb], &mut Vec::new());
+            refused.map_err(|error| InvalidInput::new(all[0].number as usize, error.reason))?;
         }
         Ok(())
     }
 
-    /// The number of bodies of each process.
-    fn loads(&self) -> Vec<u64> {
-        let (own, mut loads) = (self.own as u64, vec![0; self.world.size() as usize]);
-        self.world.all_gather_into(&own, &mut loads[..]);
-        loads
+    /// The mean number of bodies of a process, and the difference between the most and the least.
+    pub fn loads(&self) -> (usize, usize) {
+        let mut loads = self.world.each(self.own);
+        loads.sort_unstable();
+        let mean = loads.iter().sum::<usize>() / loads.len();
+        (mean, loads[loads.len() - 1] - loads[0])
     }
 
-    /// Cuts regions anew, by a sample of all `total` boxes that every process is given.
-    fn bisect(&mut self, total: u64) -> Result<()> {
-        let processes = self.world.size() as usize;
-        let stride = total.div_ceil(SAMPLES * processes as u64).max(1) as usize;
+    /// Cuts regions anew, by a sample of all bodies that every process is given.
+    fn bisect(&mut self, mean: usize) -> Result<()> {
+        let stride = mean.div_ceil(SAMPLES).max(1);
         // Any one of each `stride`, so that a pattern in the order of bodies is not seen.
         let any = |(i, chunk): (usize, &[Body<R, D, T>])| {
-            widened(&chunk[i.wrapping_mul(0x9E37_79B9) / 8 % chunk.len()].aabb)
+            chunk[i.wrapping_mul(0x9E37_79B9) / 8 % chunk.len()].aabb
         };
         let sample = self.own().chunks(stride).enumerate().map(any).collect();
-        let sample = gather(self.world, sample)?;
-        let mut centres: Vec<_> = sample.iter().map(centre).collect();
+        let sample = self.world.gather(sample)?;
         let mut sides: Vec<_> = sample.iter().map(longest_side).collect();
         sides.sort_unstable_by(f64::total_cmp);
         // Finite, whatever the boxes are: infinity less infinity would be nowhere.
         self.class = (CLASS * sides.get(sides.len() / 2).unwrap_or(&0.0)).min(f64::MAX);
-        self.bisection = Bisection::new(&mut centres, 0..processes);
-        self.region = Aabb::new([f64::NEG_INFINITY; D], [f64::INFINITY; D]);
-        let me = self.world.rank() as usize;
-        self.bisection.narrow(me, &mut self.region);
+        let finite = |x: f64| x.clamp(f64::MIN, f64::MAX);
+        let centres = sample.iter().map(|aabb| centre(aabb).mins.map(finite));
+        let mut centres: Vec<_> = centres.collect();
+        let (processes, me) = (0..self.world.size(), self.world.rank());
+        self.bisection = Bisection::new(&mut centres, processes, everywhere());
+        self.bisection.reach(&everywhere(), &mut |process, region| {
+            if process == me {
+                self.region = *region;
+            }
+        });
         self.stats.bisected = true;
         Ok(())
     }
 
-    /// Hands over the bodies whose centres have left the region.
-    fn migrate(&mut self) -> Result<()> {
-        let mut leaving = vec![Vec::new(); self.world.size() as usize];
-        self.bodies.retain(|body| {
-            let centre = centre(&widened(&body.aabb));
-            let stays = contains(&self.region, &Aabb::new(centre, centre));
-            if !stays {
-                leaving[self.bisection.owner(&centre)].push(*body);
-            }
-            stays
-        });
-        let stay = self.bodies.len();
-        self.stats.bytes += exchange(self.world, &leaving, &mut self.bodies)?;
-        self.own = self.bodies.len();
-        self.stats.own = self.own;
-        self.stats.migrated = self.own - stay;
-        Ok(())
-    }
-
-    /// Sends a copy of each own body to the other processes whose region its box reaches, loosened by the longest side of the unisize class:
-    /// those near a border to who is behind it, and longer ones to all they reach.
+    /// Sends each own body to all processes whose region its box reaches, loosened by the longest side of the unisize class: those near a
+    /// border to who is behind it, longer ones to all they reach, and what has left the region to its new owner. That is where its centre
+    /// lies, and the loosened box contains the centre. All others have copies.
     ///
     /// So a process has all partners of its own bodies of the class. Proof: let `b` overlap such a body `a`. Then `b.mins <= a.maxs`, and
     /// rounding is monotone, so `b.mins - longest <= a.maxs - longest`, which is not above the centre of `a`: if `longest` is
     /// less than the true side, by half a unit in its last place, then the side has so many units that its half makes up for it. The
     /// same holds above. So `b`, loosened, contains the centre, which is in the region.
-    fn copy_borders(&mut self) -> Result<()> {
-        let me = self.world.rank() as usize;
-        let own = self.own().iter().map(|body| widened(&body.aabb));
-        let sides = own.map(|aabb| longest_side(&aabb));
-        let longest = sides.filter(|&side| side <= self.class).fold(0.0, f64::max);
-        let longest = greatest(self.world, longest);
-        let mut copies = vec![Vec::new(); self.world.size() as usize];
-        let mut reached = Vec::new();
-        for body in self.own() {
+    fn deal(&mut self) -> Result<()> {
+        let sides = self.bodies.iter().map(|body| longest_side(&body.aabb));
+        let own = sides.filter(|&side| side <= self.class).fold(0.0, f64::max);
+        let longest = self.world.each(own).into_iter().fold(0.0, f64::max);
+        let mut lists = vec![Vec::new(); self.world.size()];
+        self.bodies.retain(|body| {
             let aabb = widened(&body.aabb).loosened(longest);
-            if !contains(&self.region, &aabb) {
-                reached.clear();
-                self.bisection.reach(&aabb, &mut reached);
-                let others = reached.iter().filter(|&&p| p != me);
-                others.for_each(|&p| copies[p].push(*body));
+            let stays = contains(&self.region, &aabb);
+            if !stays {
+                self.bisection
+                    .reach(&aabb, &mut |process, _| lists[process].push(*body));
             }
-        }
-        self.stats.bytes += exchange(self.world, &copies, &mut self.bodies)?;
-        self.stats.copies = self.bodies.len() - self.own;
+            stays
+        });
+        let mut near = std::mem::take(&mut lists[self.world.rank()]);
+        let kept = near.len();
+        self.stats.bytes = self.world.exchange(&lists, &mut near)?;
+        let is_own = |body: &&Body<R, D, T>| contains(&self.region, &centre(&body.aabb));
+        self.stats.migrated = near[kept..].iter().filter(is_own).count();
+        let (own, copies): (Vec<&_>, Vec<&_>) = near.iter().partition(is_own);
+        self.bodies.extend(own);
+        self.own = self.bodies.len();
+        self.stats.copies = copies.len();
+        self.bodies.extend(copies);
         Ok(())
     }
+}
+
+/// All of space.
+fn everywhere<const D: usize>() -> Aabb<f64, D> {
+    Aabb::new([f64::NEG_INFINITY; D], [f64::INFINITY; D])
 }
 
 /// Whether all points of a box are in a region, which does not contain its finite `maxs`.
@@ -260,29 +243,19 @@ fn widened<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> Aabb<f64, D> {
     Aabb::new(aabb.mins.map(R::to_f64), aabb.maxs.map(R::to_f64))
 }
 
-/// The centre, rounded and finite; if the box is finite, a point of it. It decides who owns a body.
-fn centre<const D: usize>(aabb: &Aabb<f64, D>) -> [f64; D] {
-    std::array::from_fn(|k| {
-        let middle = f64::midpoint(aabb.mins[k], aabb.maxs[k]);
-        // From one infinity to the other it is NaN.
-        if middle.is_nan() {
-            0.0
-        } else {
-            middle.clamp(f64::MIN, f64::MAX)
-        }
-    })
+/// The centre, rounded, a point of the box: 0 from one infinity to the other. It decides who owns a body.
+fn centre<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> Aabb<f64, D> {
+    let centre = std::array::from_fn(|k| {
+        let middle = f64::midpoint(aabb.mins[k].to_f64(), aabb.maxs[k].to_f64());
+        if middle.is_nan() { 0.0 } else { middle }
+    });
+    Aabb::new(centre, centre)
 }
 
 /// The longest side: infinite or NaN if a side is at infinity.
-fn longest_side<const D: usize>(aabb: &Aabb<f64, D>) -> f64 {
-    let sides = (0..D).map(|k| aabb.maxs[k] - aabb.mins[k]);
+fn longest_side<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> f64 {
+    let sides = (0..D).map(|k| aabb.maxs[k].to_f64() - aabb.mins[k].to_f64());
     sides.max_by(f64::total_cmp).unwrap_or(0.0)
-}
-
-/// The difference between the largest and the smallest load.
-fn spread(loads: &[u64]) -> u64 {
-    let (least, most) = (loads.iter().min(), loads.iter().max());
-    most.zip(least).map_or(0, |(most, least)| most - least)
 }
 
 /// A pair, smaller first.

@@ -2,104 +2,38 @@
 
 use crate::random::Random;
 
-/// Arrangements of boxes that make one method or another slow. Most have about 0.8 overlapping pairs a box, as
-/// [`DriftingBoxes`](crate::DriftingBoxes) have at their usual density.
-///
-/// ```
-/// use unisize_scenes::HardBoxes;
-///
-/// let boxes = HardBoxes::Needles.boxes::<3>(100, 7);
-/// assert_eq!(boxes.len(), 100);
-/// assert_eq!(boxes, HardBoxes::Needles.boxes::<3>(100, 7));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum HardBoxes {
-    /// Not hard: cubes of side 1, uniform in a cube. The baseline for the others.
-    Uniform,
-    /// Cubes all in one place: any two overlap.
-    Coincident,
-    /// 100 tight clusters, 10⁶ sides apart.
-    Clusters,
-    /// In a row along the first axis.
-    Line,
-    /// In a row along the last axis.
-    Column,
-    /// In a square across the first axis; in 2D the same as a column.
-    PlaneAcrossFirst,
-    /// In a square across the second axis; in 2D the same as a line.
-    PlaneAcrossSecond,
-    /// In a square across the last axis.
-    PlaneAcrossLast,
-    /// Along the diagonal of a cube.
-    Diagonal,
-    /// A hundred times as long as wide, along an axis drawn for each.
-    Needles,
-    /// Uniform, and one of them at 10³⁰.
-    Runaway,
-    /// Sides between 1 and 4.
-    OneToFour,
-    /// One cube in a hundred is 100 times as large.
-    FewLarge,
-    /// Sides over six powers of ten.
-    SixOrders,
-    /// At 10⁷, where a cube of side 4 is four numbers wide.
-    FarOut,
+named! {
+    /// Arrangements of boxes that make one method or another slow. Most have about 0.8 overlapping pairs a box, as
+    /// [`DriftingBoxes`](crate::DriftingBoxes) have at their usual density.
+    HardBoxes {
+        Uniform "uniform" "Not hard: cubes of side 1, uniform in a cube. The baseline for the others."
+        Coincident "all in one place" "Cubes all in one place: any two overlap."
+        Clusters "100 clusters 1e6 apart" "100 tight clusters, 10⁶ sides apart."
+        Line "line along the first axis" "In a row along the first axis."
+        Column "column along the last axis" "In a row along the last axis."
+        PlaneAcrossFirst "plane across the first axis" "In a square across the first axis; in 2D the same as a column."
+        PlaneAcrossSecond "plane across the second axis" "In a square across the second axis; in 2D the same as a line."
+        PlaneAcrossLast "plane across the last axis" "In a square across the last axis."
+        Diagonal "diagonal" "Along the diagonal of a cube."
+        Needles "needles 1:100" "A hundred times as long as wide, along an axis drawn for each."
+        Runaway "one at 1e30" "Uniform, and one of them at 10³⁰."
+        OneToFour "sizes 1 to 4" "Sides between 1 and 4."
+        FewLarge "one in 100 is 100 times as large" "One cube in a hundred is 100 times as large."
+        SixOrders "sizes over six orders" "Sides over six powers of ten."
+        FarOut "at 1e7, four ulps wide" "At 10⁷, where a cube of side 4 is four numbers wide."
+    }
 }
 
 /// Overlapping pairs per box, where all are of one size.
 const PAIRS: f64 = 0.8;
 
 const CLUSTERS: usize = 100;
-
 const CLUSTER_DISTANCE: f32 = 1e6;
-
 const NEEDLE: [f32; 2] = [0.1, 10.0];
-
 const FAR: f32 = 1e7;
-
 const FAR_SIDE: f32 = 4.0;
 
 impl HardBoxes {
-    /// All of them, the one that is not hard first.
-    pub const ALL: [Self; 15] = [
-        Self::Uniform,
-        Self::Coincident,
-        Self::Clusters,
-        Self::Line,
-        Self::Column,
-        Self::PlaneAcrossFirst,
-        Self::PlaneAcrossSecond,
-        Self::PlaneAcrossLast,
-        Self::Diagonal,
-        Self::Needles,
-        Self::Runaway,
-        Self::OneToFour,
-        Self::FewLarge,
-        Self::SixOrders,
-        Self::FarOut,
-    ];
-
-    /// A name in plain words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Uniform => "uniform",
-            Self::Coincident => "all in one place",
-            Self::Clusters => "100 clusters 1e6 apart",
-            Self::Line => "line along the first axis",
-            Self::Column => "column along the last axis",
-            Self::PlaneAcrossFirst => "plane across the first axis",
-            Self::PlaneAcrossSecond => "plane across the second axis",
-            Self::PlaneAcrossLast => "plane across the last axis",
-            Self::Diagonal => "diagonal",
-            Self::Needles => "needles 1:100",
-            Self::Runaway => "one at 1e30",
-            Self::OneToFour => "sizes 1 to 4",
-            Self::FewLarge => "one in 100 is 100 times as large",
-            Self::SixOrders => "sizes over six orders",
-            Self::FarOut => "at 1e7, four ulps wide",
-        }
-    }
-
     /// Whether `count` boxes would have more pairs than a bench can wait for, or a list can hold.
     pub fn are_too_many(self, count: usize) -> bool {
         self == Self::Coincident && count > 1 << 12
@@ -124,34 +58,20 @@ impl HardBoxes {
                     .map(|[mins, _]| cube([mins[0]; D], 1.0))
                     .collect()
             }
-            Self::Needles => {
-                let sides: Vec<_> = (0..count)
-                    .map(|_| {
-                        let mut sides = [NEEDLE[0]; D];
-                        sides[random.index(D)] = NEEDLE[1];
-                        sides
-                    })
-                    .collect();
-                scatter(random, &sides, |_| true)
-            }
-            Self::OneToFour => {
-                let sides: Vec<_> = (0..count)
-                    .map(|_| std::array::from_fn(|_| random.range(1.0, 4.0)))
-                    .collect();
-                scatter(random, &sides, |_| true)
-            }
-            Self::FewLarge => {
-                let sides: Vec<_> = (0..count)
-                    .map(|_| [if random.index(100) == 0 { 100.0 } else { 1.0 }; D])
-                    .collect();
-                scatter(random, &sides, |_| true)
-            }
-            Self::SixOrders => {
-                let sides: Vec<_> = (0..count)
-                    .map(|_| [1e-3 * (1e3 / 1e-3_f32).powf(random.range(0.0, 1.0)); D])
-                    .collect();
-                scatter(random, &sides, |_| true)
-            }
+            Self::Needles => scatter_drawn(random, count, |random| {
+                let mut sides = [NEEDLE[0]; D];
+                sides[random.index(D)] = NEEDLE[1];
+                sides
+            }),
+            Self::OneToFour => scatter_drawn(random, count, |random| {
+                std::array::from_fn(|_| random.range(1.0, 4.0))
+            }),
+            Self::FewLarge => scatter_drawn(random, count, |random| {
+                [if random.index(100) == 0 { 100.0 } else { 1.0 }; D]
+            }),
+            Self::SixOrders => scatter_drawn(random, count, |random| {
+                [1e-3 * (1e3 / 1e-3_f32).powf(random.range(0.0, 1.0)); D]
+            }),
             Self::FarOut => {
                 let boxes = scatter(random, &vec![[FAR_SIDE; D]; count], |_| true);
                 let corner = |mins: [f32; D]| mins.map(|x| x + FAR);
@@ -166,6 +86,16 @@ impl HardBoxes {
         }
         boxes
     }
+}
+
+/// Boxes whose sides are drawn first, uniform in a cube.
+fn scatter_drawn<const D: usize>(
+    random: &mut Random,
+    count: usize,
+    mut sides: impl FnMut(&mut Random) -> [f32; D],
+) -> Vec<[[f32; D]; 2]> {
+    let sides: Vec<_> = (0..count).map(|_| sides(random)).collect();
+    scatter(random, &sides, |_| true)
 }
 
 /// Boxes with these sides, uniform along those axes that are `free` and at 0 along the others: as many in the free
@@ -219,6 +149,14 @@ fn cube<const D: usize>(mins: [f32; D], side: f32) -> [[f32; D]; 2] {
 mod tests {
     use super::*;
 
+    fn check<const D: usize>(kind: HardBoxes, count: usize) {
+        let boxes = kind.boxes::<D>(count, 7);
+        assert_eq!(boxes.len(), count, "{kind:?}");
+        for [mins, maxs] in boxes {
+            assert!((0..D).all(|k| mins[k] < maxs[k]), "{kind:?}: {mins:?}");
+        }
+    }
+
     #[test]
     fn boxes_are_valid_and_as_many_as_asked_for() {
         for kind in HardBoxes::ALL {
@@ -226,14 +164,6 @@ mod tests {
                 check::<2>(kind, count);
                 check::<3>(kind, count);
             }
-        }
-    }
-
-    fn check<const D: usize>(kind: HardBoxes, count: usize) {
-        let boxes = kind.boxes::<D>(count, 7);
-        assert_eq!(boxes.len(), count, "{kind:?}");
-        for [mins, maxs] in boxes {
-            assert!((0..D).all(|k| mins[k] < maxs[k]), "{kind:?}: {mins:?}");
         }
     }
 
@@ -259,7 +189,6 @@ mod tests {
                 .map(|i| (0..i).filter(|&j| overlap([&boxes[i], &boxes[j]])).count())
                 .sum();
             let each = pairs as f64 / boxes.len() as f64;
-            println!("{kind:?} {each}");
             assert!(range.contains(&each), "{kind:?}: {each} pairs a box");
         }
     }

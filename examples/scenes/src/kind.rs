@@ -1,57 +1,34 @@
 //! The names of the scenes, and what is known of each without building it.
 
-/// Defines the scenes: variant, name and description of each.
-macro_rules! scene_kinds {
-    ($($kind:ident $name:literal $description:literal)*) => {
-        /// Which world to build.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum SceneKind {
-            $(#[doc = $description] $kind,)*
-        }
-
-        impl SceneKind {
-            /// Every scene, in the order of the tables.
-            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$kind),*];
-
-            /// The name used on the command line and in tables.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$kind => $name,)* }
-            }
-
-            /// What happens in the scene, in one line.
-            pub const fn description(self) -> &'static str {
-                match self { $(Self::$kind => $description,)* }
-            }
-        }
-    };
-}
-
-scene_kinds! {
-    FallingBalls "falling-balls" "balls of about the same size falling into a walled box"
-    Pyramid "pyramid" "a pyramid of cuboids that comes to rest and sleeps"
-    Gas "gas" "elastic balls in a closed box without gravity"
-    Ropes "ropes" "chains of capsules that hang, fall over obstacles and tangle"
-    Net "net" "balls joined in rows and columns, held at the edge, over obstacles"
-    Hopper "hopper" "grains poured through a funnel over time"
-    Crowd "crowd" "walkers on a plane, each steering to its goal"
-    Swarm "swarm" "kinematic bodies and sensors that all move, without a solver"
-    Sleeping "sleeping" "sleeping boxes, and one moving ball to a hundred of them"
-    MixedOneAndAHalf "mixed-1.5" "sizes 1 to 1.5 falling onto a half-space"
-    MixedFour "mixed-4" "sizes 1 to 4 falling onto a half-space"
-    MixedEight "mixed-8" "sizes 1 to 8 falling onto a half-space"
-    MixedThousand "mixed-1000" "sizes 1 to 1,000, few large, in a pit of half-spaces"
-    Bullets "bullets" "fast bullets with CCD and soft CCD at a thin wall and a stack"
-    Churn "churn" "falling balls of which 2 % are replaced at every step"
-    Shapes "shapes" "every kind of collider falling onto a height field"
-    Soft "soft" "soft bodies in a heap with nine times as many balls"
-    TileMap "tile-map" "balls falling onto a solid map of sixty fixed tiles to a ball"
-    Ships "ships" "three drifting bodies, each of a third of the colliders"
-    Ghosts "ghosts" "overlapping balls that pass through each other, slowly"
-    Player "player" "a character and a vehicle that query the world, among falling balls"
-    Stacks "stacks" "columns of fourteen boxes, a twentieth of a box apart"
-    Wall "wall" "a brick wall that is left to stand"
-    Pyramids "pyramids" "pyramids of 55 cuboids that come to rest and sleep"
-    Chains "chains" "slanting chains of capsules, held at both ends, side by side"
+named! {
+    /// Which world to build.
+    SceneKind {
+        FallingBalls "falling-balls" "balls of about the same size falling into a walled box"
+        Pyramid "pyramid" "a pyramid of cuboids that comes to rest and sleeps"
+        Gas "gas" "elastic balls in a closed box without gravity"
+        Ropes "ropes" "chains of capsules that hang, fall over obstacles and tangle"
+        Net "net" "balls joined in rows and columns, held at the edge, over obstacles"
+        Hopper "hopper" "grains poured through a funnel over time"
+        Crowd "crowd" "walkers on a plane, each steering to its goal"
+        Swarm "swarm" "kinematic bodies and sensors that all move, without a solver"
+        Sleeping "sleeping" "sleeping boxes, and one moving ball to a hundred of them"
+        MixedOneAndAHalf "mixed-1.5" "sizes 1 to 1.5 falling onto a half-space"
+        MixedFour "mixed-4" "sizes 1 to 4 falling onto a half-space"
+        MixedEight "mixed-8" "sizes 1 to 8 falling onto a half-space"
+        MixedThousand "mixed-1000" "sizes 1 to 1,000, few large, in a pit of half-spaces"
+        Bullets "bullets" "fast bullets with CCD and soft CCD at a thin wall and a stack"
+        Churn "churn" "falling balls of which 2 % are replaced at every step"
+        Shapes "shapes" "every kind of collider falling onto a height field"
+        Soft "soft" "soft bodies in a heap with nine times as many balls"
+        TileMap "tile-map" "balls falling onto a solid map of sixty fixed tiles to a ball"
+        Ships "ships" "three drifting bodies, each of a third of the colliders"
+        Ghosts "ghosts" "overlapping balls that pass through each other, slowly"
+        Player "player" "a character and a vehicle that query the world, among falling balls"
+        Stacks "stacks" "columns of fourteen boxes, a twentieth of a box apart"
+        Wall "wall" "a brick wall that is left to stand"
+        Pyramids "pyramids" "pyramids of 55 cuboids that come to rest and sleep"
+        Chains "chains" "slanting chains of capsules, held at both ends, side by side"
+    }
 }
 
 impl SceneKind {
@@ -74,24 +51,8 @@ impl SceneKind {
             Self::Ghosts => 3_000,
             Self::TileMap => 500,
             Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes | Self::Soft => 1_000,
-            Self::FallingBalls
-            | Self::Net
-            | Self::Hopper
-            | Self::MixedOneAndAHalf
-            | Self::MixedFour
-            | Self::MixedEight
-            | Self::MixedThousand
-            | Self::Churn
-            | Self::Player => 2_000,
+            _ => 2_000,
         }
-    }
-
-    /// Whether every body moves at every step, so that caching the boxes of resting bodies is useless.
-    pub const fn all_move(self) -> bool {
-        matches!(
-            self,
-            Self::Gas | Self::Crowd | Self::Swarm | Self::Ships | Self::Ghosts
-        )
     }
 }
 
@@ -103,7 +64,6 @@ mod tests {
     fn names_lead_back_to_their_scenes() {
         for kind in SceneKind::ALL {
             assert_eq!(SceneKind::from_name(kind.name()), Some(kind));
-            assert!(!kind.description().is_empty());
         }
         assert_eq!(SceneKind::from_name("no such scene"), None);
     }

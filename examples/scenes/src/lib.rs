@@ -20,168 +20,114 @@
 //! # }
 //! ```
 //!
-//! What differs between the dimensions beyond Rapier's own aliases is in the two `flavour` modules, and what differs between
-//! its versions in `version/`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
+//! What differs between the dimensions beyond Rapier's own aliases is in the folders `dim2` and `dim3`, and what differs between
+//! its versions in `version`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
 
+#[macro_use]
+mod named;
+
+mod boxes;
 mod converging;
 mod hard_boxes;
 mod hard_motions;
 mod kind;
+mod outcome;
 mod random;
 mod stampede;
-
-pub mod boxes;
+mod timing;
 
 pub use boxes::DriftingBoxes;
 pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
+pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Spread, Tally, WholeSteps};
 pub use stampede::Stampede;
+pub use timing::{Times, Timing, milliseconds};
+
+/// The scenes for one engine, from the source for all of them and from the modules that differ by dimension.
+#[allow(unused_macros)] // Without engines.
+macro_rules! flavour {
+    ($name:ident, $engine:ident, $folder:literal, $version:literal, [$($by_dimension:ident),*]) => {
+        #[path = $folder]
+        pub mod $name {
+            //! The scenes for one engine.
+
+            pub use ::$engine as rapier;
+
+            #[path = "../engine/mod.rs"]
+            mod engine;
+            $(mod $by_dimension;)*
+            #[path = $version]
+            mod version;
+
+            pub use engine::*;
+            pub use version::*;
+        }
+    };
+}
+
+#[allow(unused_macros)] // Without an engine of this version.
+macro_rules! flavour_027 {
+    ($name:ident, $engine:ident, $folder:literal) => {
+        flavour!(
+            $name,
+            $engine,
+            $folder,
+            "../version/rapier_027.rs",
+            [flavour, vehicle]
+        );
+    };
+}
+
+#[allow(unused_macros)] // Without an opened copy.
+macro_rules! flavour_036 {
+    ($name:ident, $engine:ident, $folder:literal) => {
+        flavour!(
+            $name,
+            $engine,
+            $folder,
+            "../version/rapier_036.rs",
+            [flavour, soft, vehicle]
+        );
+    };
+}
 
 #[cfg(feature = "rapier2d-027")]
-pub mod dim2 {
-    //! The scenes for rapier2d.
-
-    pub use rapier2d as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod vehicle;
-    #[path = "../version/rapier_027.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_027!(dim2, rapier2d, "dim2");
 #[cfg(feature = "rapier3d-027")]
-pub mod dim3 {
-    //! The scenes for rapier3d.
-
-    pub use rapier3d as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod vehicle;
-    #[path = "../version/rapier_027.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_027!(dim3, rapier3d, "dim3");
 #[cfg(feature = "rapier2d-f64-027")]
-#[path = "dim2"]
-pub mod dim2_f64 {
-    //! The scenes for rapier2d-f64.
-
-    pub use rapier2d_f64 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod vehicle;
-    #[path = "../version/rapier_027.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_027!(dim2_f64, rapier2d_f64, "dim2");
 #[cfg(feature = "rapier3d-f64-027")]
-#[path = "dim3"]
-pub mod dim3_f64 {
-    //! The scenes for rapier3d-f64.
-
-    pub use rapier3d_f64 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod vehicle;
-    #[path = "../version/rapier_027.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_027!(dim3_f64, rapier3d_f64, "dim3");
 #[cfg(all(feature = "rapier2d-036", opened_rapier2d))]
-#[path = "dim2"]
-pub mod dim2_036 {
-    //! The scenes for an opened rapier2d 0.36.
-
-    pub use rapier2d_036 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod soft;
-    mod vehicle;
-    #[path = "../version/rapier_036.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_036!(dim2_036, rapier2d_036, "dim2");
 #[cfg(all(feature = "rapier3d-036", opened_rapier3d))]
-#[path = "dim3"]
-pub mod dim3_036 {
-    //! The scenes for an opened rapier3d 0.36.
-
-    pub use rapier3d_036 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod soft;
-    mod vehicle;
-    #[path = "../version/rapier_036.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_036!(dim3_036, rapier3d_036, "dim3");
 #[cfg(all(feature = "rapier2d-f64-036", opened_rapier2d_f64))]
-#[path = "dim2"]
-pub mod dim2_f64_036 {
-    //! The scenes for an opened rapier2d-f64 0.36.
-
-    pub use rapier2d_f64_036 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
-    mod flavour;
-    mod soft;
-    mod vehicle;
-    #[path = "../version/rapier_036.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
-}
-
+flavour_036!(dim2_f64_036, rapier2d_f64_036, "dim2");
 #[cfg(all(feature = "rapier3d-f64-036", opened_rapier3d_f64))]
-#[path = "dim3"]
-pub mod dim3_f64_036 {
-    //! The scenes for an opened rapier3d-f64 0.36.
+flavour_036!(dim3_f64_036, rapier3d_f64_036, "dim3");
 
-    pub use rapier3d_f64_036 as rapier;
-
-    #[path = "../engine/mod.rs"]
-    mod engine;
+// rustfmt does not look into macros.
+#[cfg(rustfmt)]
+mod engine;
+#[cfg(rustfmt)]
+mod dim2 {
     mod flavour;
     mod soft;
     mod vehicle;
-    #[path = "../version/rapier_036.rs"]
-    mod version;
-
-    pub use engine::*;
-    pub use version::*;
+}
+#[cfg(rustfmt)]
+mod dim3 {
+    mod flavour;
+    mod soft;
+    mod vehicle;
+}
+#[cfg(rustfmt)]
+mod version {
+    mod rapier_027;
+    mod rapier_036;
 }

@@ -7,11 +7,6 @@ use crate::finder::Finder;
 use crate::{FINDERS, RAPIER};
 use unisize_charts::{Axis, Chart, Panel, Series};
 
-const COLUMNS: usize = 3;
-
-/// The places of errors that are zero are below the least of the others by these factors.
-const ZERO: [f64; 2] = [30.0, 5.0];
-
 /// The chart of one dimension.
 pub(crate) fn chart(dim: u8, studies: &[Ensembles]) -> Chart {
     let title = format!(
@@ -19,10 +14,7 @@ pub(crate) fn chart(dim: u8, studies: &[Ensembles]) -> Chart {
     );
     let of_dim = studies.iter().filter(|study| study.dim == dim);
     Chart::new(title, of_dim.map(panel))
-        .columns(COLUMNS)
-        .own_ranges()
-        .note("The points of a curve are the time steps: 1/30, 1/60, 1/120 and 1/240 s, from the left to the right. Each is the median")
-        .note("of the starts.")
+        .note("The points of a curve: time steps of 1/30, 1/60, 1/120 and 1/240 s, from the left to the right; medians of the starts.")
 }
 
 /// All methods in one scene, by the first of its errors.
@@ -32,25 +24,17 @@ fn panel(study: &Ensembles) -> Panel {
     finders.sort_by_key(|&finder| (!finder.is_exact(), finder != Finder::DEFAULT));
     let points = |finder: Finder| {
         FREQUENCIES.map(|frequency| {
-            let ms = study.milliseconds(finder, frequency).value;
-            (ms, study.error(finder, frequency, 0).value)
+            let ms = study.milliseconds(finder, frequency);
+            (ms, study.error(finder, frequency, 0))
         })
     };
-    let mut axis = Axis::log(study.errors().first().copied().unwrap_or_default());
-    let errors = finders.iter().flat_map(|&finder| points(finder));
-    let errors: Vec<_> = errors.map(|(_, error)| error).collect();
-    if errors.contains(&0.0) {
-        let positive = errors.into_iter().filter(|error| *error > 0.0);
-        let least = positive.fold(1.0, f64::min);
-        axis = axis.with_zero_between(least / ZERO[0], least / ZERO[1]);
-    }
     let series = finders
         .into_iter()
         .map(|finder| Series::new(finder.name(), finder.color(), points(finder)));
     Panel::new(
         format!("{}, {} bodies", study.title(), study.bodies),
         Axis::log("ms of computing for one simulated second"),
-        axis,
+        Axis::log(study.errors().first().copied().unwrap_or_default()),
         series,
     )
 }

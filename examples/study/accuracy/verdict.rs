@@ -3,157 +3,118 @@
 use super::ensembles::Ensembles;
 use crate::FINDERS;
 use crate::finder::Finder;
-use crate::statistics::{Median, holm, paired_test};
-use serde::Serialize;
-use unisize_scenes::SceneKind;
+use crate::statistics::{holm, paired_test};
 
 /// Two methods are told apart if the chance of it is less than that, were they alike: of all tests together.
 pub(crate) const LEVEL: f64 = 0.05;
 
-/// The time step at which medians are shown, in steps per second.
-pub(crate) const SHOWN: u32 = 60;
-
 /// One error in one scene, with another broad phase than Rapier's own, compared with it on the same starts.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct Comparison {
-    #[serde(skip)]
-    pub(crate) kind: SceneKind,
-    #[serde(skip)]
+    /// The scene, by its index.
+    pub(crate) scene: usize,
+    /// The error, by its index.
+    pub(crate) error: usize,
     pub(crate) finder: Finder,
-    pub(crate) dimension: u8,
-    scene: &'static str,
-    pub(crate) error: &'static str,
-    method: String,
-    /// With Rapier's own broad phase, at 60 steps a second.
-    rapier: Median,
-    /// With the other one.
-    other: Median,
     /// How many runs, of all seeds and time steps, were worse with the other one, better, and the same.
-    worse: usize,
-    better: usize,
-    same: usize,
+    pub(crate) worse: usize,
+    pub(crate) better: usize,
+    pub(crate) same: usize,
     /// The chance of a difference as large as this, were both alike.
-    p: f64,
+    pub(crate) p: f64,
     /// The same for all tests together.
-    corrected: f64,
+    pub(crate) corrected: f64,
 }
 
 impl Comparison {
-    fn new(study: &Ensembles, error: usize, finder: Finder) -> Self {
+    fn new(scene: usize, study: &Ensembles, error: usize, finder: Finder) -> Self {
         let own = study.samples(Finder::Rapier, error);
         let other = study.samples(finder, error);
-        let pairs = || own.iter().flatten().zip(other.iter().flatten());
+        let count = |is_so: fn(f64, f64) -> bool| {
+            let pairs = own.iter().flatten().zip(other.iter().flatten());
+            pairs.filter(|(own, other)| is_so(**own, **other)).count()
+        };
         let p = paired_test(&own, &other);
         Self {
-            kind: study.kind,
+            scene,
+            error,
             finder,
-            dimension: study.dim,
-            scene: study.kind.name(),
-            error: study.errors()[error],
-            method: finder.name(),
-            rapier: study.error(Finder::Rapier, SHOWN, error),
-            other: study.error(finder, SHOWN, error),
-            worse: pairs().filter(|(own, other)| other > own).count(),
-            better: pairs().filter(|(own, other)| other < own).count(),
-            same: pairs().filter(|(own, other)| other == own).count(),
+            worse: count(|own, other| other > own),
+            better: count(|own, other| other < own),
+            same: count(|own, other| other == own),
             p,
             corrected: p,
         }
     }
 
     /// Whether any run came out differently. If none did, the chance is one, and does not count among the tests.
-    pub(crate) fn is_test(&self) -> bool {
+    fn is_test(&self) -> bool {
         self.worse + self.better > 0
     }
-
-    /// Whether the two are told apart.
-    pub(crate) fn is_told_apart(&self) -> bool {
-        self.corrected < LEVEL
-    }
 }
 
-/// All comparisons of a run.
+/// All comparisons of every method but Rapier's own broad phase with that one.
 #[derive(Clone, Debug)]
-pub(crate) struct Verdict {
-    /// Every method but Rapier's own broad phase, with that one.
-    pub(crate) comparisons: Vec<Comparison>,
-    /// How many comparisons of unisize are tests.
-    pub(crate) tests: usize,
-}
+pub(crate) struct Verdict(pub(crate) Vec<Comparison>);
 
 impl Verdict {
     /// Compares everything.
     ///
-    /// The tests of unisize are corrected by Holm's method. Where all runs came out the same, there is nothing to test. The tests
-    /// of another finder are each multiplied by the number of the tests of unisize, or by that of its own if that is larger, which
-    /// is at least as strict as Holm's method: what tells the other apart would have told unisize apart.
+    /// The tests of each method are corrected by Holm's method. They count as at least as many as unisize has, so that what tells
+    /// another method apart would have told unisize apart.
     pub(crate) fn of(studies: &[Ensembles]) -> Self {
-        let mut comparisons = Vec::new();
-        for study in studies {
+        let mut verdict = Self(Vec::new());
+        for (scene, study) in studies.iter().enumerate() {
             for error in 0..study.errors().len() {
                 let others = FINDERS.iter().filter(|&&finder| finder != Finder::Rapier);
-                comparisons.extend(others.map(|&finder| Comparison::new(study, error, finder)));
+                let compared = others.map(|&finder| Comparison::new(scene, study, error, finder));
+                verdict.0.extend(compared);
             }
         }
-        let tests = |finder: Finder| {
-            let comparisons = comparisons.iter();
-            let tests = comparisons.filter(|of| of.finder == finder && of.is_test());
-            tests.map(|of| of.p).collect::<Vec<_>>()
-        };
-        let ours = tests(Finder::DEFAULT);
-        let mut adjusted = holm(&ours).into_iter();
-        let factors = FINDERS.iter();
-        let factors: Vec<_> = factors
-            .map(|&finder| (finder, ours.len().max(tests(finder).len()) as f64))
-            .collect();
-        for (finder, factor) in factors {
-            let of_finder = comparisons.iter_mut();
-            let of_finder = of_finder.filter(|of| of.finder == finder && of.is_test());
-            for comparison in of_finder {
-                comparison.corrected = match finder == Finder::DEFAULT {
-                    true => adjusted.next().unwrap_or(1.0),
-                    false => (comparison.p * factor).min(1.0),
-                };
+        let least = verdict.tests(Finder::DEFAULT);
+        for &finder in FINDERS {
+            let is_tested = |of: &&mut Comparison| of.finder == finder && of.is_test();
+            let tests: Vec<_> = verdict.0.iter_mut().filter(is_tested).collect();
+            let p_values: Vec<_> = tests.iter().map(|test| test.p).collect();
+            for (test, corrected) in tests.into_iter().zip(holm(&p_values, least)) {
+                test.corrected = corrected;
             }
         }
-        let ours = ours.len();
-        Self {
-            comparisons,
-            tests: ours,
-        }
+        verdict
     }
 
-    /// The comparisons of what finds pairs like this, in a scene.
-    pub(crate) fn of_scene<'a>(
-        &'a self,
-        study: &'a Ensembles,
-        finder: Finder,
-    ) -> impl Iterator<Item = &'a Comparison> {
-        let comparisons = self.comparisons.iter();
-        comparisons
-            .filter(move |of| (of.dimension, of.kind, of.finder) == (study.dim, study.kind, finder))
+    /// How many comparisons of a method are tests.
+    pub(crate) fn tests(&self, finder: Finder) -> usize {
+        let tests = self
+            .0
+            .iter()
+            .filter(|of| of.finder == finder && of.is_test());
+        tests.count()
     }
 
-    /// The least corrected p-value of a scene.
-    pub(crate) fn least(&self, study: &Ensembles, finder: Finder) -> f64 {
-        let of_scene = self.of_scene(study, finder);
-        of_scene
-            .map(|comparison| comparison.corrected)
-            .fold(1.0, f64::min)
+    /// Whether one error at least of a scene tells a method apart from Rapier's own.
+    pub(crate) fn tells_apart(&self, scene: usize, finder: Finder) -> bool {
+        let mut of_scene = self
+            .0
+            .iter()
+            .filter(|of| (of.scene, of.finder) == (scene, finder));
+        of_scene.any(|of| of.corrected < LEVEL)
     }
 
-    /// In how many of these scenes one error at least tells it apart from Rapier's own.
-    pub(crate) fn told_apart(&self, studies: &[Ensembles], finder: Finder) -> usize {
-        let is_told_apart = |study: &&Ensembles| self.least(study, finder) < LEVEL;
-        studies.iter().filter(is_told_apart).count()
+    /// In how many of so many scenes it does.
+    pub(crate) fn told_apart(&self, scenes: usize, finder: Finder) -> usize {
+        (0..scenes)
+            .filter(|&scene| self.tells_apart(scene, finder))
+            .count()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::FREQUENCIES;
-    use super::super::case::{Reading, Run};
-    use super::{Comparison, Ensembles, FINDERS, Finder, SceneKind, Verdict};
+    use super::super::case::Run;
+    use super::{Comparison, Ensembles, FINDERS, Finder, Verdict};
+    use unisize_scenes::SceneKind;
 
     /// A study of 20 seeds in which the errors of unisize and of the control are larger by these factors.
     fn study(ours: f64, control: f64) -> Ensembles {
@@ -166,14 +127,10 @@ mod tests {
                         Finder::Lossy => control,
                         _ => 1.0,
                     };
-                    let errors = ["an error", "another"].map(|name| Reading {
-                        name,
-                        value: factor * f64::from(seed) / f64::from(frequency),
-                    });
+                    let error = factor * f64::from(seed) / f64::from(frequency);
                     let run = Run {
                         milliseconds: 1.0,
-                        errors: errors.into(),
-                        pairs: None,
+                        errors: ["an error", "another"].map(|name| (name, error)).into(),
                         state: 0,
                     };
                     study.push(finder, frequency, run);
@@ -186,18 +143,16 @@ mod tests {
     #[test]
     fn what_is_larger_is_told_apart_and_what_is_equal_is_not() {
         let told_apart = |study: Ensembles| {
-            let studies = [study];
-            let verdict = Verdict::of(&studies);
+            let verdict = Verdict::of(&[study]);
             let finders = [Finder::DEFAULT, Finder::Lossy];
-            let counts = finders.map(|finder| verdict.told_apart(&studies, finder));
-            (counts, verdict)
+            (finders.map(|finder| verdict.told_apart(1, finder)), verdict)
         };
         let of = |verdict: &Verdict, finder| -> Comparison {
-            let mut comparisons = verdict.comparisons.iter();
+            let mut comparisons = verdict.0.iter();
             comparisons.find(|of| of.finder == finder).cloned().unwrap()
         };
         let (counts, verdict) = told_apart(study(1.0, 1.1));
-        assert_eq!((counts, verdict.tests), ([0, 1], 0));
+        assert_eq!((counts, verdict.tests(Finder::DEFAULT)), ([0, 1], 0));
         let control = of(&verdict, Finder::Lossy);
         assert_eq!((control.worse, control.same), (80, 0));
         assert_eq!(of(&verdict, Finder::DEFAULT).same, 80);
@@ -205,7 +160,7 @@ mod tests {
         assert!((control.corrected - 2.0 * control.p).abs() < 1e-12);
 
         let (counts, verdict) = told_apart(study(0.9, 1.0));
-        assert_eq!((counts, verdict.tests), ([1, 0], 2));
+        assert_eq!((counts, verdict.tests(Finder::DEFAULT)), ([1, 0], 2));
         // Two tests, both at the smallest value.
         let ours = of(&verdict, Finder::DEFAULT);
         assert!((ours.corrected - 2.0 * ours.p).abs() < 1e-12);

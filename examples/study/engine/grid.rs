@@ -7,7 +7,7 @@
 //!
 //! All pairs are found anew at each update, and compared with those held: **O(n log n + candidates)**.
 
-use super::scenes::rapier::{math::DIM, parry::bounding_volume::BoundingVolume, prelude::*};
+use super::scenes::rapier::{math::DIM, prelude::*};
 use super::version::BroadPhase;
 use crate::finder::Cell;
 use unisize::Aabb;
@@ -210,16 +210,8 @@ impl BroadPhase for HashGrid {
             let Some(collider) = colliders.get(handle) else {
                 continue;
             };
-            let skin = params.prediction_distance() / 2.0;
-            let mut aabb = collider.compute_collision_aabb(skin);
+            let aabb = collider.compute_collision_aabb(params.prediction_distance() / 2.0);
             let body = collider.parent().map(|parent| &bodies[parent]);
-            // As in Rapier's own, soft CCD looks ahead; here, as far as it may in a step.
-            if let Some(body) = body.filter(|body| body.soft_ccd_prediction() > 0.0) {
-                let pose = body.predict_position_using_velocity_and_forces(params.dt);
-                let local = collider.position_wrt_parent().copied().unwrap_or_default();
-                let next = collider.shape().compute_aabb(&(pose * local));
-                aabb.merge(&next.loosened(collider.contact_skin() + skin));
-            }
             let proxy = Proxy {
                 handle,
                 can_move: body.is_some_and(|body| !body.is_fixed()),

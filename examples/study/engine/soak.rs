@@ -133,35 +133,20 @@ impl Soak {
     }
 
     fn change(&mut self) {
-        let count = self.live.len();
-        let few = count.div_ceil(FEW);
-        match self.mode {
-            Mode::Rest => {}
-            Mode::FewMove => {
-                // The same ones as long as the mode lasts, most of the time.
-                let first = self.updates / MODE_LENGTH * 37;
-                for i in 0..few as u64 {
-                    self.drift(self.live[((first + i) % count as u64) as usize]);
-                }
-            }
-            Mode::ManyMove => (0..count).for_each(|i| self.drift(self.live[i])),
-            Mode::Tremble => {
-                for i in 0..count {
-                    let by = 0.002 * (self.random.rand_float() - 0.5);
-                    self.shift(self.live[i], Vector::repeat(by));
-                }
-            }
-            Mode::Teleport => {
-                for _ in 0..few {
-                    let (handle, place) = (self.any(), self.anywhere());
-                    self.colliders[handle].set_translation(place);
-                }
+        let few = self.live.len().div_ceil(FEW);
+        let changed = match self.mode {
+            Mode::Rest => Vec::new(),
+            Mode::FewMove => self.live[..few].to_vec(),
+            Mode::ManyMove | Mode::Tremble => self.live.clone(),
+            Mode::Teleport | Mode::Blink | Mode::Spoil | Mode::Resize => {
+                (0..few).map(|_| self.any()).collect()
             }
             Mode::Replace => {
                 for _ in 0..few {
                     self.remove();
                     self.insert();
                 }
+                Vec::new()
             }
             Mode::Fluctuate => {
                 let is_falling = self.updates / 500 % 2 == 0;
@@ -172,32 +157,35 @@ impl Soak {
                         self.insert();
                     }
                 }
+                Vec::new()
             }
-            Mode::Blink => {
-                for _ in 0..few {
-                    let handle = self.any();
-                    let is_on = self.random.rand_float() < 0.8;
-                    self.colliders[handle].set_enabled(is_on);
-                }
+        };
+        for handle in changed {
+            self.change_one(handle);
+        }
+    }
+
+    /// What its mode does to one collider.
+    fn change_one(&mut self, handle: ColliderHandle) {
+        let (chance, elsewhere) = (self.random.rand_float(), self.anywhere());
+        let side = self.side;
+        let collider = &mut self.colliders[handle];
+        let place = *collider.translation();
+        match self.mode {
+            Mode::Blink => collider.set_enabled(chance < 0.8),
+            Mode::Resize => collider.set_shape(SharedShape::ball(0.3 + 0.4 * chance)),
+            Mode::Spoil if chance < 0.2 => collider.set_translation(Vector::repeat(Real::NAN)),
+            Mode::Tremble => {
+                collider.set_translation(place + Vector::repeat(0.002 * (chance - 0.5)));
             }
-            Mode::Spoil => {
-                for _ in 0..few {
-                    let handle = self.any();
-                    let place = if self.random.rand_float() < 0.2 {
-                        Vector::repeat(Real::NAN)
-                    } else {
-                        self.anywhere()
-                    };
-                    self.colliders[handle].set_translation(place);
-                }
+            Mode::FewMove | Mode::ManyMove => {
+                // At a velocity of its own, and around at the ends of the world.
+                let index = handle.into_raw_parts().0 as usize + 1;
+                let velocity = |k: usize, _| 0.02 * (index * (3 + k) % 7) as Real - 0.06;
+                let place = place + Vector::from_fn(velocity);
+                collider.set_translation(place.map(|x| x.rem_euclid(side)));
             }
-            Mode::Resize => {
-                for _ in 0..few {
-                    let handle = self.any();
-                    let radius = 0.3 + 0.4 * self.random.rand_float();
-                    self.colliders[handle].set_shape(SharedShape::ball(radius));
-                }
-            }
+            _ => collider.set_translation(elsewhere),
         }
     }
 
@@ -226,29 +214,5 @@ impl Soak {
         let handle = self.live.swap_remove(index as usize);
         self.colliders
             .remove(handle, &mut self.islands, &mut self.bodies, false);
-    }
-
-    fn shift(&mut self, handle: ColliderHandle, by: Vector<Real>) {
-        let collider = &mut self.colliders[handle];
-        let place = collider.translation() + by;
-        collider.set_translation(place);
-    }
-
-    /// Moves a collider at its constant velocity, and wraps it around at the ends of the world.
-    fn drift(&mut self, handle: ColliderHandle) {
-        let index = handle.into_raw_parts().0 as usize;
-        let velocity = Vector::from_fn(|k, _| 0.02 * (((index + 1) * (3 + k)) % 7) as Real - 0.06);
-        let side = self.side;
-        let collider = &mut self.colliders[handle];
-        let place = collider.translation() + velocity;
-        collider.set_translation(place.map(|x| {
-            if x < 0.0 {
-                x + side
-            } else if x > side {
-                x - side
-            } else {
-                x
-            }
-        }));
     }
 }

@@ -33,6 +33,18 @@ pub(crate) enum Setup {
     Burst { speed: f64 },
 }
 
+impl Setup {
+    /// What counts as a failure, beside what is not finite and a panic.
+    pub(crate) fn fails_if(self) -> &'static str {
+        match self {
+            Self::Stack { .. } | Self::Press { .. } => "a body strays by half a box",
+            Self::Chain { .. } => "a joint opens by half a link",
+            Self::Spin { .. } | Self::Shots { .. } => "a body is outside",
+            Self::Burst { .. } => "it panics, and nothing else",
+        }
+    }
+}
+
 impl Case {
     /// A world of the usual size and time step, at the origin.
     pub(crate) const fn usual(setup: Setup) -> Self {

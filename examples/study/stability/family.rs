@@ -1,7 +1,6 @@
 //! The families of cases: in each, one parameter goes from harmless to hopeless.
 
 use super::case::{Case, Setup};
-use super::criterion::Criterion;
 
 /// Cases that differ in one parameter.
 #[derive(Debug)]
@@ -14,12 +13,11 @@ pub(crate) struct Family {
     pub(crate) parameter: &'static str,
     /// From harmless to hopeless.
     pub(crate) range: [f64; 2],
-    /// What its cases are judged by.
-    pub(crate) criterion: Criterion,
-    /// Whether the parameter is a whole number.
-    is_counted: bool,
     build: fn(f64) -> Case,
 }
+
+/// A parameter that is a whole number.
+const COUNT: &str = "boxes";
 
 /// Links of a chain.
 const LINKS: usize = 100;
@@ -34,10 +32,8 @@ impl Family {
         Self {
             name: "stacks",
             title: "stacks of boxes",
-            parameter: "boxes",
+            parameter: COUNT,
             range: [5.0, 80.0],
-            criterion: Criterion::StaysInPlace,
-            is_counted: true,
             build: |boxes| {
                 Case::usual(Setup::Stack {
                     boxes: boxes as usize,
@@ -49,8 +45,6 @@ impl Family {
             title: "a heavy box upon three light ones",
             parameter: "mass ratio of neighbours",
             range: [1.0, 1e4],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |ratio| Case::usual(Setup::Press { ratio }),
         },
         Self {
@@ -58,8 +52,6 @@ impl Family {
             title: "chains of 100 links with a heavy end",
             parameter: "mass of the end, links",
             range: [1.0, 1e4],
-            criterion: Criterion::HoldsTogether,
-            is_counted: false,
             build: |ratio| {
                 Case::usual(Setup::Chain {
                     links: LINKS,
@@ -72,8 +64,6 @@ impl Family {
             title: "a stack of 10 by the time step",
             parameter: "time step, ms",
             range: [4.0, 200.0],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |ms| Case {
                 dt: ms / 1e3,
                 ..STACK
@@ -84,8 +74,6 @@ impl Family {
             title: "a stack of 10 far from the origin",
             parameter: "distance on each axis, boxes",
             range: [1e2, 1e8],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |offset| Case { offset, ..STACK },
         },
         Self {
@@ -93,8 +81,6 @@ impl Family {
             title: "a stack of 10 small boxes, length_unit at its default",
             parameter: "boxes in a unit",
             range: [1.0, 1e3],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |shrink| in_units(1.0 / shrink, 1.0),
         },
         Self {
@@ -102,8 +88,6 @@ impl Family {
             title: "a stack of 10 small boxes, length_unit set to a metre",
             parameter: "boxes in a unit",
             range: [1.0, 1e3],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |shrink| in_units(1.0 / shrink, 1.0 / shrink),
         },
         Self {
@@ -111,8 +95,6 @@ impl Family {
             title: "a stack of 10 large boxes, length_unit at its default",
             parameter: "units in a box",
             range: [1.0, 1e3],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |metre| in_units(metre, 1.0),
         },
         Self {
@@ -120,8 +102,6 @@ impl Family {
             title: "a stack of 10 large boxes, length_unit set to a metre",
             parameter: "units in a box",
             range: [1.0, 1e3],
-            criterion: Criterion::StaysInPlace,
-            is_counted: false,
             build: |metre| in_units(metre, metre),
         },
         Self {
@@ -129,8 +109,6 @@ impl Family {
             title: "spinning boxes in a closed box",
             parameter: "spin, radians per second",
             range: [1.0, 1e4],
-            criterion: Criterion::StaysInside,
-            is_counted: false,
             build: |speed| Case::usual(Setup::Spin { speed }),
         },
         Self {
@@ -138,8 +116,6 @@ impl Family {
             title: "balls against a thin wall, without CCD",
             parameter: "speed, metres per second",
             range: [1.0, 1e5],
-            criterion: Criterion::StaysInside,
-            is_counted: false,
             build: |speed| shots(speed, false),
         },
         Self {
@@ -147,8 +123,6 @@ impl Family {
             title: "balls against a thin wall, with CCD",
             parameter: "speed, metres per second",
             range: [1.0, 1e5],
-            criterion: Criterion::StaysInside,
-            is_counted: false,
             build: |speed| shots(speed, true),
         },
         Self {
@@ -156,8 +130,6 @@ impl Family {
             title: "flight and spin at the limits of the numbers",
             parameter: "speed, units per second",
             range: [1e6, f32::MAX as f64],
-            criterion: Criterion::DoesNotPanic,
-            is_counted: false,
             build: |speed| Case::usual(Setup::Burst { speed }).lasting_at_most(1.0),
         },
     ];
@@ -176,7 +148,7 @@ impl Family {
                 false => low * (high / low).powf(index as f64 / (count - 1) as f64),
             })
             .collect();
-        if self.is_counted {
+        if self.parameter == COUNT {
             values.iter_mut().for_each(|value| *value = value.round());
             values.dedup();
         }

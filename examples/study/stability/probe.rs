@@ -1,56 +1,33 @@
 //! The outcome of a case in one flavour.
+//!
+//! A world near its limit is chaotic: the last bit of a number decides whether it holds, and the order of events decides the last
+//! bit. So both broad phases are run from the same starts. A start counts if one fails from it and the other does not.
 
-use super::criterion::Criterion;
-use super::discordance::Discordance;
-use super::end::End;
-use serde::Serialize;
-use std::ops::Range;
+use crate::statistics::sign_test;
+use std::ops::AddAssign;
 
-/// The starts of a case.
-#[derive(Clone, Debug)]
-pub(crate) struct Seeds {
-    pub(crate) all: Range<u64>,
-    /// Those that are checked exactly as well.
-    pub(crate) exact: Range<u64>,
+/// The probability of a wrong alarm in a whole run of the program, at any of all values, and at all of them together.
+const LEVEL: f64 = 0.01;
+
+/// How a world ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    Holds,
+    Fails,
+    /// With what the panic said.
+    Panics(String),
 }
 
-/// The outcome of a case in one flavour.
-#[derive(Clone, Debug)]
-pub(crate) struct Probe {
-    /// On Rapier's own broad phase, one for each start.
-    pub(crate) default: Vec<End>,
-    /// On unisize.
-    pub(crate) ours: Vec<End>,
-    /// Whether both end alike to the bit if their events are in order.
-    pub(crate) in_order: Exact,
-    /// Whether both hold the same pairs after each step of one world.
-    pub(crate) pairs: Exact,
-}
-
-/// The outcome of a check that leaves nothing to chance.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub(crate) struct Exact {
-    /// In how many runs there was nothing to tell apart.
-    pub(crate) equal: usize,
-    /// In how many runs there was a difference.
-    pub(crate) differing: usize,
-    /// In how many runs Rapier's own broad phase panicked, so that there is nothing to compare with.
-    pub(crate) panicked: usize,
-    /// In how many runs there was a difference, and none once a step found the tree of Rapier's own.
-    pub(crate) by_tree: usize,
-    /// The first difference.
-    pub(crate) difference: Option<String>,
-}
-
-/// The outcome of such a check in one run.
+/// What two broad phases did to worlds side by side, with their events in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Found {
+    /// The same pairs after each step, and the same bodies to the bit at the end.
     Equal,
     Difference(String),
-    /// Rapier's own broad phase panicked.
-    Panic,
     /// There is a difference, and none once a step finds the tree of Rapier's own.
     ByTree,
+    /// Rapier's own broad phase panicked, so that there is nothing to compare with.
+    Panic,
 }
 
 impl Found {
@@ -63,92 +40,168 @@ impl Found {
     }
 }
 
-impl Exact {
-    /// All runs.
-    pub(crate) fn runs(&self) -> usize {
-        self.equal + self.differing + self.panicked + self.by_tree
-    }
+/// In how many runs what was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Equality {
+    pub(crate) equal: usize,
+    pub(crate) differing: usize,
+    pub(crate) by_tree: usize,
+    pub(crate) panicked: usize,
+    /// The first difference.
+    pub(crate) difference: Option<String>,
 }
 
-impl FromIterator<Found> for Exact {
+impl FromIterator<Found> for Equality {
     fn from_iter<I: IntoIterator<Item = Found>>(runs: I) -> Self {
-        let mut exact = Self::default();
+        let mut equality = Self::default();
         for found in runs {
             match found {
-                Found::Equal => exact.equal += 1,
-                Found::Panic => exact.panicked += 1,
-                Found::ByTree => exact.by_tree += 1,
+                Found::Equal => equality.equal += 1,
+                Found::ByTree => equality.by_tree += 1,
+                Found::Panic => equality.panicked += 1,
                 Found::Difference(difference) => {
-                    exact.differing += 1;
-                    exact.difference.get_or_insert(difference);
+                    equality.differing += 1;
+                    equality.difference.get_or_insert(difference);
                 }
             }
         }
-        exact
+        equality
     }
 }
 
+/// The starts from which one broad phase fails alone. Those with a panic are left out: Rapier's own panics from all starts of some
+/// cases, which would outweigh what unisize does in others, and a panic of unisize alone is never sound anyway.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Alone {
+    pub(crate) default: usize,
+    pub(crate) ours: usize,
+}
+
+impl Alone {
+    /// How probable it is that so many or more of them fall on unisize, if both fail equally often.
+    pub(crate) fn probability(self) -> f64 {
+        sign_test(self.ours, self.default)
+    }
+
+    /// Whether unisize fails more often, and not by chance, if this is one of so many tests.
+    pub(crate) fn is_worse(self, tests: usize) -> bool {
+        self.probability() * (tests as f64) < LEVEL
+    }
+
+    /// From how many starts unisize has to fail, where Rapier's own holds from all of them, to be noticed in one of so many tests.
+    pub(crate) fn noticed(tests: usize) -> usize {
+        let would_be = |&ours: &usize| Self { default: 0, ours }.is_worse(tests);
+        (1..).find(would_be).expect("many enough always are")
+    }
+}
+
+impl AddAssign for Alone {
+    fn add_assign(&mut self, other: Self) {
+        self.default += other.default;
+        self.ours += other.ours;
+    }
+}
+
+/// The outcome of a case in one flavour.
+#[derive(Clone, Debug)]
+pub(crate) struct Probe {
+    /// From each start: how it ended on Rapier's own broad phase, and on unisize.
+    pub(crate) ends: Vec<[End; 2]>,
+    pub(crate) equality: Equality,
+}
+
 impl Probe {
-    /// From how many starts it failed on Rapier's own broad phase, and on unisize.
-    pub(crate) fn failures(&self, criterion: Criterion) -> [usize; 2] {
-        [&self.default, &self.ours].map(|ends| {
-            let failed = ends.iter().filter(|end| criterion.is_failed_by(end));
-            failed.count()
+    /// From how many starts it failed on Rapier's own broad phase, and on unisize. A panic is a failure.
+    pub(crate) fn failures(&self) -> [usize; 2] {
+        [0, 1].map(|side| {
+            self.ends
+                .iter()
+                .filter(|ends| ends[side] != End::Holds)
+                .count()
         })
     }
 
-    /// Whether unisize fails alone, if this is one of so many values.
-    pub(crate) fn ours_fails_alone(&self, criterion: Criterion, values: usize) -> bool {
-        Discordance::of(self, criterion).is_worse(values)
+    pub(crate) fn alone(&self) -> Alone {
+        let count = |alone| self.ends.iter().filter(|&ends| *ends == alone).count();
+        Alone {
+            default: count([End::Fails, End::Holds]),
+            ours: count([End::Holds, End::Fails]),
+        }
     }
 
     /// What unisize said at its first panic from a start from which Rapier's own does not panic.
     pub(crate) fn panic_alone(&self) -> Option<&str> {
-        let mut starts = self.default.iter().zip(&self.ours);
-        starts.find_map(
-            |(default, ours)| match (&default.measured, &ours.measured) {
-                (Ok(_), Err(message)) => Some(message.as_str()),
-                _ => None,
-            },
-        )
+        self.ends.iter().find_map(|ends| match ends {
+            [End::Holds | End::Fails, End::Panics(message)] => Some(message.as_str()),
+            _ => None,
+        })
     }
 
-    /// Whether unisize neither fails alone nor panics alone, from however few starts, and does exactly what Rapier's does where that
-    /// is asked.
-    pub(crate) fn is_sound(&self, criterion: Criterion, values: usize) -> bool {
-        !self.ours_fails_alone(criterion, values)
+    /// Whether unisize neither fails alone, if this is one of so many values, nor panics alone, from however few starts, and does
+    /// exactly what Rapier's does where both are compared.
+    pub(crate) fn is_sound(&self, values: usize) -> bool {
+        !self.alone().is_worse(values)
             && self.panic_alone().is_none()
-            && self.in_order.difference.is_none()
-            && self.pairs.difference.is_none()
+            && self.equality.differing == 0
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::end::Measured;
-    use super::{Criterion, End, Exact, Probe};
+    use super::*;
+
+    fn probe(ends: [[End; 2]; 2]) -> Probe {
+        Probe {
+            ends: ends.into(),
+            equality: Equality::default(),
+        }
+    }
+
+    #[test]
+    fn starts_are_paired() {
+        use End::{Fails, Holds};
+        let panics = || End::Panics("why".to_owned());
+        let of = |ends| {
+            let probe = probe(ends);
+            (probe.alone(), probe.failures())
+        };
+        let alone = |default, ours| Alone { default, ours };
+        let found = of([[Fails, Fails], [Fails, Holds]]);
+        assert_eq!(found, (alone(1, 0), [2, 1]));
+        let found = of([[Holds, Fails], [Holds, Holds]]);
+        assert_eq!(found, (alone(0, 1), [0, 1]));
+        let found = of([[panics(), Holds], [Holds, panics()]]);
+        assert_eq!(found, (alone(0, 0), [1, 1]));
+    }
 
     #[test]
     fn one_panic_alone_is_never_sound() {
-        const CRITERION: Criterion = Criterion::DoesNotPanic;
-        let calm = End {
-            measured: Ok(Measured::default()),
-        };
-        let panic = End {
-            measured: Err("why".to_owned()),
-        };
-        let probe = |default: &End, ours: &End| Probe {
-            default: vec![calm.clone(), default.clone()],
-            ours: vec![calm.clone(), ours.clone()],
-            in_order: Exact::default(),
-            pairs: Exact::default(),
-        };
-        assert!(probe(&calm, &calm).is_sound(CRITERION, 1));
-        assert!(probe(&panic, &panic).is_sound(CRITERION, 1));
-        assert!(probe(&panic, &calm).is_sound(CRITERION, 1));
-        let alone = probe(&calm, &panic);
-        assert!(!alone.ours_fails_alone(CRITERION, 1));
+        let panics = || End::Panics("why".to_owned());
+        let calm = || [End::Holds, End::Holds];
+        assert!(probe([calm(), calm()]).is_sound(1));
+        assert!(probe([calm(), [panics(), panics()]]).is_sound(1));
+        assert!(probe([calm(), [panics(), End::Holds]]).is_sound(1));
+        let alone = probe([calm(), [End::Holds, panics()]]);
+        assert!(!alone.alone().is_worse(1));
         assert_eq!(alone.panic_alone(), Some("why"));
-        assert!(!alone.is_sound(CRITERION, 1));
+        assert!(!alone.is_sound(1));
+    }
+
+    #[test]
+    fn one_difference_is_never_sound() {
+        let equality = [Found::Equal, Found::Difference("so".to_owned())];
+        let probe = Probe {
+            ends: vec![[End::Holds, End::Holds]],
+            equality: equality.into_iter().collect(),
+        };
+        assert_eq!((probe.equality.equal, probe.is_sound(1)), (1, false));
+    }
+
+    #[test]
+    fn the_more_tests_the_more_is_a_matter_of_chance() {
+        let ours = |ours| Alone { default: 0, ours };
+        assert!(ours(7).is_worse(1) && !ours(6).is_worse(1));
+        assert!(ours(14).is_worse(100) && !ours(13).is_worse(100));
+        assert_eq!([1, 100].map(Alone::noticed), [7, 14]);
     }
 }

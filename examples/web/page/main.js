@@ -114,7 +114,8 @@ function stepBoth() {
 }
 
 function draw() {
-  const overlays = { boxes: form.elements.boxes.checked, pairs: form.elements.pairs.checked };
+  const { boxes, pairs, search } = form.elements;
+  const overlays = { boxes: boxes.checked, pairs: pairs.checked, search: search.checked };
   for (const view of views) {
     if (mustDraw) view.update(sides[view.name], overlays);
     view.render();
@@ -146,7 +147,14 @@ function tell() {
   byId("ratio").textContent = ratio > 0 ? `${ratio.toFixed(2)}×` : "…";
   byId("verdict").textContent = ratio > 0 ? "as fast with unisize, by whole steps" : "measuring";
   byId("agreement").textContent = agreement();
+  byId("searches").textContent = searches();
   drawChart(byId("chart"), times);
+}
+
+function searches() {
+  const [first, second, ahead, runs, updates] = sides.unisize.searches().map((count) => integer.format(count));
+  const strips = form.elements.space.value === "2d" ? first : `${first} × ${second}`;
+  return `So far ${runs} searches for all pairs in ${updates} updates, the last one in ${strips} strips, ${ahead} moves ahead.`;
 }
 
 function agreement() {
@@ -238,6 +246,7 @@ function listen() {
   form.addEventListener("change", ({ target }) => {
     if (target.type === "checkbox") {
       byId("legend").hidden = !form.elements.pairs.checked;
+      byId("search").hidden = !form.elements.search.checked;
       mustDraw = true;
       return;
     }

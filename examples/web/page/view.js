@@ -107,7 +107,7 @@ export class View {
   }
 
   /** Takes over where everything is. */
-  update(side, { boxes, pairs }) {
+  update(side, { boxes, pairs, search }) {
     const batches = side.draw();
     for (let batch = 0; batch < batches; batch += 1) {
       const places = side.batch_places(batch);
@@ -116,6 +116,7 @@ export class View {
       this.batches[batch].place(places);
     }
     this.draw("boxes", "text", boxes ? side.box_lines() : []);
+    this.draw("fat", "fat", search ? side.fat_box_lines() : []);
     this.draw("idle", "idle", pairs ? side.pair_lines(false) : []);
     this.draw("touch", "touch", pairs ? side.pair_lines(true) : []);
   }
@@ -156,13 +157,14 @@ export class View {
     if (line === undefined) {
       if (ends.length === 0) return;
       const material = new THREE.LineBasicMaterial({ color: this.color(color), transparent: true });
-      material.depthTest = name === "boxes" && !this.camera.isFlat;
-      if (name === "boxes") material.opacity = 0.45;
+      const isBoxes = name === "boxes" || name === "fat";
+      material.depthTest = isBoxes && !this.camera.isFlat;
+      if (isBoxes) material.opacity = 0.45;
       line = new THREE.LineSegments(new THREE.BufferGeometry(), material);
       line.frustumCulled = false;
       line.userData = { color };
       // On both sides alike, what costs time for nothing is on top.
-      line.renderOrder = ["boxes", "touch", "idle"].indexOf(name) + 1;
+      line.renderOrder = ["fat", "boxes", "touch", "idle"].indexOf(name) + 1;
       this.lines[name] = line;
       this.scene.add(line);
     }

@@ -34,5 +34,5 @@ pub fn first_difference(
 #[wasm_bindgen]
 pub fn golden(engine: &str, scene: &str) -> Result<String, JsError> {
     let golden = for_engine!(engine, check::golden);
-    Ok(format!("0x{:016x}", golden(crate::kind(scene)?)))
+    Ok(format!("{:016x}", golden(crate::kind(scene)?)))
 }

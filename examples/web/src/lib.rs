@@ -124,6 +124,12 @@ trait World {
     /// The ends of the edges of the boxes of the colliders that move.
     fn box_lines(&self) -> Vec<f32>;
 
+    /// The ends of the edges of the boxes that unisize has searched by; none on the other side.
+    fn fat_box_lines(&self) -> Vec<f32>;
+
+    /// How unisize searches; zeros on the other side. See [`Side::searches`].
+    fn searches(&self) -> [f64; 5];
+
     /// The ends of a line for each pair of the narrow phase: pairs without contact, or those with one.
     fn pair_lines(&self, touching: bool) -> Vec<f32>;
 }
@@ -213,6 +219,17 @@ impl Side {
     /// The ends of the edges of the boxes of the colliders that move.
     pub fn box_lines(&self) -> Vec<f32> {
         self.world.box_lines()
+    }
+
+    /// The ends of the edges of the boxes that unisize has searched by, drawn ahead of the motion of the colliders; none on the other side.
+    pub fn fat_box_lines(&self) -> Vec<f32> {
+        self.world.fat_box_lines()
+    }
+
+    /// How unisize searches: the strips along two axes in the last search for all pairs, how many moves ahead its boxes reach, the searches
+    /// for all pairs so far, and the updates so far; zeros on the other side.
+    pub fn searches(&self) -> Vec<f64> {
+        self.world.searches().to_vec()
     }
 
     /// The ends of a line for each pair of the narrow phase: pairs without contact, or those with one.

@@ -19,8 +19,6 @@ pub(super) use unusual_box::unusual_box;
 
 pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
-#[cfg(test)]
-pub(super) type AngVector = super::rapier::math::AngVector<Real>;
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
@@ -84,7 +82,7 @@ impl BroadPhase for UnisizeBroadPhase {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let lists = Lists::new(modified_colliders, removed_colliders);
-        self.bring_up_to_date(params, colliders, bodies, &lists, events);
+        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
     }
 }
 
@@ -98,13 +96,7 @@ impl BroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let input = Input {
-            params,
-            colliders,
-            bodies,
-            modified: modified_colliders,
-            removed: removed_colliders,
-        };
-        self.run(&input, events);
+        let lists = Lists::new(modified_colliders, removed_colliders);
+        self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 }

@@ -16,8 +16,6 @@ use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
 use crate::proxy_table::{Lists, Order};
 
-#[cfg(test)]
-pub(super) use super::rapier::math::AngVector;
 pub(super) use super::rapier::math::{Pose, Vector};
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
@@ -112,7 +110,7 @@ impl UnisizeBroadPhase {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let lists = Lists::new(modified_colliders, removed_colliders);
-        self.bring_up_to_date(params, colliders, bodies, &lists, events);
+        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
     }
 
     /// Hands over the box of a collider, in place of listing it as modified: in the next [`update`](Self::update) it counts
@@ -155,32 +153,24 @@ impl Trial {
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
     ) {
-        let enabled = colliders
-            .iter()
-            .filter(|(_, collider)| collider.is_enabled());
-        let aabbs: Vec<_> = enabled
-            .map(|(handle, collider)| (handle, collider.compute_broad_phase_aabb(params, bodies)))
-            .filter(|(_, aabb)| aabb.mins.is_finite() && aabb.maxs.is_finite())
-            .collect();
-        let seen = aabbs
-            .iter()
-            .map(|(handle, _)| (*handle, key(&colliders[*handle], bodies)));
+        let enabled = colliders.iter_enabled();
+        let boxes =
+            enabled.map(|(handle, it)| (handle, it.compute_broad_phase_aabb(params, bodies)));
+        let is_finite = |aabb: &RapierAabb| aabb.mins.is_finite() && aabb.maxs.is_finite();
+        let aabbs: Vec<_> = boxes.filter(|(_, aabb)| is_finite(aabb)).collect();
+        let handles = aabbs.iter().map(|(handle, _)| *handle);
+        let seen = handles.map(|handle| (handle, key(&colliders[handle], bodies)));
         let former = std::mem::replace(&mut self.looked_at, seen.collect());
         // What may meet others than before comes anew, because nobody tells that it has changed.
-        let is_gone = |(handle, key): (&ColliderHandle, _)| self.looked_at.get(handle) != Some(key);
-        let gone = former.iter().filter(|former| is_gone(*former));
+        let gone = former
+            .iter()
+            .filter(|&(handle, key)| self.looked_at.get(handle) != Some(key));
         let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
-        let mut input = Input {
-            params,
-            colliders,
-            bodies,
-            modified: &[],
-            removed: &removed,
-        };
         // First, for another collider may have the index by now.
+        let input = Input::new(params, colliders, bodies, Lists::new(&[], &removed));
         self.run(&input, &mut Vec::new());
         self.hand_over(params, Some(colliders), &aabbs);
-        input.removed = &[];
+        let input = Input::new(params, colliders, bodies, Lists::new(&[], &[]));
         self.run(&input, &mut Vec::new());
     }
 

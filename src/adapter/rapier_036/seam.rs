@@ -6,6 +6,7 @@ use super::rapier::geometry::{
     Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
 };
 use super::rapier::parry::partitioning::Bvh;
+use crate::proxy_table::Lists;
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -17,14 +18,8 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let input = Input {
-            params,
-            colliders,
-            bodies,
-            modified: modified_colliders,
-            removed: removed_colliders,
-        };
-        self.update_as_noted(&input, events);
+        let lists = Lists::new(modified_colliders, removed_colliders);
+        self.update_as_noted(&Input::new(params, colliders, bodies, lists), events);
     }
 
     fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
@@ -50,7 +45,7 @@ impl CustomBroadPhase for UnisizeBroadPhase {
     }
 
     fn unreported(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
-        self.unreported_neighbors()
+        &self.near
     }
 
     fn bvh(&self) -> &Bvh {
@@ -72,14 +67,8 @@ impl CustomBroadPhase for Trial {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let input = Input {
-            params,
-            colliders,
-            bodies,
-            modified: modified_colliders,
-            removed: removed_colliders,
-        };
-        self.run(&input, events);
+        let lists = Lists::new(modified_colliders, removed_colliders);
+        self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 
     fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {

@@ -44,11 +44,9 @@ impl Cost {
     pub(super) fn end_update(&mut self, update: Option<u64>, pairs: usize) {
         let time = std::mem::take(&mut self.current);
         self.total += time;
-        if let Some(update) = update {
-            self.pairs += pairs as u64;
-            if update > 1 {
-                self.longest = self.longest.max(time);
-            }
+        self.pairs += update.map_or(0, |_| pairs as u64);
+        if update > Some(1) {
+            self.longest = self.longest.max(time);
         }
     }
 

@@ -20,52 +20,33 @@ fn ball(x: Real) -> Collider {
 /// the indices of the colliders, and whether the pair is missing.
 fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u32; 2], bool)> {
     let mut colliders = ColliderSet::new();
-    for x in [0.0, 0.9, 5.0] {
-        colliders.insert(ball(x));
-    }
+    let all = [0.0, 0.9, 5.0].map(|x| colliders.insert(ball(x)));
     let mut trial = Trial::new();
     let (params, bodies) = (IntegrationParameters::default(), RigidBodySet::new());
-    let all = [0, 1, 2].map(handle);
-    let mut input = Input {
-        params: &params,
-        colliders: &colliders,
-        bodies: &bodies,
-        modified: &all,
-        removed: &[],
-    };
+    let input = Input::new(&params, &colliders, &bodies, Lists::new(&all, &[]));
     trial.run(&input, &mut Vec::new());
     assert!(trial.report().is_equal());
 
-    let mut moved = colliders.clone();
-    moved[handle(2)].set_position(*ball(1.7).position());
-    input.colliders = &moved;
-    let listed = [handle(2)];
-    input.modified = &listed;
+    colliders[all[2]].set_position(*ball(1.7).position());
+    let input = Input::new(&params, &colliders, &bodies, Lists::new(&all[2..], &[]));
     fault(&mut trial.tried[version::FILTER_OF_OWN as usize], &input);
     trial.run(&input, &mut Vec::new());
 
     let report = trial.report();
     assert_eq!((report.updates, report.own.pairs), (2, 1.5));
-    report.first_difference.map(|difference| {
-        assert_eq!(difference.update, 2);
-        let indices = difference.colliders.map(|handle| handle.into_raw_parts().0);
-        (indices, difference.is_missing)
-    })
+    let difference = report.first_difference?;
+    assert_eq!(difference.update, 2);
+    let indices = difference.colliders.map(|handle| handle.into_raw_parts().0);
+    Some((indices, difference.is_missing))
 }
 
 #[test]
 fn faults_are_named() {
     assert_eq!(difference(|_, _| {}), None);
     let forgets_a_collider = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
-        let removed = &[handle(1)];
-        faulty.update_as_noted(
-            &Input {
-                modified: &[],
-                removed,
-                ..*input
-            },
-            &mut Vec::new(),
-        );
+        let removed = [handle(1)];
+        let lists = Lists::new(&[], &removed);
+        faulty.update_as_noted(&Input { lists, ..*input }, &mut Vec::new());
     };
     assert_eq!(difference(forgets_a_collider), Some(([1, 2], true)));
     let loses_events = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {

@@ -103,3 +103,29 @@ fn skins_that_are_none_do_not_loosen() {
         assert_eq!(desk.update(&[b], &[]), [(false, [a, b])], "{skin}");
     }
 }
+
+#[test]
+fn a_body_may_have_a_hundred_thousand_colliders() {
+    let mut desk = Desk::default();
+    let body = desk.bodies.insert(RigidBodyBuilder::dynamic());
+    let last = 99_999;
+    let mut colliders: Vec<_> = (0..=last)
+        .map(|i| {
+            let centre = [2.0 * i as Real, 0.0];
+            let part = desk.ball(0.5, centre);
+            desk.colliders
+                .set_parent(part, Some(body), &mut desk.bodies);
+            desk.place(part, centre);
+            part
+        })
+        .collect();
+    let ends = [colliders[0], colliders[last]];
+    let other = desk.ball(0.5, [-0.9, 0.0]);
+    colliders.push(other);
+    assert_eq!(desk.update(&colliders, &[]), [(true, [ends[0], other])]);
+    desk.place(other, [2.0 * last as Real + 0.9, 0.0]);
+    let moved = [(false, [ends[0], other]), (true, [ends[1], other])];
+    assert_eq!(desk.update(&[other], &[]), moved);
+    assert_eq!(desk.update(&[], &colliders[..=last]), []);
+    assert_eq!(desk.counts(), [1, 0, 0]);
+}

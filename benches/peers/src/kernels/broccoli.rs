@@ -9,7 +9,6 @@ use anyhow::Result;
 use broccoli::aabb::BBox;
 use broccoli::build::{DefaultSorter, TreeEmbryo};
 use broccoli::{num_level, rect};
-use std::borrow::Cow;
 
 /// Boxes a leaf, of which broccoli makes the height; the third is its default. As it only takes odd heights,
 /// those between would be the same.
@@ -55,7 +54,7 @@ impl Kernel<2> for Broccoli {
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }

@@ -9,7 +9,6 @@
 use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::{Context, Result, ensure};
-use std::borrow::Cow;
 use std::ptr::NonNull;
 
 const DEFAULT_CUTOFF: usize = 10;
@@ -86,14 +85,14 @@ impl<const D: usize> Kernel<D> for Cgal {
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
+    fn pairs(&self) -> &[[u32; 2]] {
         if self.pair_count == 0 {
             // An empty list may have no memory at all.
-            return Cow::Borrowed(&[]);
+            return &[];
         }
         // SAFETY: the list of the last call, which is valid until the next one; that one takes `&mut self`.
         // A pair is two 32-bit numbers on both sides.
-        Cow::Borrowed(unsafe { std::slice::from_raw_parts(self.pairs, self.pair_count) })
+        unsafe { std::slice::from_raw_parts(self.pairs, self.pair_count) }
     }
 }
 

@@ -5,7 +5,6 @@ use crate::pair_set::PairSet;
 use crate::row::Row;
 use crate::times::Times;
 use anyhow::{Result, bail};
-use std::borrow::Cow;
 use std::hint::black_box;
 use std::time::Instant;
 use unisize_scenes::DriftingBoxes;
@@ -15,8 +14,8 @@ pub(crate) trait Kernel<const D: usize> {
     /// Finds the pairs of these boxes, and keeps them as a list: all of this is timed.
     fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()>;
 
-    /// The pairs found, each once, in any order. Not timed: a list of another type may be converted here.
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]>;
+    /// The pairs found, each once, in any order.
+    fn pairs(&self) -> &[[u32; 2]];
 }
 
 /// A way to set a kernel up. It has no name if there is no other.
@@ -147,14 +146,13 @@ impl<const D: usize> Contender<D> {
 
     pub(crate) fn row(&self, density: f64, ours: &Self) -> Row {
         Row {
-            subject: "kernels",
             dim: D,
             density,
-            motion: String::new(),
             count: self.boxes.mins().len(),
             contender: self.name.to_owned(),
             setting: self.setting.clone(),
-            times: self.times.clone(),
+            frames: self.times.count(),
+            ms: self.times.typical(),
             pairs: self.kernel.pairs().len(),
             ratio: self.times.typical() / ours.times.typical(),
         }

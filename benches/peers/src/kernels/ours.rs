@@ -3,7 +3,6 @@
 use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::Result;
-use std::borrow::Cow;
 use unisize::{GridSweep, PairFinder, RankSweep};
 
 /// GridSweep, which all ratios are relative to, and RankSweep, up to so many boxes.
@@ -32,7 +31,7 @@ impl<F: PairFinder<f32, D>, const D: usize> Kernel<D> for Ours<F> {
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }

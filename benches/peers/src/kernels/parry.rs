@@ -11,7 +11,6 @@ use anyhow::Result;
 use parry::bounding_volume::Aabb;
 use parry::math::{DIM, Point};
 use parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
-use std::borrow::Cow;
 
 /// A tree built for each frame, and a tree that is kept, each in the best of several ways.
 pub(crate) fn families() -> Vec<Family<DIM>> {
@@ -105,7 +104,7 @@ impl Kernel<DIM> for Tree {
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }

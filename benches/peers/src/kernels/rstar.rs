@@ -7,7 +7,6 @@ use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::Result;
 use rstar::{AABB, Point, RStarInsertionStrategy, RTree, RTreeObject, RTreeParams};
-use std::borrow::Cow;
 
 /// rstar at its best; nodes of 6 are its default, and what the intersection of trees has.
 pub(crate) fn family<const D: usize>() -> Family<D>
@@ -66,8 +65,8 @@ where
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }
 
@@ -102,7 +101,7 @@ where
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }

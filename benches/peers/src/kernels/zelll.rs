@@ -7,7 +7,6 @@
 use super::contender::{Family, Kernel, Setting};
 use super::frame::Frame;
 use anyhow::Result;
-use std::borrow::Cow;
 use unisize_scenes::DriftingBoxes;
 use zelll::{CellGrid, ParticleLike};
 
@@ -87,7 +86,7 @@ impl<const D: usize> Kernel<D> for Zelll<D> {
         Ok(())
     }
 
-    fn pairs(&self) -> Cow<'_, [[u32; 2]]> {
-        Cow::Borrowed(&self.pairs)
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
     }
 }

@@ -14,172 +14,159 @@ mod numbers;
 #[path = "../../../../tests/oracle/random.rs"]
 mod random;
 
-use mpi::topology::SimpleCommunicator;
-use mpi::traits::Communicator;
+use anyhow::Result;
+use inputs::{Input, input};
 use numbers::Number;
-use serde::{Serialize, de::DeserializeOwned};
 use std::collections::HashSet;
 use unisize::{Aabb, BruteForce, InvalidInput, PairFinder};
-use unisize_mpi::{Animal, Body, Domains, Herd, gather, greatest, sorted, start, sum};
-use unisize_scenes::{DriftingBoxes, Stampede};
+use unisize_mpi::{Animal, Body, Domains, Herd, Sent, World, sorted};
+use unisize_scenes::{HardBoxes, Stampede};
 
-/// What boxes of the oracle are made of, and can be sent.
-trait Sent: Number + Serialize + DeserializeOwned {}
-impl<R: Number + Serialize + DeserializeOwned> Sent for R {}
-
-fn main() {
-    let universe = start().expect("MPI starts");
-    let world = universe.world();
-    let flat = all::<f32, 2>(&world) + all::<f64, 2>(&world);
-    let lists = flat + all::<f32, 3>(&world) + all::<f64, 3>(&world);
-    loads_stay_alike(&world);
-    herds_move_as_one(&world);
-    if world.rank() == 0 {
-        println!("{} processes: {lists} lists of boxes", world.size());
-    }
+fn main() -> Result<()> {
+    World::run(|world| {
+        let flat = unions_are_exact::<f32, 2>(world)? + unions_are_exact::<f64, 2>(world)?;
+        let solid = unions_are_exact::<f32, 3>(world)? + unions_are_exact::<f64, 3>(world)?;
+        loads_stay_alike(world)?;
+        herds_move_as_one(world)?;
+        let (lists, processes) = (flat + solid, world.size());
+        if world.rank() == 0 {
+            println!("{processes} processes: {lists} lists of boxes");
+        }
+        Ok(())
+    })
 }
 
 /// Checks everything in one dimension and scalar, and returns the number of lists.
-fn all<R: Sent, const D: usize>(world: &SimpleCommunicator) -> usize {
-    let lists = inputs::all::<R, D>();
-    for (at, list) in lists.iter().enumerate() {
-        union_is_exact(world, &list.name, list.boxes.clone(), at % 2 == 0);
-        if at % 8 == 0 && list.boxes.len() > 2 {
-            first_fault_is_told_to_all(world, &list.boxes);
-        }
+fn unions_are_exact<R: Number + Sent, const D: usize>(world: &World) -> Result<usize> {
+    let mut lists = inputs::all::<R, D>();
+    lists.extend(HardBoxes::ALL.map(|kind| {
+        let corner = |corner: [f32; D]| corner.map(|x| R::from_f64(x.into()));
+        let boxes = kind.boxes(700, 7).into_iter();
+        let boxes = boxes.map(|[mins, maxs]| Aabb::new(corner(mins), corner(maxs)));
+        input(kind.name(), boxes.collect())
+    }));
+    for list in &lists {
+        check_union(world, list)?;
     }
-    lists.len()
-}
-
-fn body<R: Copy, const D: usize>(boxes: &[Aabb<R, D>], number: u64) -> Body<R, D> {
-    let (aabb, rest) = (boxes[number as usize], ());
-    Body { number, aabb, rest }
+    Ok(lists.len())
 }
 
 /// Moves each own body to where its box is now.
-fn place<R: Sent, const D: usize>(domains: &mut Domains<R, D>, boxes: &[Aabb<R, D>]) {
+fn place<R: Number + Sent, const D: usize>(domains: &mut Domains<R, D>, boxes: &[Aabb<R, D>]) {
     for own in &mut domains.bodies {
-        *own = body(boxes, own.number);
+        own.aabb = boxes[own.number as usize];
     }
 }
 
-/// A share of the bodies for every process, or all of them for the last.
-fn domains<'a, R: Sent, const D: usize>(
-    world: &'a SimpleCommunicator,
+/// All bodies are on the last process, which deals them.
+fn domains<'a, R: Number + Sent, const D: usize>(
+    world: &'a World,
     boxes: &[Aabb<R, D>],
-    by_turns: bool,
 ) -> Domains<'a, R, D> {
-    let (rank, size) = (world.rank() as u64, world.size() as u64);
-    let owner = |number| if by_turns { number % size } else { size - 1 };
-    let mine = (0..boxes.len() as u64).filter(|&number| owner(number) == rank);
-    Domains::new(world, mine.map(|number| body(boxes, number)).collect())
+    let is_last = world.rank() + 1 == world.size();
+    let mine = if is_last { boxes } else { &[] };
+    let bodies = (0..).zip(mine).map(|(number, &aabb)| {
+        let rest = ();
+        Body { number, aabb, rest }
+    });
+    Domains::new(world, bodies.collect())
 }
 
-fn union_is_exact<R: Sent, const D: usize>(
-    world: &SimpleCommunicator,
-    name: &str,
-    mut boxes: Vec<Aabb<R, D>>,
-    by_turns: bool,
-) {
-    let mut domains = domains(world, &boxes, by_turns);
+fn check_union<R: Number + Sent, const D: usize>(world: &World, list: &Input<R, D>) -> Result<()> {
+    let (name, mut boxes) = (&list.name, list.boxes.clone());
+    let mut domains = domains(world, &boxes);
     for frame in 0..3 {
-        domains.find_pairs().expect(name);
-        let mut expected = Vec::new();
-        BruteForce.find_pairs(&boxes, &mut expected).expect(name);
-        let expected: Vec<_> = expected.iter().map(|pair| pair.map(u64::from)).collect();
-        let mut union = gather(world, domains.reported().collect()).expect(name);
+        if boxes.len() > 3 {
+            first_fault_is_told_to_all(&mut domains, &boxes, boxes.len() + frame);
+        }
+        domains.find_pairs()?;
+        let mut pairs = Vec::new();
+        if world.rank() == 0 {
+            BruteForce.find_pairs(&boxes, &mut pairs)?;
+        }
+        let pairs = pairs.iter().map(|pair| pair.map(u64::from));
+        let expected = world.gather(pairs.collect())?;
+        let mut union = world.gather(domains.reported().collect())?;
         union.sort_unstable();
         assert!(union == expected, "{name}, frame {frame}: not the oracle's");
-        // Own bodies of the unisize class have all their partners here, and nobody is here twice.
+        // Nobody is here twice, and own bodies of the unisize class have all their partners here.
         let number = |i: u32| domains.bodies[i as usize].number;
         let pairs = domains.pairs.iter().map(|pair| sorted(pair.map(number)));
         let found: HashSet<_> = pairs.collect();
-        assert_eq!(
-            found.len(),
-            domains.pairs.len(),
-            "{name}: a pair is here twice"
-        );
+        let twice = domains.pairs.len() - found.len();
         let own = domains.own().iter();
         let unisize = own.filter(|body| domains.is_unisize(&body.aabb));
         let unisize: HashSet<_> = unisize.map(|body| body.number).collect();
         let is_due = |pair: &&[u64; 2]| pair.iter().any(|number| unisize.contains(number));
-        let mut due = expected.iter().filter(is_due);
-        let lacks = due.find(|&pair| !found.contains(pair));
-        assert_eq!(lacks, None, "{name}, frame {frame}: a partner lacks");
+        let due = expected.iter().filter(is_due);
+        let lacking = due.filter(|&pair| !found.contains(pair)).count();
+        assert_eq!((twice, lacking), (0, 0), "{name}, frame {frame}");
         // Then every body is where another was, so that most migrate.
         let shift = (frame + 1).min(boxes.len());
         boxes.rotate_left(shift);
         place(&mut domains, &boxes);
     }
+    Ok(())
 }
 
-/// With three faults in a list, every process names the first as one process would, and goes on when they are mended.
-fn first_fault_is_told_to_all<R: Sent, const D: usize>(
-    world: &SimpleCommunicator,
+/// With three faults in a list, every process names the first as one process would. Then they are mended.
+fn first_fault_is_told_to_all<R: Number + Sent, const D: usize>(
+    domains: &mut Domains<R, D>,
     sound: &[Aabb<R, D>],
+    at: usize,
 ) {
-    for (axis, bad) in (0..D).flat_map(|axis| [(axis, f64::NAN), (axis, f64::INFINITY)]) {
-        let (first, last, mut boxes) = (sound.len() / 3, sound.len() - 1, sound.to_vec());
-        boxes[last].mins = [R::from_f64(f64::NAN); D];
-        boxes[(first + last) / 2].maxs = [R::from_f64(f64::NAN); D];
-        boxes[first] = sound[first];
-        boxes[first].mins[axis] = R::from_f64(bad);
-        boxes[first].maxs[axis] = R::from_f64(0.0);
-        let expected = BruteForce.find_pairs(&boxes, &mut Vec::new());
-        let expected = expected.expect_err("a box is invalid");
-        let mut domains = domains(world, &boxes, true);
-        let error = domains.find_pairs().expect_err("a box is invalid");
-        assert_eq!(error.downcast_ref::<InvalidInput>(), Some(&expected));
-        assert_eq!((expected.index, domains.reported().count()), (first, 0));
-        place(&mut domains, sound);
-        domains.find_pairs().expect("the boxes are valid");
-    }
+    let (mut boxes, last, first) = (sound.to_vec(), sound.len() - 1, sound.len() / 4);
+    boxes[last].mins = [R::from_f64(f64::NAN); D];
+    boxes[last - 1].maxs = [R::from_f64(f64::NAN); D];
+    boxes[first].mins[at % D] = R::from_f64([f64::NAN, f64::INFINITY][at / D % 2]);
+    boxes[first].maxs[at % D] = R::from_f64(0.0);
+    place(domains, &boxes);
+    let expected = BruteForce.find_pairs(&boxes, &mut Vec::new());
+    let expected = expected.expect_err("a box is invalid");
+    let error = domains.find_pairs().expect_err("a box is invalid");
+    assert_eq!(error.downcast_ref::<InvalidInput>(), Some(&expected));
+    assert_eq!((expected.index, domains.reported().count()), (first, 0));
+    place(domains, sound);
 }
 
-/// Squares drift, every second one to the right: loads hardly differ by more than a fifth, and regions are seldom cut.
-fn loads_stay_alike(world: &SimpleCommunicator) {
-    let mut scene = DriftingBoxes::<2>::new(20_000, 0.2, 7);
-    let squares = |scene: &DriftingBoxes<2>, frame: usize| {
-        let drift = |number: usize| ((number + 1) % 2 * frame) as f32;
-        let mins = scene.mins().iter().enumerate();
-        let mins = mins.map(|(number, &[x, y])| [x + drift(number), y]);
-        Vec::from_iter(mins.map(|mins| Aabb::new(mins, mins.map(|x| x + 1.0))))
+/// Every second square of a lattice drifts to the right: loads hardly differ by more than a fifth, and regions are seldom cut.
+fn loads_stay_alike(world: &World) -> Result<()> {
+    let squares = |frame: usize| {
+        let drift = |i: usize| i % 201 + i % 2 * frame;
+        let mins = (0..20_000).map(|i| [drift(i), i / 201].map(|x| x as f32));
+        Vec::from_iter(mins.map(|mins| Aabb::new(mins, mins.map(|x| x + 0.9))))
     };
-    let mut domains = domains(world, &squares(&scene, 0), false);
+    let mut domains = domains(world, &squares(0));
     let mut bisected = 0;
     for frame in 1..=300 {
-        domains.find_pairs().expect("the boxes are valid");
+        domains.find_pairs()?;
         bisected += u32::from(domains.stats.bisected);
-        let own = domains.own as u64;
-        let (most, least) = (greatest(world, own), !greatest(world, !own));
-        assert_eq!(sum(world, own), 20_000);
+        let (mean, spread) = domains.loads();
+        assert_eq!(mean, 20_000 / world.size());
         // Loads are compared before bodies migrate, so a frame passes until regions are cut.
-        let tolerated = 20_000 / world.size() as u64 * 2 / 5;
-        assert!(most - least <= tolerated, "from {least} to {most}");
-        scene.advance();
-        place(&mut domains, &squares(&scene, frame));
+        assert!(spread <= mean * 2 / 5, "differ by {spread}");
+        place(&mut domains, &squares(frame));
     }
     let expected = if world.size() == 1 { 1..2 } else { 2..60 };
     assert!(expected.contains(&bisected), "cut {bisected} times");
+    Ok(())
 }
 
 /// The herd of `Stampede` itself, whose pairs are found by the oracle and sorted, bit for bit.
-fn herds_move_as_one(world: &SimpleCommunicator) {
+fn herds_move_as_one(world: &World) -> Result<()> {
     for (count, steps) in [(0, 2), (1, 50), (5, 50), (2000, 100)] {
         let (mut alone, mut pairs) = (Stampede::new(count, 7), Vec::new());
         let mut herd = Herd::at_start(world, count);
         for step in 0..steps {
             let boxes: Vec<_> = Animal::all(&alone).map(|animal| animal.aabb).collect();
-            let found = BruteForce.find_pairs(&boxes, &mut pairs);
-            found.expect("animals are somewhere");
+            BruteForce.find_pairs(&boxes, &mut pairs)?;
             pairs.sort_unstable();
             alone.advance(pairs.iter().copied());
-            herd.advance().expect("animals are somewhere");
-            let all: Vec<_> = Animal::all(&alone).collect();
-            let mut own = herd.domains.own().iter();
-            let is_same = own.all(|animal| *animal == all[animal.number as usize]);
-            assert!(is_same, "{count} animals, step {step}");
-            assert_eq!(sum(world, herd.domains.own as u64), count as u64);
+            herd.advance()?;
+            let mut all = world.gather(herd.domains.own().to_vec())?;
+            all.sort_unstable_by_key(|animal| animal.number);
+            assert!(Animal::all(&alone).eq(all), "{count}, step {step}");
         }
     }
+    Ok(())
 }

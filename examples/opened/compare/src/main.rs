@@ -18,14 +18,10 @@ mod json_lines;
 mod options;
 #[path = "../../../progress/bar.rs"]
 mod progress;
-#[path = "../../../compare/report.rs"]
-mod report;
 #[path = "../../../compare/row.rs"]
 mod row;
 #[path = "../../../compare/run.rs"]
 mod run;
-#[path = "../../../compare/spread.rs"]
-mod spread;
 #[path = "../../../compare/table.rs"]
 mod table;
 

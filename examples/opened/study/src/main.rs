@@ -11,12 +11,16 @@ mod accuracy;
 #[allow(dead_code)] // Some methods are of the study of frames, and a step on a grid finds no tree to ask.
 #[path = "../../../study/finder.rs"]
 mod finder;
+#[path = "../../../../benches/common/json_lines.rs"]
+mod json_lines;
 #[path = "../../../study/options.rs"]
 mod options;
 #[path = "../../../study/output.rs"]
 mod output;
 #[path = "../../../progress/bar.rs"]
 mod progress;
+#[path = "../../../../benches/common/report.rs"]
+mod report;
 #[path = "../../../study/stability/mod.rs"]
 mod stability;
 #[path = "../../../study/statistics/mod.rs"]
@@ -36,41 +40,33 @@ const FILTER_OF_DEFAULT: unisize::PairFilter = unisize::PairFilter::Groups;
 const FINDERS: &[Finder] = &[
     Finder::Rapier,
     Finder::DEFAULT,
-    Finder::Seldom(2),
+    Finder::Seldom(2, None),
     Finder::Lossy,
 ];
 
-#[path = "../../../study/engine"]
-mod dim2 {
-    //! What runs in rapier2d.
-    use unisize::rapier2d_036 as ours;
-    use unisize_scenes::dim2_036 as scenes;
+/// What runs in Rapier, in one dimension.
+macro_rules! engine {
+    ($name:ident, $unisize:ident, $scenes:ident, $flavour:literal) => {
+        #[path = "../../../study/engine"]
+        mod $name {
+            use unisize::$unisize as ours;
+            use unisize_scenes::$scenes as scenes;
 
-    pub(super) mod accuracy;
-    #[path = "flavour/dim2.rs"]
-    mod flavour;
-    mod seldom;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_036.rs"]
-    mod version;
+            pub(super) mod accuracy;
+            mod finder;
+            #[path = $flavour]
+            mod flavour;
+            mod seldom;
+            mod space;
+            pub(super) mod stability;
+            #[path = "version/rapier_036.rs"]
+            mod version;
+        }
+    };
 }
 
-#[path = "../../../study/engine"]
-mod dim3 {
-    //! What runs in rapier3d.
-    use unisize::rapier3d_036 as ours;
-    use unisize_scenes::dim3_036 as scenes;
-
-    pub(super) mod accuracy;
-    #[path = "flavour/dim3.rs"]
-    mod flavour;
-    mod seldom;
-    mod space;
-    pub(super) mod stability;
-    #[path = "version/rapier_036.rs"]
-    mod version;
-}
+engine!(dim2, rapier2d_036, dim2_036, "flavour/dim2.rs");
+engine!(dim3, rapier3d_036, dim3_036, "flavour/dim3.rs");
 
 /// Studies of what unisize does to a simulation.
 #[derive(Debug, Parser)]

@@ -1,7 +1,8 @@
 //! The vehicle of the plane: there is none, for Rapier's controller of vehicles needs a third dimension.
 
+use super::engine::World;
 use super::engine::space::Vector;
-use super::engine::{Queries, World};
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 
 /// A vehicle, of which there is none.
@@ -14,12 +15,7 @@ impl Vehicle {
     }
 
     /// Drives the vehicle.
-    pub(super) fn drive(
-        &mut self,
-        _step: usize,
-        _world: &mut World,
-        _queries: &dyn Queries,
-    ) -> Real {
+    pub(super) fn drive(&mut self, _step: usize, _world: &mut World, _tree: &Bvh) -> Real {
         match *self {}
     }
 }

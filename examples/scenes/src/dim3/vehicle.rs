@@ -1,8 +1,9 @@
 //! A vehicle of Rapier's own: a chassis on four wheels, each of which is a ray.
 
+use super::engine::World;
 use super::engine::space::{Point, Vector, along, length, own};
-use super::engine::{Queries, World};
 use super::rapier::control::{DynamicRayCastVehicleController, WheelTuning};
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 
 /// Half the length, height and width of the chassis.
@@ -58,7 +59,7 @@ impl Vehicle {
     }
 
     /// Drives on, and returns the work of the engine.
-    pub(super) fn drive(&mut self, step: usize, world: &mut World, queries: &dyn Queries) -> Real {
+    pub(super) fn drive(&mut self, step: usize, world: &mut World, tree: &Bvh) -> Real {
         let force = if (step / LEG) % 2 == 0 { -FORCE } else { FORCE };
         for wheel in &mut self.controller.wheels_mut()[..2] {
             wheel.engine_force = force;
@@ -67,10 +68,8 @@ impl Vehicle {
         let dt = world.params.dt;
         let chassis = self.controller.chassis;
         let filter = QueryFilter::default().exclude_rigid_body(chassis);
-        self.controller.update_vehicle(
-            dt,
-            queries.pipeline_mut(&mut world.bodies, &mut world.colliders, filter),
-        );
+        self.controller
+            .update_vehicle(dt, world.queries_mut(tree, filter));
         2.0 * FORCE * dt * length(own(world.bodies[chassis].linvel()))
     }
 }

@@ -11,55 +11,33 @@
 //! - [rays], if there are any, hit the same in the trees of both.
 //!
 //! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards whole steps are
-//! timed: the scene is simulated on each broad phase [alone](independent), as often as is asked for, and once more on the
+//! timed: the scene is simulated on each broad phase [alone], as often as is asked for, and once more on the
 //! default, to tell what part of a step its broad phase takes.
 
-use super::observed::{Observed, PairEvent, Tee, Timing, Update};
-use super::queries::{Queries, QueryAccess};
-use super::rapier::{self, prelude::*};
-use super::sanity::Sanity;
+use super::observed::{Observed, Tee};
+use super::pairs::{Pairs, describe, difference, in_order, is_relevant};
+use super::queries::AsQueryPipeline;
+use super::rapier::prelude::*;
 use super::scene::Scene;
-use super::space::{self, components, direction, largest, vector};
-use super::version::{self, BroadPhase, Steppable};
-use super::world::World;
-use crate::SceneKind;
-use crate::random::Random;
-use both::Side;
-use contacts::{ContactCheck, Placed, Touching};
-use ledger::Ledger;
+use super::version::{self, BroadPhase, OwnBroadPhase};
+use super::world::{Steppable, World};
+use crate::{Both, Outcome, Rays, SceneKind, WholeSteps};
+use contacts::{Follower, Placed, Touching};
 use rays::RayCheck;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-mod both;
+mod alone;
 mod contacts;
-mod held_pairs;
-mod independent;
-mod journal;
-mod ledger;
-mod outcome;
-mod pair;
 mod rays;
 #[cfg(test)]
 mod tests;
 
-pub use both::Both;
-pub use outcome::{Clocked, Independent, Outcome, RayCount, Tally};
-
-/// The broad phase that is compared with the default: how to make one, and what it can be asked.
-///
-/// ```
-/// # #[cfg(feature = "rapier3d-027")]
-/// # {
-/// use unisize_scenes::dim3::{Candidate, rapier::prelude::DefaultBroadPhase};
-///
-/// let itself = Candidate::new(DefaultBroadPhase::new);
-/// # }
-/// ```
+/// The broad phase that is compared with the default: how to make one, and how it is asked.
 pub struct Candidate<C> {
     create: Box<dyn Fn() -> C>,
-    pairs: Option<Ask<C, Vec<ColliderPair>>>,
+    pairs: Ask<C, Vec<ColliderPair>>,
+    queries: AsQueryPipeline<C>,
     validate: Option<Ask<C, ()>>,
-    access: Option<QueryAccess<C>>,
     leaves_out_more: bool,
 }
 
@@ -67,13 +45,17 @@ pub struct Candidate<C> {
 type Ask<C, T> = Box<dyn Fn(&C) -> T>;
 
 impl<C: BroadPhase + 'static> Candidate<C> {
-    /// A candidate that can only be updated.
-    pub fn new(create: impl Fn() -> C + 'static) -> Self {
+    /// A candidate from functions that make one, list the pairs that it holds, and ask its tree.
+    pub fn new(
+        create: impl Fn() -> C + 'static,
+        pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static,
+        queries: AsQueryPipeline<C>,
+    ) -> Self {
         Self {
             create: Box::new(create),
-            pairs: None,
+            pairs: Box::new(pairs),
+            queries,
             validate: None,
-            access: None,
             leaves_out_more: false,
         }
     }
@@ -81,19 +63,6 @@ impl<C: BroadPhase + 'static> Candidate<C> {
     /// Lets it leave out more pairs than the default, as long as contacts and intersections are the same.
     pub fn leaving_out_more(mut self) -> Self {
         self.leaves_out_more = true;
-        self
-    }
-
-    /// Has the list of the pairs that it holds compared with its events after each step.
-    pub fn with_pairs(mut self, pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static) -> Self {
-        self.pairs = Some(Box::new(pairs));
-        self
-    }
-
-    /// Lets it be asked by rays and by scenes with controllers. No rays are cast otherwise, and scenes ask a tree of
-    /// their own.
-    pub fn with_queries(mut self, access: QueryAccess<C>) -> Self {
-        self.access = Some(access);
         self
     }
 
@@ -106,21 +75,6 @@ impl<C: BroadPhase + 'static> Candidate<C> {
 }
 
 /// What is to be compared: a scene, and how closely to look.
-///
-/// ```
-/// # #[cfg(feature = "rapier2d-027")]
-/// # {
-/// use unisize_scenes::SceneKind;
-/// use unisize_scenes::dim2::{Candidate, Comparison, rapier::prelude::DefaultBroadPhase};
-///
-/// let comparison = Comparison {
-///     steps: 20,
-///     ..Comparison::new(SceneKind::FallingBalls, 50, 7)
-/// };
-/// let outcome = comparison.run(&Candidate::new(DefaultBroadPhase::new), |_| {});
-/// assert_eq!(outcome.first_difference, None);
-/// # }
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// The scene.
@@ -131,10 +85,6 @@ pub struct Comparison {
     pub seed: u64,
     /// How many steps to simulate. Default: 300, five seconds.
     pub steps: usize,
-    /// The contacts are compared once in this many steps, and at the last. Default: 1, at every step;
-    /// 0 counts as 1. The comparison copies the world and computes every contact twice, which takes longer
-    /// than the simulation itself.
-    pub contacts_every: usize,
     /// How many rays are cast after each step, beside those of the scene. Default: 0.
     pub rays: usize,
     /// How often the scene is simulated on each broad phase alone as well, with seeds that count up from `seed`.
@@ -150,125 +100,151 @@ impl Comparison {
             bodies,
             seed,
             steps: 300,
-            contacts_every: 1,
             rays: 0,
             repeats: 1,
         }
     }
 
-    /// Compares, and calls `on_step` after each simulated step with the number of steps done: `steps` of
-    /// them, twice as many again for each repeat of the independent runs, and as many after these for the clocked run.
-    pub fn run<C: BroadPhase + 'static>(
-        &self,
-        candidate: &Candidate<C>,
-        mut on_step: impl FnMut(usize),
-    ) -> Outcome {
-        let mut outcome = self.run_together(candidate, &mut on_step);
-        for repeat in 0..self.repeats {
-            let done = self.steps * (1 + 2 * repeat);
-            let runs = self.run_alone(candidate, repeat, |step| on_step(done + step));
-            if outcome.first_difference.is_none() {
-                outcome.first_difference = independent::difference(&runs);
-            }
-            outcome.independent.push(runs);
-        }
+    /// Compares.
+    pub fn run<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
+        let mut outcome = self.run_together(candidate);
+        let repeats = (0..self.repeats).map(|repeat| self.run_alone(candidate, repeat));
+        let repeats: Vec<_> = repeats.collect();
+        let difference = || repeats.iter().find_map(alone::difference);
+        outcome.first_difference = outcome.first_difference.take().or_else(difference);
         if self.repeats > 0 {
-            let done = self.steps * (1 + 2 * self.repeats);
-            outcome.clocked = Some(self.run_clocked(candidate, |step| on_step(done + step)));
+            outcome.whole_steps = WholeSteps::of(repeats, self.run_clocked());
         }
         outcome
     }
 
-    fn build(&self, seed: u64) -> Scene {
-        Scene::build(self.kind, self.bodies, seed)
-    }
-
-    fn run_together<C: BroadPhase + 'static>(
-        &self,
-        candidate: &Candidate<C>,
-        on_step: &mut impl FnMut(usize),
-    ) -> Outcome {
-        let mut scene = self.build(self.seed);
-        let mut ray_check = RayCheck::new(candidate.access, &scene, self);
-        let mut ledger = Ledger::new((candidate.create)());
-        let mut contact_check = ContactCheck::default();
+    fn run_together<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
+        let mut scene = Scene::build(self.kind, self.bodies, self.seed);
+        let mut ray_check = RayCheck::new(candidate.queries, &scene, self);
+        let mut both = version::install(Tee::new(
+            watched(OwnBroadPhase::new()),
+            watched((candidate.create)()),
+        ));
+        let mut followers = Both::<Follower>::default();
         let mut outcome = Outcome {
             steps: self.steps,
             ..Outcome::default()
         };
         for step in 1..=self.steps {
-            scene.prepare_asking(&version::access_to_own().to(&ledger.tee.heard.inner));
-            let is_due = step % self.contacts_every.max(1) == 0 || step == self.steps;
+            scene.prepare_asking(|| version::own_tree(&both.heard.inner));
             // A candidate that leaves out more has the pairs of the poses that its update has seen, and no others.
-            let before = (is_due && candidate.leaves_out_more).then(|| Placed::of(&scene.world));
-            scene.world.step(ledger.tee.for_step(), &(), &());
-            let updates = ledger.enter_step();
+            let before = candidate.leaves_out_more.then(|| Placed::of(&scene.world));
+            scene.world.step(both.for_step(), &(), &());
+            let updates = both.heard.take_updates();
+            followers.default.note(&updates);
+            followers.candidate.note(&both.unheard.take_updates());
             let touching = Touching::of(&scene.world.narrow_phase);
             outcome.contacts.record(touching.contacts.len());
             outcome.intersections.record(touching.intersections.len());
             if outcome.first_difference.is_none() {
                 // In a step of several updates, the poses of the last one are not to be had.
-                let check_contacts = is_due && (before.is_none() || updates == 1);
+                let check_contacts = before.is_none() || updates.len() == 1;
                 outcome.contact_checks += usize::from(check_contacts);
+                let (world, heard, unheard) = (&scene.world, &both.heard, &both.unheard);
                 outcome.first_difference = candidate
-                    .difference(&mut ledger, &scene.world, &touching)
+                    .difference(world, heard.held(), unheard, &touching)
                     .or_else(|| {
-                        let journals = &mut ledger.journals;
-                        check_contacts.then(|| {
-                            contact_check.check(&scene.world, before.as_ref(), journals, &())
-                        })?
+                        check_contacts
+                            .then(|| contacts::difference(world, before.as_ref(), &mut followers))?
                     })
-                    .or_else(|| ray_check.as_mut()?.check(&scene, &ledger))
+                    .or_else(|| {
+                        let own = version::own_tree(&heard.inner);
+                        ray_check.check(&scene, own, &unheard.inner)
+                    })
                     .map(|difference| format!("step {step}: {difference}"));
             }
-            on_step(step);
         }
-        outcome.bodies = scene.world.bodies.len();
-        outcome.colliders = scene.world.colliders.len();
-        outcome.pairs = Both::of(|side| ledger.held.count_relevant(side, &scene.world));
-        outcome.pairs_with_dropped = Both::of(|side| ledger.held.count(side));
-        outcome.redundant_events = ledger.redundant;
-        outcome.rays = ray_check.map(|check| check.count).unwrap_or_default();
-        outcome.timing = Both {
-            default: ledger.tee.heard.timing(),
-            candidate: ledger.tee.unheard.timing(),
+        let world = &scene.world;
+        outcome.bodies = world.bodies.len();
+        outcome.colliders = world.colliders.len();
+        let held = Both {
+            default: both.heard.held(),
+            candidate: both.unheard.held(),
         };
+        outcome.pairs = held.map(|pairs| {
+            let relevant = pairs.iter().filter(|&&pair| is_relevant(pair, world));
+            relevant.count()
+        });
+        outcome.pairs_with_dropped = held.map(Pairs::len);
+        outcome.rays = Rays {
+            a_step: self.rays,
+            ..ray_check.count
+        };
+        let timing = Both {
+            default: both.heard.timing(),
+            candidate: both.unheard.timing(),
+        };
+        outcome.ratio = timing.map(|timing| timing.total.as_secs_f64()).ratio();
+        outcome.broad_phase = timing.map(|timing| timing.over(self.steps));
         outcome
     }
+}
+
+/// A broad phase of which all is taken down that is compared.
+fn watched<B: BroadPhase>(broad_phase: B) -> Observed<B> {
+    let observed = Observed::new(broad_phase).clocked();
+    observed.with_events().with_held()
 }
 
 impl<C: BroadPhase + 'static> Candidate<C> {
     /// The first difference in what is held, all checks but that of the two narrow phases.
     fn difference(
         &self,
-        ledger: &mut Ledger<C>,
         world: &World,
+        default: &Pairs,
+        observed: &Observed<C>,
         touching: &Touching,
     ) -> Option<String> {
-        self.broken_invariant(ledger.candidate())
-            .or_else(|| ledger.first_redundant.take())
-            .or_else(|| {
-                let (side, pair, count) = ledger.held.difference(world, self.leaves_out_more)?;
-                Some(format!(
-                    "{} is held by {} and not by {} ({count} such in all)",
-                    pair.describe(world),
-                    side.name(),
-                    side.other().name(),
-                ))
+        let (candidate, held) = (&observed.inner, observed.held());
+        let missing = || {
+            let meaning = "is held by the default and not by the candidate";
+            difference(default, held, world, meaning, |pair| {
+                !self.leaves_out_more && is_relevant(pair, world)
             })
-            .or_else(|| {
-                let list = self.pairs.as_ref()?(ledger.candidate());
-                ledger.held.check_list(&list)
+        };
+        let surplus = || {
+            let meaning = "is held by the candidate and not by the default";
+            difference(held, default, world, meaning, |pair| {
+                is_relevant(pair, world)
             })
+        };
+        let unheld = |touching: &Pairs| {
+            let meaning = "touch in the simulation, and are not held by the candidate";
+            difference(touching, held, world, meaning, |_| true)
+        };
+        self.broken_invariant(candidate)
             .or_else(|| {
-                let missing = touching
-                    .all()
-                    .find(|&pair| !ledger.held.holds(Side::Candidate, pair))?;
-                Some(format!(
-                    "{} touch in the simulation, and are not held by the candidate",
-                    missing.describe(world)
-                ))
+                let event = observed.held_fault()?;
+                let meaning = match event.is_add() {
+                    true => "new, which it holds already",
+                    false => "ended, which it does not hold",
+                };
+                let pair = describe(event.pair(), world);
+                Some(format!("the candidate reports {pair} as {meaning}"))
             })
+            .or_else(missing)
+            .or_else(surplus)
+            .or_else(|| self.list_difference(world, candidate, held))
+            .or_else(|| unheld(&touching.contacts))
+            .or_else(|| unheld(&touching.intersections))
+    }
+
+    /// How the candidate's own list of what it holds differs from what its events say.
+    fn list_difference(&self, world: &World, candidate: &C, held: &Pairs) -> Option<String> {
+        let list = (self.pairs)(candidate);
+        let listed: Pairs = list.iter().copied().map(in_order).collect();
+        if listed.len() < list.len() {
+            return Some("the candidate lists a pair twice".to_owned());
+        }
+        let unreported = "is listed by the candidate, which never reported it or has ended it";
+        let unlisted = "was reported by the candidate, which does not list it";
+        difference(&listed, held, world, unreported, |_| true)
+            .or_else(|| difference(held, &listed, world, unlisted, |_| true))
     }
 
     fn broken_invariant(&self, candidate: &C) -> Option<String> {

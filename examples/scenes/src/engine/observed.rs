@@ -3,38 +3,20 @@
 //! It stands in the place of the one it wraps, and takes down what was asked for: the time, the lists, the events,
 //! the set of pairs that these amount to. What was not asked for costs nothing.
 
+use super::pairs::{Pairs, in_order};
 use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
+use crate::Timing;
 use std::collections::HashSet;
 use std::time::Instant;
 
 mod event;
-mod held;
 mod tee;
-mod timing;
 
 pub use event::PairEvent;
-use held::Held;
 pub use tee::Tee;
-pub use timing::Timing;
 
 /// A broad phase under observation.
-///
-/// ```
-/// # #[cfg(feature = "rapier3d-027")]
-/// # {
-/// use unisize_scenes::SceneKind;
-/// use unisize_scenes::dim3::{Observed, Scene, rapier::prelude::DefaultBroadPhase};
-///
-/// let mut scene = Scene::build(SceneKind::FallingBalls, 100, 7);
-/// let mut broad_phase = Observed::new(DefaultBroadPhase::new()).with_events().with_held();
-/// for _ in 0..10 {
-///     scene.step(&mut broad_phase, &(), &());
-/// }
-/// assert_eq!(broad_phase.held_fault(), None);
-/// assert!(broad_phase.take_events().len() >= broad_phase.held().len());
-/// # }
-/// ```
 #[derive(Default)]
 pub struct Observed<B> {
     timing: Option<Timing>,
@@ -42,10 +24,21 @@ pub struct Observed<B> {
     has_events: bool,
     updates: Vec<Update>,
     held: Option<Held>,
+    copies: Option<Copies>,
     is_sorted: bool,
-    is_silent: bool,
     /// The broad phase itself.
     pub inner: B,
+}
+
+/// How often an event is passed on.
+type Copies = Box<dyn FnMut(PairEvent) -> usize + Send + Sync>;
+
+/// What the events of a broad phase amount to.
+#[derive(Default)]
+struct Held {
+    pairs: Pairs,
+    /// The first event that contradicts those before it.
+    fault: Option<PairEvent>,
 }
 
 /// What a broad phase was given in an update, and what it reported.
@@ -68,8 +61,8 @@ impl<B: BroadPhase> Observed<B> {
             has_events: false,
             updates: Vec::new(),
             held: None,
+            copies: None,
             is_sorted: false,
-            is_silent: false,
             inner,
         }
     }
@@ -92,9 +85,18 @@ impl<B: BroadPhase> Observed<B> {
         self
     }
 
-    /// Keeps the set of pairs that the events amount to.
+    /// Keeps the set of pairs that the events amount to. Without, asking for pairs panics.
     pub fn with_held(mut self) -> Self {
         self.held = Some(Held::default());
+        self
+    }
+
+    /// Passes each event on to Rapier as often as this says: what makes a sound broad phase a faulty one.
+    pub fn repeating(
+        mut self,
+        copies: impl FnMut(PairEvent) -> usize + Send + Sync + 'static,
+    ) -> Self {
+        self.copies = Some(Box::new(copies));
         self
     }
 
@@ -108,9 +110,8 @@ impl<B: BroadPhase> Observed<B> {
     }
 
     /// Keeps the events from Rapier, so that its narrow phase stays idle.
-    pub fn silent(mut self) -> Self {
-        self.is_silent = true;
-        self
+    pub fn silent(self) -> Self {
+        self.repeating(|_| 0)
     }
 }
 
@@ -131,36 +132,46 @@ impl<B> Observed<B> {
         updates.flat_map(|update| update.events).collect()
     }
 
-    /// The pairs held by its events.
-    ///
-    /// # Panics
-    ///
-    /// Unless they were [asked for](Self::with_held).
+    /// The pairs held by its events, the smaller handle first.
     pub fn held(&self) -> &HashSet<ColliderPair> {
         &self.book().pairs
     }
 
     /// Whether it holds this pair, whichever of the two comes first.
-    ///
-    /// # Panics
-    ///
-    /// Unless the pairs were [asked for](Self::with_held).
     pub fn holds(&self, pair: ColliderPair) -> bool {
-        self.held().contains(&pair) || self.held().contains(&pair.swap())
+        self.held().contains(&in_order(pair))
     }
 
     /// The first event that contradicts those before it: a pair that is added though it is held, or deleted though
     /// it is not.
-    ///
-    /// # Panics
-    ///
-    /// Unless the pairs were [asked for](Self::with_held).
     pub fn held_fault(&self) -> Option<PairEvent> {
         self.book().fault
     }
 
     fn book(&self) -> &Held {
         self.held.as_ref().expect("the pairs were asked for")
+    }
+}
+
+impl Held {
+    /// Follows one update.
+    fn follow(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
+        if !removed.is_empty() {
+            // The pairs of what is removed end without an event.
+            let removed: HashSet<_> = removed.iter().collect();
+            self.pairs.retain(|pair| {
+                !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
+            });
+        }
+        for event in events.iter().map(PairEvent::from) {
+            let is_change = match event {
+                PairEvent::Add(pair) => self.pairs.insert(in_order(pair)),
+                PairEvent::Delete(pair) => self.pairs.remove(&in_order(pair)),
+            };
+            if !is_change {
+                self.fault.get_or_insert(event);
+            }
+        }
     }
 }
 
@@ -191,22 +202,19 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
             held.follow(removed, reported);
         }
         if self.has_lists || self.has_events {
-            let (modified, reported) = match (self.has_lists, self.has_events) {
-                (true, true) => (modified, &*reported),
-                (true, false) => (modified, &[][..]),
-                (false, _) => (&[][..], &*reported),
-            };
+            let modified = if self.has_lists { modified } else { &[] };
+            let reported = if self.has_events { reported } else { &mut [] };
             self.updates.push(Update {
                 modified: modified.to_vec(),
                 removed: removed.to_vec(),
                 events: reported.iter().map(PairEvent::from).collect(),
             });
         }
-        if self.is_silent {
-            events.truncate(first);
-        }
-        if let Some(timing) = &mut self.timing {
-            timing.end = Some(Instant::now());
+        if let Some(copies) = &mut self.copies {
+            for event in events.split_off(first) {
+                let event = PairEvent::from(&event);
+                events.extend((0..copies(event)).map(|_| BroadPhasePairEvent::from(event)));
+            }
         }
     }
 

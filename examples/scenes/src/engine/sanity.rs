@@ -2,7 +2,7 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::scene::Scene;
-use super::space::{Point, UP, largest, length, own};
+use super::space::{Point, UP, Vector, along, largest, length, own};
 use super::stage::Link;
 use super::version;
 
@@ -91,7 +91,7 @@ impl Scene {
     /// Measures the scene in **O(n)** time.
     pub fn sanity(&self) -> Sanity {
         let mut sanity = Sanity {
-            bodies: self.body_count(),
+            bodies: self.world.bodies.len(),
             may_fall_through: self.may_fall_through,
             supplied_energy: self.cue.supplied,
             ..Sanity::default()
@@ -157,7 +157,7 @@ impl Scene {
 }
 
 fn is_finite(body: &RigidBody) -> bool {
-    let vels = body.vels();
-    let moves = (0..DIM).all(|axis| vels.linvel[axis].is_finite());
-    moves && version::is_finite(body.position())
+    let is_finite = |vector: Vector| (0..DIM).all(|axis| vector[axis].is_finite());
+    let turned = |axis| body.position() * Point::from(along(axis, 1.0)) - Point::default();
+    is_finite(own(body.linvel())) && (0..DIM).all(|axis| is_finite(turned(axis)))
 }

@@ -1,7 +1,7 @@
 //! A world with the script that drives it.
 
 use super::container::Container;
-use super::queries::{OwnTree, Queries};
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 use super::scenes;
 use super::script::{Cue, Script};
@@ -64,27 +64,25 @@ impl Scene {
         self.kind
     }
 
-    /// The number of bodies at present, fixed ones included.
-    pub fn body_count(&self) -> usize {
-        self.world.bodies.len()
-    }
-
     /// Runs the script for one step. [`World::step`] has to follow.
     ///
     /// A script with questions gets a tree of its own, so that its answers do not depend on the broad phase.
     pub fn prepare(&mut self) {
-        self.script.prepare(&mut self.world, &mut self.cue);
-        if self.script.asks() {
-            let tree = OwnTree::of(&self.world.colliders);
-            self.script.ask(&mut self.world, &mut self.cue, &tree);
-        }
-        self.cue.step += 1;
+        let tree = self.script.asks().then(|| self.world.tree());
+        self.run_script(tree.as_ref());
     }
 
-    /// The same with a broad phase that answers the script's questions.
-    pub fn prepare_asking(&mut self, queries: &dyn Queries) {
+    /// The same with the tree of a broad phase for the script's questions, of which there may be none.
+    pub fn prepare_asking<'t>(&mut self, tree: impl FnOnce() -> &'t Bvh) {
+        let tree = self.script.asks().then(tree);
+        self.run_script(tree);
+    }
+
+    fn run_script(&mut self, tree: Option<&Bvh>) {
         self.script.prepare(&mut self.world, &mut self.cue);
-        self.script.ask(&mut self.world, &mut self.cue, queries);
+        if let Some(tree) = tree {
+            self.script.ask(&mut self.world, &mut self.cue, tree);
+        }
         self.cue.step += 1;
     }
 

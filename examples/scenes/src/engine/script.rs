@@ -1,6 +1,6 @@
 //! What happens in a scene besides physics: a script inserts, removes and steers bodies before each step.
 
-use super::queries::Queries;
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 use super::space::{GRAVITY, UP, Vector, length, length_squared, own};
 use super::world::World;
@@ -9,7 +9,7 @@ use crate::random::Random;
 /// What is done to a world before each step.
 pub(super) trait Script: Send {
     /// Prepares the world for the step of this cue.
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue);
+    fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
 
     /// Whether it [asks](Self::ask): a tree has to be built for it where the broad phase cannot be asked.
     fn asks(&self) -> bool {
@@ -17,7 +17,7 @@ pub(super) trait Script: Send {
     }
 
     /// Asks about the world as the last step left it, and acts on the answers. Follows `prepare`.
-    fn ask(&mut self, _world: &mut World, _cue: &mut Cue, _queries: &dyn Queries) {}
+    fn ask(&mut self, _world: &mut World, _cue: &mut Cue, _tree: &Bvh) {}
 
     /// The rays to cast after a step. Nothing in the world depends on the answers.
     fn rays(&self, _world: &World) -> Vec<Ray> {
@@ -26,11 +26,7 @@ pub(super) trait Script: Send {
 }
 
 /// The script of a scene that is left to itself.
-pub(super) struct Nothing;
-
-impl Script for Nothing {
-    fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
-}
+impl Script for () {}
 
 /// What a script works with, and a record of the energy that it adds to the world.
 pub(super) struct Cue {

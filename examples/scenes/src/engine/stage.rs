@@ -1,8 +1,10 @@
 //! The result of building a scene: a world, its script, and what its sanity is measured by.
 
 use super::container::Container;
+use super::flavour;
 use super::rapier::prelude::*;
-use super::script::{Nothing, Script};
+use super::script::Script;
+use super::space::{GRAVITY, Point, UP, Vector, along, cuboid, wide_high};
 use super::world::World;
 
 /// A joint of a rope.
@@ -34,11 +36,53 @@ impl Stage {
     pub(super) fn new(world: World, container: Container) -> Self {
         Self {
             world,
-            script: Box::new(Nothing),
+            script: Box::new(()),
             containers: vec![container],
             links: Vec::new(),
             may_fall_through: 0,
         }
+    }
+
+    /// A world in which things fall, in a room with a floor and walls, which bodies may leave through its top.
+    pub(super) fn walled(walls: Container) -> Self {
+        let mut stage = Self::new(falling(), walls.open());
+        walls.wall_in(&mut stage.world, |side| side.build());
+        stage
+    }
+
+    /// A world in which things fall, with a floor whose top is at height zero.
+    pub(super) fn on_floor(half_width: Real) -> Self {
+        const HALF_THICKNESS: Real = 2.0;
+        let mut stage = Self::new(falling(), Container::above_ground());
+        let floor = cuboid(wide_high(half_width, HALF_THICKNESS));
+        let colliders = &mut stage.world.colliders;
+        colliders.insert(floor.translation(along(UP, -HALF_THICKNESS)));
+        stage
+    }
+
+    /// Inserts a body that is free to move.
+    pub(super) fn insert(
+        &mut self,
+        center: Vector,
+        collider: impl Into<Collider>,
+    ) -> RigidBodyHandle {
+        let body = RigidBodyBuilder::dynamic().translation(center);
+        self.world.insert(body, collider)
+    }
+
+    /// Pins a point of one body to a point of another, as in a rope with segments of this length.
+    pub(super) fn pin(&mut self, ends: [(RigidBodyHandle, Vector); 2], length: Real) {
+        let [(first, first_point), (second, second_point)] = ends;
+        let pin = GenericJointBuilder::new(flavour::PIN)
+            .local_anchor1(Point::from(first_point))
+            .local_anchor2(Point::from(second_point))
+            .contacts_enabled(false);
+        let joints = &mut self.world.impulse_joints;
+        self.links.push(Link {
+            joint: joints.insert(first, second, pin, true),
+            bodies: [first, second],
+            length,
+        });
     }
 
     /// The same stage with a script.
@@ -46,4 +90,9 @@ impl Stage {
         self.script = Box::new(script);
         self
     }
+}
+
+/// A world in which things fall.
+pub(super) fn falling() -> World {
+    World::new(along(UP, -GRAVITY))
 }

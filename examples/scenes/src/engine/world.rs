@@ -1,7 +1,13 @@
 //! Everything that `PhysicsPipeline::step` asks for, except the broad phase.
 
 use super::rapier::prelude::*;
-use super::version::{self, SoftBodySet, Vector};
+use super::version::{self, AnyBroadPhase, SoftBodySet, Vector};
+
+/// A broad phase that a world can be stepped with.
+pub trait Steppable {
+    /// What a step takes.
+    fn for_step(&mut self) -> &mut AnyBroadPhase;
+}
 
 /// A Rapier world without its broad phase, which is given to each step.
 pub struct World {

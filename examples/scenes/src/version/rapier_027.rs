@@ -1,8 +1,10 @@
 //! What the scenes need and Rapier 0.27 has in its own way: nalgebra's vectors, and a trait for broad phases.
 
-use super::engine::{QueryAccess, World};
+use super::engine::queries::tree_of;
+use super::engine::{AsQueryPipeline, Steppable, World};
 use super::rapier::math::{self, Isometry};
 use super::rapier::na::DMatrix;
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 
 pub(super) use super::rapier::geometry::BroadPhase;
@@ -17,22 +19,6 @@ pub(super) type SoftBodySet = ();
 /// The pose of what is moved by this vector, and not turned.
 pub(super) fn shifted(by: Vector) -> Pose {
     Pose::from(by)
-}
-
-/// The origin of a pose.
-pub(super) fn origin(pose: &Pose) -> Vector {
-    pose.translation.vector
-}
-
-/// The vector from the origin to a point.
-pub(super) fn coordinates(point: Point) -> Vector {
-    point.coords
-}
-
-/// Whether no part of a pose is infinite or NaN.
-pub(super) fn is_finite(pose: &Pose) -> bool {
-    let matrix = pose.to_homogeneous();
-    matrix.iter().all(|entry| entry.is_finite())
 }
 
 /// The heights of a square field with so many corners on each side.
@@ -90,18 +76,8 @@ pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
     }
 }
 
-/// How many updates a step has.
-#[cfg(test)]
-pub(super) const UPDATES: usize = 2;
-
 /// What a step takes for a broad phase.
 pub type AnyBroadPhase = dyn BroadPhase;
-
-/// A broad phase that can be stepped with.
-pub trait Steppable {
-    /// What a step takes.
-    fn for_step(&mut self) -> &mut AnyBroadPhase;
-}
 
 impl<B: BroadPhase + 'static> Steppable for B {
     fn for_step(&mut self) -> &mut AnyBroadPhase {
@@ -120,20 +96,17 @@ pub fn install<B: BroadPhase>(broad_phase: B) -> Installed<B> {
     broad_phase
 }
 
-/// Access to Rapier's own broad phase where it is wrapped.
-pub fn access_to_own() -> QueryAccess<OwnBroadPhase> {
-    QueryAccess::new(
-        OwnBroadPhase::as_query_pipeline,
-        OwnBroadPhase::as_query_pipeline_mut,
-    )
+/// The tree of Rapier's own broad phase where it is wrapped.
+pub fn own_tree(own: &OwnBroadPhase) -> &Bvh {
+    tree_of(own, OwnBroadPhase::as_query_pipeline)
 }
 
 /// A broad phase that is stepped with alone, and how it is asked.
 pub(super) fn alone<B: BroadPhase>(
     broad_phase: B,
-    access: Option<QueryAccess<B>>,
-) -> (B, Option<QueryAccess<B>>) {
-    (broad_phase, access)
+    queries: AsQueryPipeline<B>,
+) -> (B, AsQueryPipeline<B>) {
+    (broad_phase, queries)
 }
 
 /// What only a later version asks of a broad phase.
@@ -149,7 +122,6 @@ pub(super) fn detect(
     narrow_phase: &mut NarrowPhase,
     bodies: &mut RigidBodySet,
     colliders: &mut ColliderSet,
-    hooks: &dyn PhysicsHooks,
 ) {
     let distance = world.params.prediction_distance();
     CollisionPipeline::new().step(
@@ -158,7 +130,7 @@ pub(super) fn detect(
         narrow_phase,
         bodies,
         colliders,
-        hooks,
+        &(),
         &(),
     );
 }

@@ -1,14 +1,14 @@
 //! What the scenes need and Rapier 0.36 has in its own way: glam's vectors, soft bodies, and one type of broad phase, which
 //! an opened copy lets be [custom](CustomBroadPhase). It hands over the boxes of what a step has moved.
 
-use super::engine::{QueryAccess, World};
+use super::engine::queries::tree_of;
+use super::engine::{AsQueryPipeline, Steppable, World};
 use super::rapier::math;
-use super::rapier::parry::query::DefaultQueryDispatcher;
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 use super::soft::soft_body;
 use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut};
-use std::sync::LazyLock;
 
 pub(super) use super::rapier::dynamics::SoftBodySet;
 pub use super::rapier::geometry::CustomBroadPhase as BroadPhase;
@@ -20,21 +20,6 @@ pub(super) type Pose = math::Pose;
 /// The pose of what is moved by this vector, and not turned.
 pub(super) fn shifted(by: Vector) -> Pose {
     Pose::from_translation(by)
-}
-
-/// The origin of a pose.
-pub(super) fn origin(pose: &Pose) -> Vector {
-    pose.translation
-}
-
-/// The vector from the origin to a point.
-pub(super) fn coordinates(point: Point) -> Vector {
-    point
-}
-
-/// Whether no part of a pose is infinite or NaN.
-pub(super) fn is_finite(pose: &Pose) -> bool {
-    pose.is_finite()
 }
 
 /// The heights of a square field with so many corners on each side.
@@ -72,18 +57,8 @@ pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
     soft_bodies.insert(soft_body(center, half), bodies, colliders);
 }
 
-/// How many updates a step has.
-#[cfg(test)]
-pub(super) const UPDATES: usize = 1;
-
 /// What a step takes for a broad phase.
 pub type AnyBroadPhase = DefaultBroadPhase;
-
-/// A broad phase that can be stepped with.
-pub trait Steppable {
-    /// What a step takes.
-    fn for_step(&mut self) -> &mut AnyBroadPhase;
-}
 
 impl Steppable for DefaultBroadPhase {
     fn for_step(&mut self) -> &mut AnyBroadPhase {
@@ -131,14 +106,7 @@ impl BroadPhase for OwnBroadPhase {
     }
 
     fn bvh(&self) -> &Bvh {
-        // What holds no bodies and no colliders is asked for nothing but the tree.
-        static NOTHING: LazyLock<(RigidBodySet, ColliderSet)> = LazyLock::new(Default::default);
-        let (bodies, colliders) = &*NOTHING;
-        let filter = QueryFilter::default();
-        let queries = self
-            .0
-            .as_query_pipeline(&DefaultQueryDispatcher, bodies, colliders, filter);
-        queries.bvh
+        tree_of(&self.0, DefaultBroadPhase::as_query_pipeline)
     }
 
     fn clone_box(&self) -> Box<dyn BroadPhase> {
@@ -174,32 +142,18 @@ impl<B: BroadPhase> DerefMut for Installed<B> {
     }
 }
 
-/// Access to Rapier's own broad phase where it is wrapped.
-pub fn access_to_own() -> QueryAccess<OwnBroadPhase> {
-    QueryAccess::new(
-        |own, dispatcher, bodies, colliders, filter| {
-            own.0
-                .as_query_pipeline(dispatcher, bodies, colliders, filter)
-        },
-        |own, dispatcher, bodies, colliders, filter| {
-            own.0
-                .as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
-        },
-    )
+/// The tree of Rapier's own broad phase where it is wrapped.
+pub fn own_tree(own: &OwnBroadPhase) -> &Bvh {
+    own.bvh()
 }
 
-/// A broad phase that is stepped with alone, and how it is asked.
+/// A broad phase that is stepped with alone, and how it is asked: where a step takes it, as in a program that uses it.
 pub(super) fn alone<B: BroadPhase>(
     broad_phase: B,
-    access: Option<QueryAccess<B>>,
-) -> (DefaultBroadPhase, Option<QueryAccess<DefaultBroadPhase>>) {
-    let access = access.map(|_| {
-        QueryAccess::new(
-            DefaultBroadPhase::as_query_pipeline,
-            DefaultBroadPhase::as_query_pipeline_mut,
-        )
-    });
-    (DefaultBroadPhase::custom(broad_phase), access)
+    _queries: AsQueryPipeline<B>,
+) -> (DefaultBroadPhase, AsQueryPipeline<DefaultBroadPhase>) {
+    let broad_phase = DefaultBroadPhase::custom(broad_phase);
+    (broad_phase, DefaultBroadPhase::as_query_pipeline)
 }
 
 /// What this version asks of a broad phase beside updates.
@@ -226,7 +180,6 @@ pub(super) fn detect(
     narrow_phase: &mut NarrowPhase,
     bodies: &mut RigidBodySet,
     colliders: &mut ColliderSet,
-    hooks: &dyn PhysicsHooks,
 ) {
     CollisionPipeline::new().step(
         world.params.prediction_distance(),
@@ -235,7 +188,7 @@ pub(super) fn detect(
         narrow_phase,
         bodies,
         colliders,
-        hooks,
+        &(),
         &(),
     );
 }

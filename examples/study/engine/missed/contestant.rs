@@ -1,9 +1,9 @@
 //! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
 
+use super::Created;
 use super::scenes::World;
 use super::scenes::rapier::prelude::*;
 use super::version::BroadPhase;
-use crate::missed::Recall;
 use cpu_time::ThreadTime;
 use std::collections::HashSet;
 use std::time::Duration;
@@ -23,7 +23,7 @@ pub(super) struct Lap {
 }
 
 impl Contestant {
-    pub(super) fn new(broad_phase: Box<dyn BroadPhase>) -> Self {
+    pub(super) fn new(broad_phase: Created) -> Self {
         Self {
             broad_phase: Clocked {
                 inner: broad_phase,
@@ -58,14 +58,11 @@ impl Contestant {
         }
     }
 
-    /// How many of these pairs it holds.
-    pub(super) fn recall(&self, pairs: &[ColliderPair]) -> Recall {
+    /// How many of these pairs it does not hold.
+    pub(super) fn missed(&self, pairs: &[ColliderPair]) -> usize {
         let held = &self.broad_phase.held;
-        let found = pairs.iter().filter(|&&pair| held.contains(&ends(pair)));
-        Recall {
-            found: found.count(),
-            all: pairs.len(),
-        }
+        let missed = pairs.iter().filter(|&&pair| !held.contains(&ends(pair)));
+        missed.count()
     }
 
     /// How many pairs it holds.
@@ -76,7 +73,7 @@ impl Contestant {
 
 /// A broad phase whose updates are timed, and the pairs that its events amount to.
 struct Clocked {
-    inner: Box<dyn BroadPhase>,
+    inner: Created,
     held: HashSet<[(u32, u32); 2]>,
     /// The processor time of the last update.
     last: Duration,
@@ -95,8 +92,8 @@ impl BroadPhase for Clocked {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let start = ThreadTime::now();
-        self.inner
-            .update(params, colliders, bodies, modified, removed, events);
+        let inner = self.inner.for_step();
+        inner.update(params, colliders, bodies, modified, removed, events);
         self.last = start.elapsed();
         for event in events {
             match event {

@@ -66,6 +66,7 @@ impl<'a> Builder<'a> {
             places: Vec::new(),
             links: Vec::new(),
             bounds: [[f64::NEG_INFINITY; DIM], [f64::INFINITY; DIM]],
+            is_lawless: false,
             metre: case.metre,
             link: LINK * case.metre,
         };
@@ -241,6 +242,7 @@ impl<'a> Builder<'a> {
     /// A stack, and boxes beside it that fly to all sides. Those without CCD spin as well: with CCD, Rapier's search for the time
     /// of impact of a fast spin does not come to an end, whatever the broad phase is.
     fn burst(&mut self, speed: f64) {
+        self.stage.is_lawless = true;
         self.floor();
         self.stack(5, |_| 1.0);
         for (index, has_ccd) in [false, true, false, true].into_iter().enumerate() {

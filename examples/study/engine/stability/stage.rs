@@ -1,10 +1,12 @@
-//! A world that was built for a case, and what is measured in it.
+//! A world that was built for a case, and whether it has failed.
 
 use super::scenes::World;
 use super::scenes::rapier::prelude::*;
 use super::space::{Place, distance, gap, is_finite, motion, place_of};
 use crate::stability::case::Case;
-use crate::stability::end::Measured;
+
+/// So far from its place, in metres, or apart, in links, has something failed: half a box, and half a link.
+const HALF: f64 = 0.5;
 
 /// A world that was built for a case.
 pub(super) struct Stage {
@@ -15,6 +17,8 @@ pub(super) struct Stage {
     pub(super) links: Vec<(ImpulseJointHandle, [RigidBodyHandle; 2])>,
     /// What bodies should stay in, as the lower and the upper corner.
     pub(super) bounds: [Place; 2],
+    /// Whether anything may happen but a panic.
+    pub(super) is_lawless: bool,
     /// The units in a metre, and in a link.
     pub(super) metre: f64,
     pub(super) link: f64,
@@ -26,70 +30,92 @@ impl Stage {
         super::build::build(case, seed)
     }
 
-    /// Measures the world as it is.
-    pub(super) fn measure(&self) -> Measured {
-        let bodies = &self.world.bodies;
-        let strayed = self.places.iter().map(|&(handle, place)| {
-            let body = bodies.get(handle);
-            body.map_or(f64::NAN, |body| {
-                distance(place_of(body), place) / self.metre
-            })
-        });
-        let stretch = self.links.iter().map(|&(joint, joined)| {
-            let joint = self.world.impulse_joints.get(joint);
-            joint.map_or(f64::NAN, |joint| {
-                gap(bodies, joined, &joint.data) / self.link
-            })
-        });
-        let [lo, hi] = self.bounds;
-        let is_outside = |body: &&RigidBody| {
-            let mut coordinates = place_of(body).into_iter().zip(lo.iter().zip(&hi));
-            coordinates.any(|(x, (lo, hi))| x < *lo || x > *hi)
-        };
-        let all = || bodies.iter().map(|(_, body)| body);
-        let motions: Vec<_> = all().map(motion).collect();
-        Measured {
-            not_finite: motions.iter().filter(|motion| !is_finite(motion)).count(),
-            strayed: worst(strayed),
-            stretch: worst(stretch),
-            outside: all()
-                .filter(|body| body.is_dynamic())
-                .filter(is_outside)
-                .count(),
-            bodies: motions,
+    /// Whether something is not finite, has left its place, its joint or its bounds.
+    pub(super) fn has_failed(&self) -> bool {
+        if self.is_lawless {
+            return false;
         }
+        let bodies = &self.world.bodies;
+        let has_strayed = |&(handle, place): &(RigidBodyHandle, Place)| {
+            exceeds(
+                distance(place_of(&bodies[handle]), place),
+                HALF * self.metre,
+            )
+        };
+        let is_torn = |&(joint, joined): &(ImpulseJointHandle, [RigidBodyHandle; 2])| {
+            let joint = self.world.impulse_joints.get(joint);
+            joint.is_none_or(|joint| exceeds(gap(bodies, joined, &joint.data), HALF * self.link))
+        };
+        let [lo, hi] = self.bounds;
+        let is_outside = |(_, body): (_, &RigidBody)| {
+            let mut coordinates = place_of(body).into_iter().zip(lo.iter().zip(&hi));
+            body.is_dynamic() && coordinates.any(|(x, (lo, hi))| x < *lo || x > *hi)
+        };
+        self.motions().iter().any(|motion| !is_finite(motion))
+            || self.places.iter().any(has_strayed)
+            || self.links.iter().any(is_torn)
+            || bodies.iter().any(is_outside)
+    }
+
+    /// The pose and the velocities of every body, as texts that differ if a bit does.
+    pub(super) fn motions(&self) -> Vec<String> {
+        let bodies = self.world.bodies.iter();
+        bodies.map(|(_, body)| motion(body)).collect()
     }
 }
 
-/// The largest figure, or NaN if one is.
-fn worst(figures: impl Iterator<Item = f64>) -> f64 {
-    figures.fold(0.0, |worst: f64, figure| match figure.is_nan() {
-        true => figure,
-        false if worst.is_nan() => worst,
-        false => worst.max(figure),
-    })
+/// Whether a figure is above its bound, or no number.
+fn exceeds(figure: f64, bound: f64) -> bool {
+    figure.is_nan() || figure > bound
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::flavour;
-    use super::super::scenes::rapier::prelude::*;
-    use super::{is_finite, motion, worst};
+    use super::super::space::{along, vector};
+    use super::*;
+    use crate::stability::family::Family;
+
+    /// The world of this family after its last body was moved.
+    fn moved(family: &str, by: f64) -> Stage {
+        let family = Family::named(family);
+        let mut stage = Stage::build(&family.case(family.range[0]), 1);
+        let last = stage.world.bodies.iter().last().map(|(handle, _)| handle);
+        let body = &mut stage.world.bodies[last.expect("there are bodies")];
+        let mut place = place_of(body);
+        place[0] += by;
+        body.set_translation(vector(place), false);
+        stage
+    }
+
+    #[test]
+    fn each_world_has_its_way_to_fail() {
+        for (family, far) in [
+            ("stacks", 0.6),
+            ("chains", 0.3),
+            ("spins", 6.0),
+            ("shots-with-ccd", 9.0),
+            ("extremes", f64::INFINITY),
+        ] {
+            assert!(!moved(family, 0.0).has_failed(), "{family}");
+            assert!(!moved(family, 0.2).has_failed(), "{family}");
+            let may_do_anything = family == "extremes";
+            for by in [far, f64::NAN] {
+                assert_eq!(moved(family, by).has_failed(), !may_do_anything, "{family}");
+            }
+        }
+    }
 
     #[test]
     fn a_spin_must_be_finite_as_well() {
         let is_finite = |body: RigidBodyBuilder| is_finite(&motion(&body.build()));
         let spin = |speed| flavour::spin(speed, [0.0, 0.0, 1.0]);
         let body = RigidBodyBuilder::dynamic;
-        assert!(is_finite(body().angvel(spin(1.0))));
+        assert!(is_finite(
+            body().angvel(spin(1.0)).translation(vector(along(0, 1.0)))
+        ));
         assert!(!is_finite(body().angvel(spin(Real::NAN))));
         assert!(!is_finite(body().angvel(spin(Real::INFINITY))));
         assert!(!is_finite(body().rotation(spin(Real::NAN))));
-    }
-
-    #[test]
-    fn nothing_is_worse_than_what_is_not_a_number() {
-        assert_eq!(worst([1.0, 3.0, 2.0].into_iter()), 3.0);
-        assert!(worst([1.0, f64::NAN, 2.0].into_iter()).is_nan());
     }
 }

@@ -1,9 +1,7 @@
 //! What is checked without a page: contacts, as the example `compare` does it, and hashes of events, as `tests/golden` does.
 
 use super::UnisizeBroadPhase;
-use super::scenes::{
-    Candidate, Comparison, Observed, PairEvent, QueryAccess, Scene, Steppable, install,
-};
+use super::scenes::{Candidate, Comparison, Observed, PairEvent, Scene, Steppable, install};
 use super::version::ALL_PAIRS;
 use crate::hash::Hash;
 use unisize::{PairFilter, Settings};
@@ -13,13 +11,12 @@ use unisize_scenes::SceneKind;
 pub(crate) fn first_difference(kind: SceneKind, bodies: usize, steps: usize) -> Option<String> {
     let candidate = |filter| {
         let settings = Settings::default().with_filter(filter);
-        Candidate::new(move || UnisizeBroadPhase::with_settings(settings))
-            .with_pairs(|ours: &UnisizeBroadPhase| ours.pairs().collect())
-            .with_validation(UnisizeBroadPhase::validate)
-            .with_queries(QueryAccess::new(
-                UnisizeBroadPhase::as_query_pipeline,
-                UnisizeBroadPhase::as_query_pipeline_mut,
-            ))
+        Candidate::new(
+            move || UnisizeBroadPhase::with_settings(settings),
+            |ours| ours.pairs().collect(),
+            UnisizeBroadPhase::as_query_pipeline,
+        )
+        .with_validation(UnisizeBroadPhase::validate)
     };
     let comparison = Comparison {
         steps,
@@ -27,11 +24,11 @@ pub(crate) fn first_difference(kind: SceneKind, bodies: usize, steps: usize) -> 
         ..Comparison::new(kind, bodies, 1)
     };
     // The default's pairs are all of those whose boxes overlap: so first, it is these that must be the same.
-    let boxes = comparison.run(&candidate(ALL_PAIRS), |_| {});
+    let boxes = comparison.run(&candidate(ALL_PAIRS));
     let shapes = candidate(PairFilter::Shapes).leaving_out_more();
     boxes
         .first_difference
-        .or_else(|| comparison.run(&shapes, |_| {}).first_difference)
+        .or_else(|| comparison.run(&shapes).first_difference)
 }
 
 /// The hash of all events of a scene, as of `scenes_are_golden` in `tests/golden`.

@@ -22,11 +22,17 @@ pub(crate) fn build(
 ) -> Box<dyn World> {
     let scene = Scene::build(kind, bodies, seed);
     if with_unisize {
-        let broad_phase = install(UnisizeBroadPhase::new());
-        Box::new(Run { scene, broad_phase })
+        Box::new(Run {
+            scene,
+            broad_phase: install(UnisizeBroadPhase::new()),
+            unisize: Some(|broad_phase| broad_phase),
+        })
     } else {
-        let broad_phase = DefaultBroadPhase::new();
-        Box::new(Run { scene, broad_phase })
+        Box::new(Run {
+            scene,
+            broad_phase: DefaultBroadPhase::new(),
+            unisize: None,
+        })
     }
 }
 
@@ -34,6 +40,8 @@ pub(crate) fn build(
 struct Run<B> {
     scene: Scene,
     broad_phase: B,
+    /// What the broad phase is, if it is unisize.
+    unisize: Option<fn(&B) -> &UnisizeBroadPhase>,
 }
 
 impl<B: Steppable> World for Run<B> {
@@ -116,6 +124,24 @@ impl<B: Steppable> World for Run<B> {
             .collect()
     }
 
+    fn fat_box_lines(&self) -> Vec<f32> {
+        let unisize = self.unisize.map(|unisize| unisize(&self.broad_phase));
+        let boxes = unisize.into_iter().flat_map(UnisizeBroadPhase::fat_boxes);
+        // Not those of half-spaces, which have no end.
+        let finite = boxes.filter(|aabb| aabb.extents()[0] < SLAB[0]);
+        finite
+            .flat_map(|aabb| edges(corners_of(&aabb)))
+            .collect()
+    }
+
+    fn searches(&self) -> [f64; 5] {
+        let unisize = self.unisize.map(|unisize| unisize(&self.broad_phase));
+        let stats = unisize.map(UnisizeBroadPhase::stats).unwrap_or_default();
+        let [first, second] = stats.strips.map(f64::from);
+        let [runs, updates] = [stats.full_runs, stats.updates].map(|count| count as f64);
+        [first, second, stats.foresight.into(), runs, updates]
+    }
+
     fn pair_lines(&self, touching: bool) -> Vec<f32> {
         let colliders = &self.scene.world.colliders;
         let pairs = self.scene.world.narrow_phase.contact_pairs();
@@ -174,7 +200,11 @@ fn spatial(vector: Vector) -> [f32; 3] {
 
 /// The lower and the upper corner of the box of a collider.
 fn corners(collider: &Collider) -> [f32; 6] {
-    let aabb = collider.compute_aabb();
+    corners_of(&collider.compute_aabb())
+}
+
+/// The lower and the upper corner of a box.
+fn corners_of(aabb: &Aabb) -> [f32; 6] {
     std::array::from_fn(|index| match (index % 3, index / 3) {
         (axis, _) if axis >= DIM => 0.0,
         (axis, 0) => aabb.mins[axis],

@@ -3,51 +3,43 @@
 //! Each gets the events of its broad phase and is then run by Rapier's [`CollisionPipeline`] on a copy of the same
 //! world, so that nothing but the pairs can make a difference, not even the order in which the solver works.
 
-use super::World;
-use super::both::{Both, Side};
-use super::journal::Journal;
-use super::pair::Pair;
-use super::rapier::prelude::*;
-use super::version::{self, BroadPhase};
+use super::super::observed::{PairEvent, Update};
+use super::super::pairs::{self, Pairs, in_order};
+use super::super::rapier::prelude::*;
+use super::super::version::{self, BroadPhase};
+use super::super::world::World;
+use crate::Both;
+use std::collections::HashSet;
 
 /// The colliders that touch, and the sensors that are entered.
-#[derive(Default, PartialEq, Eq)]
 pub(super) struct Touching {
-    /// The pairs with a contact that the solver would see, sorted.
-    pub(super) contacts: Vec<Pair>,
-    /// The pairs with a sensor that intersect, sorted.
-    pub(super) intersections: Vec<Pair>,
+    /// The pairs with a contact that the solver would see.
+    pub(super) contacts: Pairs,
+    /// The pairs with a sensor that intersect.
+    pub(super) intersections: Pairs,
 }
 
 impl Touching {
     /// What a narrow phase has found last.
     pub(super) fn of(narrow_phase: &NarrowPhase) -> Self {
-        let mut contacts: Vec<_> = narrow_phase
-            .contact_pairs()
-            .filter(|pair| version::touches(pair))
-            .map(|pair| Pair::new(pair.collider1, pair.collider2))
-            .collect();
-        let mut intersections: Vec<_> = narrow_phase
-            .intersection_pairs()
-            .filter(|&(_, _, intersecting)| intersecting)
-            .map(|(a, b, _)| Pair::new(a, b))
-            .collect();
-        contacts.sort_unstable();
-        intersections.sort_unstable();
+        let pair = |a, b| in_order(ColliderPair::new(a, b));
+        let contacts = narrow_phase.contact_pairs();
+        let intersections = narrow_phase.intersection_pairs();
         Self {
-            contacts,
-            intersections,
+            contacts: contacts
+                .filter(|contact| version::touches(contact))
+                .map(|contact| pair(contact.collider1, contact.collider2))
+                .collect(),
+            intersections: intersections
+                .filter(|&(_, _, intersecting)| intersecting)
+                .map(|(a, b, _)| pair(a, b))
+                .collect(),
         }
-    }
-
-    /// All of them, contacts first.
-    pub(super) fn all(&self) -> impl Iterator<Item = Pair> + '_ {
-        self.contacts.iter().chain(&self.intersections).copied()
     }
 }
 
 /// A broad phase that reports what another has reported before.
-struct Replay(Vec<BroadPhasePairEvent>);
+struct Replay(Vec<PairEvent>);
 
 impl BroadPhase for Replay {
     fn update(
@@ -59,7 +51,7 @@ impl BroadPhase for Replay {
         _removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        events.append(&mut self.0);
+        events.extend(self.0.drain(..).map(BroadPhasePairEvent::from));
     }
 
     version::when_boxes_are_handed_over! {
@@ -70,8 +62,7 @@ impl BroadPhase for Replay {
         }
 
         fn clone_box(&self) -> Box<dyn BroadPhase> {
-            let events = self.0.iter().map(super::PairEvent::from);
-            Box::new(Self(events.map(Into::into).collect()))
+            Box::new(Self(self.0.clone()))
         }
     }
 }
@@ -105,57 +96,83 @@ impl Placed {
     }
 }
 
-/// The two narrow phases.
+/// A narrow phase that hears of one broad phase.
+///
+/// A collider's removal ends its pairs, whatever was reported of them before. So the removals can be played first and the events
+/// after them, once the events of a collider from before its removal are struck out.
 #[derive(Default)]
-pub(super) struct ContactCheck {
-    narrow_phases: Both<NarrowPhase>,
+pub(super) struct Follower {
+    narrow_phase: NarrowPhase,
+    /// The colliders that were removed or disabled since the last look, in order.
+    removed: Vec<ColliderHandle>,
+    /// What was reported after the last removal of either collider, in order.
+    events: Vec<PairEvent>,
 }
 
-impl ContactCheck {
-    /// Brings both narrow phases up to date, and says how their results differ, if they do, with the colliders as they are or as they
-    /// were placed.
-    pub(super) fn check(
-        &mut self,
-        world: &World,
-        placed: Option<&Placed>,
-        journals: &mut Both<Journal>,
-        hooks: &dyn PhysicsHooks,
-    ) -> Option<String> {
-        for side in [Side::Default, Side::Candidate] {
-            // A copy for each: Rapier 0.36 notes in the bodies which islands the contacts have joined.
-            let mut colliders = world.colliders.clone();
-            let mut bodies = world.bodies.clone();
-            if let Some(placed) = placed {
-                placed.restore(&mut colliders);
+impl Follower {
+    /// Takes down these updates.
+    pub(super) fn note(&mut self, updates: &[Update]) {
+        for update in updates {
+            if !update.removed.is_empty() && !self.events.is_empty() {
+                let removed: HashSet<_> = update.removed.iter().collect();
+                self.events.retain(|event| {
+                    let pair = event.pair();
+                    !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
+                });
             }
-            let narrow_phase = &mut self.narrow_phases[side];
-            let journal = &mut journals[side];
-            narrow_phase.handle_user_changes(
-                None,
-                &[],
-                &journal.removed,
-                &mut colliders,
-                &mut bodies,
-                &(),
-            );
-            mark_modified(&mut colliders);
-            let replay = Replay(journal.events.drain(..).map(Into::into).collect());
-            version::detect(
-                world,
-                replay,
-                narrow_phase,
-                &mut bodies,
-                &mut colliders,
-                hooks,
-            );
-            journal.clear();
+            self.removed.extend_from_slice(&update.removed);
+            self.events.extend_from_slice(&update.events);
         }
-        let touching = Both::of(|side| Touching::of(&self.narrow_phases[side]));
-        let contacts = Both::of(|side| touching[side].contacts.as_slice());
-        let intersections = Both::of(|side| touching[side].intersections.as_slice());
-        difference("touch", contacts, world)
-            .or_else(|| difference("intersect", intersections, world))
     }
+
+    /// Brings the narrow phase up to date, with the colliders as they are or as they were placed.
+    fn look(&mut self, world: &World, placed: Option<&Placed>) -> Touching {
+        // Copies: Rapier 0.36 notes in the bodies which islands the contacts have joined.
+        let mut colliders = world.colliders.clone();
+        let mut bodies = world.bodies.clone();
+        if let Some(placed) = placed {
+            placed.restore(&mut colliders);
+        }
+        let narrow_phase = &mut self.narrow_phase;
+        narrow_phase.handle_user_changes(
+            None,
+            &[],
+            &self.removed,
+            &mut colliders,
+            &mut bodies,
+            &(),
+        );
+        mark_modified(&mut colliders);
+        let replay = Replay(std::mem::take(&mut self.events));
+        version::detect(world, replay, narrow_phase, &mut bodies, &mut colliders);
+        self.removed.clear();
+        Touching::of(narrow_phase)
+    }
+}
+
+/// How the contacts and intersections of both narrow phases differ.
+pub(super) fn difference(
+    world: &World,
+    placed: Option<&Placed>,
+    followers: &mut Both<Follower>,
+) -> Option<String> {
+    let default = followers.default.look(world, placed);
+    let candidate = followers.candidate.look(world, placed);
+    let only = |these: &Pairs, others: &Pairs, meaning: &str| {
+        pairs::difference(these, others, world, meaning, |_| true)
+    };
+    let differ = |default: &Pairs, candidate: &Pairs, verb: &str| {
+        let missing = format!("{verb} by the default and not by the candidate");
+        let surplus = format!("{verb} by the candidate and not by the default");
+        only(default, candidate, &missing).or_else(|| only(candidate, default, &surplus))
+    };
+    differ(&default.contacts, &candidate.contacts, "touch").or_else(|| {
+        differ(
+            &default.intersections,
+            &candidate.intersections,
+            "intersect",
+        )
+    })
 }
 
 /// Makes Rapier recompute every contact, whatever was modified since the last check.
@@ -173,25 +190,4 @@ fn mark_modified(colliders: &mut ColliderSet) {
             collider.set_shape(shape);
         }
     }
-}
-
-/// The first pair that is in one of two sorted lists only, as a sentence.
-fn difference(verb: &str, pairs: Both<&[Pair]>, world: &World) -> Option<String> {
-    let only = Both::of(|side| {
-        let missing = |pair: &&Pair| pairs[side.other()].binary_search(pair).is_err();
-        pairs[side].iter().filter(missing).collect::<Vec<_>>()
-    });
-    let side = if only.default.is_empty() {
-        Side::Candidate
-    } else {
-        Side::Default
-    };
-    let pair = only[side].first()?;
-    Some(format!(
-        "{} {verb} with the pairs of {}, and do not with those of {} ({} such in all)",
-        pair.describe(world),
-        side.name(),
-        side.other().name(),
-        only.default.len() + only.candidate.len(),
-    ))
 }

@@ -3,13 +3,15 @@
 //! The rays of a step are random, from a generator of their own that starts anew with each scene, and go through the
 //! box around all colliders of usual size. Those of the scene's script come on top.
 
-use super::ledger::Ledger;
-use super::rapier::prelude::*;
-use super::space::Point;
-use super::{
-    Both, BroadPhase, Comparison, Queries, QueryAccess, Random, RayCount, Scene, World, components,
-    direction, largest, vector, version,
-};
+use super::super::queries::{AsQueryPipeline, tree_of};
+use super::super::rapier::parry::partitioning::Bvh;
+use super::super::rapier::prelude::*;
+use super::super::scene::Scene;
+use super::super::space::{Point, Vector, direction, largest, vector};
+use super::super::world::World;
+use super::Comparison;
+use crate::Rays;
+use crate::random::Random;
 
 /// What a ray hits first, and at which distance.
 pub(super) type Answer = Option<(ColliderHandle, Real)>;
@@ -20,30 +22,22 @@ const ENDLESS: Real = 1e5;
 /// How far rays go at most: through any region.
 const REACH: Real = 2.0 * ENDLESS;
 
-/// How the default broad phase is asked.
-pub(super) fn of_default() -> QueryAccess<DefaultBroadPhase> {
-    QueryAccess::new(
-        DefaultBroadPhase::as_query_pipeline,
-        DefaultBroadPhase::as_query_pipeline_mut,
-    )
-}
-
-/// Casts rays, and replaces `answers` by theirs.
-pub(super) fn cast(queries: &dyn Queries, world: &World, rays: &[Ray], answers: &mut Vec<Answer>) {
-    let pipeline = queries.pipeline(&world.bodies, &world.colliders, QueryFilter::default());
-    answers.clear();
-    answers.extend(rays.iter().map(|ray| pipeline.cast_ray(ray, REACH, true)));
+/// Casts rays.
+pub(super) fn cast(tree: &Bvh, world: &World, rays: &[Ray]) -> Vec<Answer> {
+    let queries = world.queries(tree, QueryFilter::default());
+    let answers = rays.iter().map(|ray| queries.cast_ray(ray, REACH, true));
+    answers.collect()
 }
 
 /// The rays of a scene.
-pub(super) struct Rays {
+pub(super) struct SomeRays {
     random: Random,
     region: Aabb,
     count: usize,
     drawn: Vec<Ray>,
 }
 
-impl Rays {
+impl SomeRays {
     /// This many random rays a step, through the scene as it is now.
     pub(super) fn new(scene: &Scene, count: usize, seed: u64) -> Self {
         let colliders = scene.world.colliders.iter();
@@ -78,61 +72,42 @@ impl Rays {
 
 /// Rays that are cast in the trees of two broad phases, which have seen the same updates.
 pub(super) struct RayCheck<C> {
-    access: QueryAccess<C>,
-    rays: Rays,
-    answers: Both<Vec<Answer>>,
+    queries: AsQueryPipeline<C>,
+    rays: SomeRays,
     /// How many were cast so far.
-    pub(super) count: RayCount,
+    pub(super) count: Rays,
 }
 
-impl<C: BroadPhase + 'static> RayCheck<C> {
-    /// A check of the rays of a comparison, if the candidate can be asked.
-    pub(super) fn new(
-        access: Option<QueryAccess<C>>,
-        scene: &Scene,
-        comparison: &Comparison,
-    ) -> Option<Self> {
-        Some(Self {
-            access: access?,
-            rays: Rays::new(scene, comparison.rays, comparison.seed),
-            answers: Both::default(),
-            count: RayCount::default(),
-        })
+impl<C> RayCheck<C> {
+    /// A check of the rays of a comparison.
+    pub(super) fn new(queries: AsQueryPipeline<C>, scene: &Scene, comparison: &Comparison) -> Self {
+        Self {
+            queries,
+            rays: SomeRays::new(scene, comparison.rays, comparison.seed),
+            count: Rays::default(),
+        }
     }
 
     /// Casts the rays of a step, and says which one hits something else in the candidate's tree, if one does.
-    pub(super) fn check(&mut self, scene: &Scene, ledger: &Ledger<C>) -> Option<String> {
+    pub(super) fn check(&mut self, scene: &Scene, own: &Bvh, candidate: &C) -> Option<String> {
         let rays = self.rays.draw(scene);
         if rays.is_empty() {
             return None;
         }
-        let (world, answers) = (&scene.world, &mut self.answers);
-        let tee = &ledger.tee;
-        cast(
-            &version::access_to_own().to(&tee.heard.inner),
-            world,
-            rays,
-            &mut answers.default,
-        );
-        cast(
-            &self.access.to(&tee.unheard.inner),
-            world,
-            rays,
-            &mut answers.candidate,
-        );
-
+        let world = &scene.world;
+        let default = cast(own, world, rays);
+        let candidate = cast(tree_of(candidate, self.queries), world, rays);
         self.count.cast += rays.len();
-        self.count.hits += answers.default.iter().flatten().count();
-        let answers = answers.default.iter().zip(&answers.candidate);
-        let mut both = rays.iter().zip(answers);
-        let (ray, (default, candidate)) =
-            both.find(|(ray, (default, candidate))| !is_equal(**default, **candidate, ray, world))?;
+        self.count.hits += default.iter().flatten().count();
+        let mut answers = rays.iter().zip(default.into_iter().zip(candidate));
+        let (ray, (default, candidate)) = answers
+            .find(|&(ray, (default, candidate))| !is_equal(default, candidate, ray, world))?;
         Some(format!(
             "the ray from {:?} along {:?} hits {} by the default, and {} by the candidate",
-            components(version::coordinates(ray.origin)),
-            components(ray.dir),
-            describe(*default),
-            describe(*candidate),
+            ray.origin,
+            ray.dir,
+            describe(default),
+            describe(candidate),
         ))
     }
 }
@@ -161,59 +136,4 @@ fn describe(answer: Answer) -> String {
             format!("{index}:{generation} at a distance of {distance}")
         },
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::Candidate;
-    use super::super::version::OwnBroadPhase;
-    use super::*;
-    use crate::SceneKind;
-    use std::time::Duration;
-
-    fn comparison(kind: SceneKind) -> Comparison {
-        Comparison {
-            steps: 20,
-            rays: 10,
-            repeats: 2,
-            ..Comparison::new(kind, 60, 3)
-        }
-    }
-
-    #[test]
-    fn rays_hit_the_same_in_equal_trees() {
-        for kind in SceneKind::ALL {
-            let candidate =
-                Candidate::new(OwnBroadPhase::new).with_queries(version::access_to_own());
-            let outcome = comparison(kind).run(&candidate, |_| {});
-            assert_eq!(outcome.first_difference, None, "{}", kind.name());
-            let looks = if kind == SceneKind::Player { 16 } else { 0 };
-            assert_eq!(outcome.rays.cast, 20 * (10 + looks));
-            assert!(outcome.rays.hits > 0, "{}", kind.name());
-            let seeds = outcome.independent.iter().map(|runs| runs.candidate.seed);
-            assert_eq!(seeds.collect::<Vec<_>>(), [3, 4]);
-            for runs in &outcome.independent {
-                assert!(runs.default.casting > Duration::ZERO);
-                assert!(runs.default.casting < runs.default.elapsed);
-            }
-        }
-    }
-
-    #[test]
-    fn a_ray_that_misses_is_reported() {
-        let blind = QueryAccess::new(
-            |broad_phase: &OwnBroadPhase, dispatcher, bodies, colliders, _| {
-                let filter = QueryFilter::only_fixed();
-                broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter)
-            },
-            |broad_phase, dispatcher, bodies, colliders, filter| {
-                broad_phase.as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
-            },
-        );
-        let candidate = Candidate::new(OwnBroadPhase::new).with_queries(blind);
-        let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
-        let difference = outcome.first_difference.expect("a difference");
-        assert!(difference.starts_with("step "), "{difference}");
-        assert!(difference.contains("by the candidate"), "{difference}");
-    }
 }

@@ -1,145 +1,13 @@
 //! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
 
-use super::rapier::prelude::*;
-use super::version::{self, BroadPhase, OwnBroadPhase};
-use super::{Candidate, Comparison, Outcome};
+use super::super::observed::PairEvent;
+use super::super::pairs::{handles, in_order};
+use super::super::rapier::parry::partitioning::Bvh;
+use super::super::rapier::prelude::*;
+use super::super::version::OwnBroadPhase;
+use super::{AsQueryPipeline, Candidate, Comparison, Observed};
 use crate::SceneKind;
-use std::sync::{Arc, Mutex};
-
-/// What a broad phase may do wrong.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Fault {
-    /// Nothing.
-    None,
-    /// Every hundredth new pair with a moving body goes unreported.
-    ForgetsSome,
-    /// No pair is ever reported.
-    AddsNothing,
-    /// New pairs are reported twice.
-    AddsTwice,
-    /// Ended pairs are reported twice.
-    DeletesTwice,
-    /// The end of a pair goes unreported.
-    NeverDeletes,
-    /// The list of pairs lacks the last.
-    ListsTooFew,
-    /// The list of pairs has the last twice.
-    ListsTwice,
-}
-
-/// Rapier's broad phase with a fault.
-struct Faulty {
-    inner: OwnBroadPhase,
-    fault: Fault,
-    list: Vec<ColliderPair>,
-    added: usize,
-    updates: usize,
-    forgotten: Arc<Mutex<Vec<(usize, ColliderPair)>>>,
-}
-
-impl Faulty {
-    fn new(fault: Fault) -> Self {
-        Self {
-            inner: OwnBroadPhase::new(),
-            fault,
-            list: Vec::new(),
-            added: 0,
-            updates: 0,
-            forgotten: Arc::default(),
-        }
-    }
-
-    fn list(&self) -> Vec<ColliderPair> {
-        let mut list = self.list.clone();
-        match self.fault {
-            Fault::ListsTooFew => drop(list.pop()),
-            Fault::ListsTwice => list.extend(self.list.last()),
-            _ => {}
-        }
-        list
-    }
-
-    /// How often an event is sent.
-    fn copies(&mut self, added: bool, pair: ColliderPair, moves: bool) -> usize {
-        match (self.fault, added) {
-            (Fault::AddsNothing, true) | (Fault::NeverDeletes, false) => 0,
-            (Fault::AddsTwice, true) | (Fault::DeletesTwice, false) => 2,
-            (Fault::ForgetsSome, true) if moves => {
-                self.added += 1;
-                if self.added % 100 != 0 {
-                    return 1;
-                }
-                self.forgotten.lock().unwrap().push((self.updates, pair));
-                0
-            }
-            _ => 1,
-        }
-    }
-}
-
-impl BroadPhase for Faulty {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let mut inner_events = Vec::new();
-        self.inner.update(
-            params,
-            colliders,
-            bodies,
-            modified,
-            removed,
-            &mut inner_events,
-        );
-        self.list.retain(|pair| {
-            !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
-        });
-        for event in inner_events {
-            let (added, pair) = match event {
-                BroadPhasePairEvent::AddPair(pair) => (true, pair),
-                BroadPhasePairEvent::DeletePair(pair) => (false, pair),
-            };
-            if !added && !self.list.contains(&pair) {
-                // Later versions also report the ends of pairs of what was removed.
-                continue;
-            }
-            let moves = [pair.collider1, pair.collider2].iter().any(|&handle| {
-                let parent = colliders.get(handle).and_then(Collider::parent);
-                parent.is_some_and(|body| bodies[body].is_dynamic())
-            });
-            for _ in 0..self.copies(added, pair, moves) {
-                if added {
-                    self.list.push(pair);
-                    events.push(BroadPhasePairEvent::AddPair(pair));
-                } else {
-                    self.list.retain(|&listed| listed != pair);
-                    events.push(BroadPhasePairEvent::DeletePair(pair));
-                }
-            }
-        }
-        self.updates += 1;
-    }
-
-    version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
-            self.inner.set_aabbs(params, colliders, boxes);
-        }
-
-        fn bvh(&self) -> &Bvh {
-            self.inner.bvh()
-        }
-
-        // A copy is sound.
-        fn clone_box(&self) -> Box<dyn BroadPhase> {
-            self.inner.clone_box()
-        }
-    }
-}
+use std::sync::{Arc, LazyLock, Mutex};
 
 fn comparison(kind: SceneKind) -> Comparison {
     Comparison {
@@ -149,124 +17,186 @@ fn comparison(kind: SceneKind) -> Comparison {
     }
 }
 
-fn run(fault: Fault) -> Outcome {
-    let candidate = Candidate::new(move || Faulty::new(fault)).with_pairs(Faulty::list);
+/// Rapier's own broad phase, with a list of its pairs.
+type Listed = Observed<OwnBroadPhase>;
+
+fn listed() -> Listed {
+    Observed::new(OwnBroadPhase::new()).with_held()
+}
+
+fn list<B>(own: &Observed<B>) -> Vec<ColliderPair> {
+    own.held().iter().copied().collect()
+}
+
+const QUERIES: AsQueryPipeline<Listed> = |own, dispatcher, bodies, colliders, filter| {
+    let own = &own.inner;
+    own.as_query_pipeline(dispatcher, bodies, colliders, filter)
+};
+
+/// The first difference if events are passed on as often as this says, and the list of pairs is as this leaves it.
+fn difference(copies: fn(PairEvent) -> usize, edit: fn(&mut Vec<ColliderPair>)) -> Option<String> {
+    let faulty = move || Observed::new(listed().repeating(copies)).with_held();
+    let edited = move |faulty: &Observed<Listed>| {
+        let mut list = list(faulty);
+        edit(&mut list);
+        list
+    };
+    let candidate = Candidate::new(
+        faulty,
+        edited,
+        |faulty, dispatcher, bodies, colliders, filter| {
+            let own = &faulty.inner.inner;
+            own.as_query_pipeline(dispatcher, bodies, colliders, filter)
+        },
+    );
     // Long enough that pairs end.
     let comparison = Comparison {
         steps: 80,
         ..comparison(SceneKind::FallingBalls)
     };
-    comparison.run(&candidate, |_| {})
+    comparison.run(&candidate).first_difference
 }
 
 #[test]
 fn default_equals_itself() {
     for kind in SceneKind::ALL {
-        let candidate = Candidate::new(|| Faulty::new(Fault::None)).with_pairs(Faulty::list);
-        let outcome = comparison(kind).run(&candidate, |_| {});
-        assert_eq!(outcome.first_difference, None, "{}", kind.name());
+        let candidate = Candidate::new(listed, list, QUERIES);
+        let comparison = Comparison {
+            rays: 10,
+            ..comparison(kind)
+        };
+        let outcome = comparison.run(&candidate);
+        let name = kind.name();
+        assert_eq!(outcome.first_difference, None, "{name}");
         assert_eq!(outcome.pairs.default, outcome.pairs.candidate);
         assert_eq!(outcome.contact_checks, 40);
-        let timing = outcome.timing;
-        assert_eq!(timing.default.updates, timing.candidate.updates);
-        assert!(timing.default.updates >= 40 * version::UPDATES);
-        assert_eq!(timing.default.busy_updates, timing.candidate.busy_updates);
+        let times = outcome.broad_phase;
+        assert_eq!(times.default.updates, times.candidate.updates);
+        assert!(times.default.updates >= 40);
+        assert_eq!(times.default.busy_updates, times.candidate.busy_updates);
+        let looks = if kind == SceneKind::Player { 16 } else { 0 };
+        assert_eq!(outcome.rays.cast, 40 * (10 + looks));
+        assert!(outcome.rays.hits > 0, "{name}");
     }
 }
 
 #[test]
-fn independent_runs_are_sane() {
-    let candidate = Candidate::new(OwnBroadPhase::new);
-    let mut steps = 0;
+fn whole_steps_are_sane() {
     let outcome = Comparison {
         repeats: 2,
-        contacts_every: 7,
+        rays: 1,
         ..comparison(SceneKind::FallingBalls)
     }
-    .run(&candidate, |step| {
-        steps += 1;
-        assert_eq!(step, steps);
-    });
-    assert_eq!(steps, 240);
+    .run(&Candidate::new(listed, list, QUERIES));
     assert!(outcome.is_equal());
-    assert_eq!(outcome.contact_checks, 6);
-    assert_eq!(outcome.independent.len(), 2);
-    for runs in &outcome.independent {
-        assert_eq!(runs.candidate.verdict, Ok(()));
-        assert_eq!(runs.default.sanity.bodies, runs.candidate.sanity.bodies);
-        assert!(runs.ratio() > 0.0 && runs.ratio().is_finite());
+    let whole_steps = outcome.whole_steps.expect("they were asked for");
+    let seeds = whole_steps.repeats.iter().map(|repeat| repeat.seed);
+    assert_eq!(seeds.collect::<Vec<_>>(), [3, 4]);
+    for repeat in &whole_steps.repeats {
+        let end = &repeat.end;
+        assert_eq!(end.candidate.complaint, None);
+        assert_eq!(end.default.bodies, end.candidate.bodies);
+        assert!(repeat.ratio > 0.0 && repeat.ratio.is_finite());
+        assert!(end.default.ms_of_rays > 0.0);
+        assert!(end.default.ms_of_rays < end.default.ms_per_step);
     }
-    let clocked = outcome.clocked.expect("a clocked run");
-    assert!(clocked.limit() > 1.0 && clocked.limit().is_finite());
+    let limit = whole_steps.limit.ratio;
+    assert!(limit > 1.0 && limit.is_finite());
+}
+
+#[test]
+fn a_ray_that_misses_is_reported() {
+    let blind: AsQueryPipeline<Listed> = |_, dispatcher, bodies, colliders, filter| {
+        static NOTHING: LazyLock<Bvh> = LazyLock::new(Bvh::new);
+        QueryPipeline {
+            dispatcher,
+            bvh: &NOTHING,
+            bodies,
+            colliders,
+            filter,
+        }
+    };
+    let candidate = Candidate::new(listed, list, blind);
+    let comparison = Comparison {
+        rays: 10,
+        ..comparison(SceneKind::FallingBalls)
+    };
+    let difference = comparison.run(&candidate).first_difference;
+    let difference = difference.expect("a difference");
+    assert!(difference.contains(": the ray from"), "{difference}");
+    assert!(
+        difference.contains("and nothing by the candidate"),
+        "{difference}"
+    );
 }
 
 #[test]
 fn a_forgotten_pair_is_named() {
     let forgotten = Arc::new(Mutex::new(Vec::new()));
-    let shared = forgotten.clone();
-    let candidate = Candidate::new(move || Faulty {
-        forgotten: shared.clone(),
-        ..Faulty::new(Fault::ForgetsSome)
-    });
-    let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
+    let log = forgotten.clone();
+    let create = move || {
+        let (log, mut added) = (log.clone(), 0);
+        listed().repeating(move |event| {
+            let pair = handles(in_order(event.pair()));
+            // Every hundredth new pair with a ball, which comes after walls.
+            added += usize::from(event.is_add() && pair[1].0 > 10);
+            let is_forgotten = event.is_add() && pair[1].0 > 10 && added % 100 == 0;
+            log.lock().unwrap().extend(is_forgotten.then_some(pair));
+            usize::from(!is_forgotten)
+        })
+    };
+    let candidate = Candidate::new(create, list, QUERIES);
+    let mut comparison = comparison(SceneKind::FallingBalls);
+    let outcome = comparison.run(&candidate);
     let difference = outcome.first_difference.expect("a difference");
-
-    let forgotten = forgotten.lock().unwrap();
-    let step_of = |update: usize| update / version::UPDATES + 1;
-    let step = step_of(forgotten[0].0);
-    let named = forgotten
-        .iter()
-        .filter(|&&(update, _)| step_of(update) == step)
-        .map(|&(_, pair)| pair)
-        .any(|pair| {
-            [pair.collider1, pair.collider2].iter().all(|handle| {
-                let (index, generation) = handle.into_raw_parts();
-                difference.contains(&format!("{index}:{generation} ("))
-            })
-        });
+    let named = forgotten.lock().unwrap().iter().any(|pair| {
+        let mut ends = pair.iter();
+        ends.all(|(index, generation)| difference.contains(&format!("{index}:{generation} (")))
+    });
     assert!(named, "{difference}");
-    assert!(
-        difference.starts_with(&format!("step {step}: ")),
-        "{difference}"
-    );
-    assert!(
-        difference.contains("is held by the default and not by the candidate"),
-        "{difference}"
-    );
+    let meaning = "is held by the default and not by the candidate";
+    assert!(difference.contains(meaning), "{difference}");
+
+    let step = difference
+        .strip_prefix("step ")
+        .and_then(|rest| rest.split_once(": "));
+    let step: usize = step.unwrap().0.parse().unwrap();
+    comparison.steps = step - 1;
+    assert!(comparison.run(&candidate).is_equal());
 }
 
 #[test]
 fn every_fault_is_reported() {
-    for (fault, words) in [
-        (
-            Fault::AddsNothing,
-            "held by the default and not by the candidate",
-        ),
-        (Fault::AddsTwice, "as new, which it holds already"),
-        (Fault::DeletesTwice, "as ended, which it does not hold"),
-        (
-            Fault::NeverDeletes,
-            "held by the candidate and not by the default",
-        ),
-        (Fault::ListsTooFew, "does not list it"),
-        (Fault::ListsTwice, "twice"),
-    ] {
-        let outcome = run(fault);
-        let difference = outcome.first_difference.expect(words);
+    let sound = |_| 1;
+    let faithful = |_: &mut Vec<_>| {};
+    let found = [
+        difference(|event| usize::from(!event.is_add()), faithful),
+        difference(|event| 1 + usize::from(event.is_add()), faithful),
+        difference(|event| 2 - usize::from(event.is_add()), faithful),
+        difference(|event| usize::from(event.is_add()), faithful),
+        difference(sound, |list| list.truncate(list.len().saturating_sub(1))),
+        difference(sound, |list| list.extend_from_within(..1.min(list.len()))),
+    ];
+    let words = [
+        "held by the default and not by the candidate",
+        "as new, which it holds already",
+        "as ended, which it does not hold",
+        "held by the candidate and not by the default",
+        "does not list it",
+        "twice",
+    ];
+    for (found, words) in found.into_iter().zip(words) {
+        let difference = found.expect(words);
         assert!(difference.starts_with("step "), "{difference}");
         assert!(difference.contains(words), "{difference}");
-        if matches!(fault, Fault::AddsTwice | Fault::DeletesTwice) {
-            assert!(outcome.redundant_events.candidate > 0);
-        }
-        assert_eq!(outcome.redundant_events.default, 0);
     }
 }
 
 #[test]
 fn a_broken_invariant_is_reported() {
-    let candidate =
-        Candidate::new(OwnBroadPhase::new).with_validation(|_| panic!("box {} is askew", 17));
-    let outcome = comparison(SceneKind::FallingBalls).run(&candidate, |_| {});
+    let sound = Candidate::new(listed, list, QUERIES);
+    let candidate = sound.with_validation(|_| panic!("box {} is askew", 17));
+    let outcome = comparison(SceneKind::FallingBalls).run(&candidate);
     let difference = outcome.first_difference.expect("a difference");
     assert!(difference.starts_with("step 1: "), "{difference}");
     assert!(difference.contains("box 17 is askew"), "{difference}");

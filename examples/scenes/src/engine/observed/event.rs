@@ -1,5 +1,6 @@
 //! What a broad phase says of a pair, in a form that can be kept and compared.
 
+use super::super::pairs::handles;
 use super::super::rapier::prelude::*;
 
 /// A copy of [`BroadPhasePairEvent`], which is neither `Clone` nor `PartialEq`.
@@ -26,9 +27,7 @@ impl PairEvent {
 
     /// By this, new pairs come first, and then it is handles that count.
     pub(super) fn sort_key(self) -> (bool, [(u32, u32); 2]) {
-        let pair = self.pair();
-        let handles = [pair.collider1, pair.collider2].map(ColliderHandle::into_raw_parts);
-        (!self.is_add(), handles)
+        (!self.is_add(), handles(self.pair()))
     }
 }
 

@@ -5,8 +5,8 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Lattice, Link, Point, Random, Stage, UP, Vector, along, direction, falling, flavour,
-    horizontal, jitter, wide_high,
+    Container, Lattice, Point, Random, Stage, UP, Vector, along, direction, falling, horizontal,
+    jitter, wide_high,
 };
 
 /// The number of links of a chain.
@@ -64,24 +64,9 @@ fn insert_chain(
                 .linvel(jitter(random, SPEED)),
             ColliderBuilder::capsule_from_endpoints(Point::from(-half), Point::from(half), RADIUS),
         );
-        pin(stage, [previous, (body, -half)]);
+        stage.pin([previous, (body, -half)], 2.0 * HALF);
         joint += half * 2.0;
         previous = (body, half);
     }
-    pin(stage, [previous, (frame, joint)]);
-}
-
-/// Pins a point of one body to a point of another.
-fn pin(stage: &mut Stage, ends: [(RigidBodyHandle, Vector); 2]) {
-    let [(first, first_point), (second, second_point)] = ends;
-    let pin = GenericJointBuilder::new(flavour::PIN)
-        .local_anchor1(Point::from(first_point))
-        .local_anchor2(Point::from(second_point))
-        .contacts_enabled(false);
-    let joints = &mut stage.world.impulse_joints;
-    stage.links.push(Link {
-        joint: joints.insert(first, second, pin, true),
-        bodies: [first, second],
-        length: 2.0 * HALF,
-    });
+    stage.pin([previous, (frame, joint)], 2.0 * HALF);
 }

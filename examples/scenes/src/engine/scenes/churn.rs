@@ -1,17 +1,12 @@
 //! Churn: falling balls of which a share is replaced at every step, so that the indices of colliders are
 //! used again at once; a few are disabled for a while or change their collision group.
 
+use super::gas::GHOSTS;
+use super::grains::{SPACING, grain};
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, falling, jitter, own,
-    power, version,
+    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, jitter, own, power,
 };
-
-/// Radii differ by a tenth either way.
-const RADIUS: [Real; 2] = [0.45, 0.55];
-
-/// The distance between balls at the start.
-const SPACING: Real = 1.25;
 
 /// One of this many bodies is replaced at every step.
 const REPLACED: usize = 50;
@@ -30,10 +25,6 @@ const CHANGED: usize = 200;
 
 /// The speed at which Rapier pushes balls apart that were put into each other.
 const PUSHED_APART: Real = 10.0;
-
-/// Balls of this group touch all others, but not each other.
-const GHOSTS: InteractionGroups =
-    version::groups(Group::GROUP_2, Group::ALL.difference(Group::GROUP_2));
 
 /// Replaces some bodies at every step, and changes others.
 struct Replacement {
@@ -54,13 +45,13 @@ impl Script for Replacement {
         let removed: Vec<_> = (0..count)
             .map(|_| self.remove_any(world, &mut cue.random))
             .collect();
-        for (index, (center, radius)) in removed.into_iter().enumerate() {
+        for (index, (center, shape)) in removed.into_iter().enumerate() {
             // Half of the new ones take the place of an old one, the others are dropped in.
             let ball = match index % 2 {
                 0 => ball(center, 0.0),
                 _ => self.drop_in(&mut cue.random),
             };
-            let collider = ColliderBuilder::ball(radius);
+            let collider = ColliderBuilder::new(shape);
             self.balls.push(cue.insert(world, ball, collider));
         }
         if cue.step % INTERVAL == 0 {
@@ -73,15 +64,14 @@ impl Script for Replacement {
 }
 
 impl Replacement {
-    /// Removes a random ball, and returns its place and radius.
-    fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector, Real) {
+    /// Removes a random ball, and returns its place and shape.
+    fn remove_any(&mut self, world: &mut World, random: &mut Random) -> (Vector, SharedShape) {
         let handle = self.balls.swap_remove(random.index(self.balls.len()));
         let body = &world.bodies[handle];
-        let shape = world.colliders[body.colliders()[0]].shape();
-        let radius = shape.as_ball().map_or(RADIUS[0], |ball| ball.radius);
-        let place = (own(body.translation()), radius);
+        let shape = world.colliders[body.colliders()[0]].shared_shape().clone();
+        let place = own(body.translation());
         world.remove(handle);
-        place
+        (place, shape)
     }
 
     fn drop_in(&mut self, random: &mut Random) -> RigidBodyBuilder {
@@ -150,16 +140,14 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let drop_height = lattice.height() + 3.0;
     let walls = Container::standing(lattice.half_width() + 0.5, drop_height + 2.0);
 
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
     let balls = (0..bodies)
         .map(|index| {
-            let center = lattice.center(index) + jitter(random, 0.07);
-            let radius = random.range(RADIUS[0], RADIUS[1]);
-            world.insert(ball(center, 0.0), ColliderBuilder::ball(radius))
+            let (center, ball) = grain(lattice.center(index), random);
+            stage.insert(center, ball)
         })
         .collect();
-    Stage::new(world, walls.open()).with_script(Replacement {
+    stage.with_script(Replacement {
         balls,
         disabled: Vec::new(),
         ghosts: Vec::new(),

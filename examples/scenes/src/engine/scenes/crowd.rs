@@ -72,27 +72,28 @@ fn aside(way: Vector) -> Vector {
 
 /// The part of a vector that is in the plane.
 fn planar(full: Vector) -> Vector {
-    vector(|axis| {
-        if flavour::PLANE.contains(&axis) {
-            full[axis]
-        } else {
-            0.0
-        }
-    })
+    let mut planar = Vector::default();
+    for axis in flavour::PLANE {
+        planar[axis] = full[axis];
+    }
+    planar
+}
+
+/// Half of a box that is so wide in the plane, and as high as a walker.
+fn flat(half_width: Real) -> Vector {
+    let mut half = vector(|_| HALF_HEIGHT);
+    for axis in flavour::PLANE {
+        half[axis] = half_width;
+    }
+    half
 }
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let side = ((bodies as Real).sqrt().ceil() as usize).max(1);
     let half_width = side as Real * SPACING / 2.0;
     let container = Container {
-        lo: vector(|axis| match flavour::PLANE.contains(&axis) {
-            true => -half_width,
-            false => -HALF_HEIGHT,
-        }),
-        hi: vector(|axis| match flavour::PLANE.contains(&axis) {
-            true => half_width,
-            false => HALF_HEIGHT,
-        }),
+        lo: -flat(half_width),
+        hi: flat(half_width),
     };
     let slippery = |builder: ColliderBuilder| builder.friction(0.0).build();
     let mut world = floating();
@@ -127,10 +128,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
 /// A box or a round figure with the same bounds.
 fn figure(index: usize) -> ColliderBuilder {
     match index % 2 {
-        0 => cuboid(vector(|axis| match flavour::PLANE.contains(&axis) {
-            true => HALF_WIDTH,
-            false => HALF_HEIGHT,
-        })),
+        0 => cuboid(flat(HALF_WIDTH)),
         _ if DIM == 2 => ColliderBuilder::ball(HALF_WIDTH),
         _ => ColliderBuilder::capsule_y(HALF_HEIGHT - HALF_WIDTH, HALF_WIDTH),
     }

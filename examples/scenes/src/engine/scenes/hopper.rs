@@ -1,16 +1,11 @@
 //! A hopper: grains that are poured through a funnel in batches, so that the number of bodies grows.
 
+use super::grains::{SPACING, grain};
 use super::rapier::prelude::*;
 use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cosine, cuboid, falling,
-    flavour, horizontal, jitter, sine, vector,
+    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cosine, cuboid, flavour,
+    horizontal, sine, vector,
 };
-
-/// Grains differ in radius by a tenth either way.
-const RADIUS: [Real; 2] = [0.45, 0.55];
-
-/// The distance between grains of a batch.
-const SPACING: Real = 1.25;
 
 /// The number of steps between two batches, in which the last one moves out of the way.
 const INTERVAL: usize = 6;
@@ -40,15 +35,9 @@ impl Script for Pouring {
         self.left -= batch;
         for index in 0..batch {
             let place = self.layer.center(index) + along(UP, self.height);
-            let center = place + jitter(&mut cue.random, 0.07);
-            let radius = cue.random.range(RADIUS[0], RADIUS[1]);
-            cue.insert(
-                world,
-                RigidBodyBuilder::dynamic()
-                    .translation(center)
-                    .linvel(along(UP, -SPEED)),
-                ColliderBuilder::ball(radius),
-            );
+            let (center, ball) = grain(place, &mut cue.random);
+            let body = RigidBodyBuilder::dynamic().translation(center);
+            cue.insert(world, body.linvel(along(UP, -SPEED)), ball);
         }
     }
 }
@@ -66,14 +55,13 @@ pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
     };
 
     let walls = Container::standing(half_width, pouring.height + 2.0 * SPACING);
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
     for axis in horizontal() {
         for side in [-1.0, 1.0] {
-            insert_panel(&mut world, axis, side, outlet, half_width);
+            insert_panel(&mut stage.world, axis, side, outlet, half_width);
         }
     }
-    Stage::new(world, walls.open()).with_script(pouring)
+    stage.with_script(pouring)
 }
 
 /// Inserts the panel of the funnel that leads from the outlet up to one of the walls.

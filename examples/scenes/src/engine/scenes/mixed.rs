@@ -5,8 +5,7 @@
 
 use super::rapier::prelude::*;
 use super::{
-    Container, Lattice, Random, Stage, UP, Vector, World, cube, falling, horizontal, jitter,
-    log_range,
+    Container, Lattice, Random, Stage, UP, Vector, cube, falling, horizontal, jitter, log_range,
 };
 
 /// The sizes of the last scene: most bodies are near the lower end.
@@ -27,14 +26,14 @@ pub(super) fn build_heap(bodies: usize, ratio: Real, random: &mut Random) -> Sta
     // A turned cube needs no more than the spacing, so that nothing overlaps at the start.
     let lattice = Lattice::heap(bodies, 2.0 * sizes[1] * 1.1, 0.3);
     let container = Container::above_ground();
-    let mut world = falling();
-    container.dig(&mut world);
+    let mut stage = Stage::new(falling(), container);
+    container.dig(&mut stage.world);
     for index in 0..bodies {
         let center = lattice.center(index) + jitter(random, 0.04);
         let half = log_range(random, sizes[0], sizes[1]);
-        insert_body(&mut world, index, half, center);
+        stage.insert(center, ball_or_cube(index, half));
     }
-    Stage::new(world, container)
+    stage
 }
 
 /// Builds a pit of half-spaces with hills, of which only the tops show, and grains falling onto them.
@@ -47,8 +46,8 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
     let lattice = Lattice::heap(grains, 2.0 * GRAIN[1] * 1.1, 0.2);
     let half_width = lattice.half_width() + 0.5;
     let container = Container::standing(half_width, lattice.height()).open();
-    let mut world = falling();
-    container.dig(&mut world);
+    let mut stage = Stage::new(falling(), container);
+    container.dig(&mut stage.world);
 
     for hill in 0..hills {
         // The first hill is the largest and the first grain the smallest, so that the ratio is as named.
@@ -61,10 +60,8 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
             center[axis] = random.range(-half_width, half_width);
         }
         center[UP] = random.range(RISE[0], RISE[1]) - radius;
-        world.insert(
-            RigidBodyBuilder::fixed().translation(center),
-            ColliderBuilder::ball(radius),
-        );
+        let body = RigidBodyBuilder::fixed().translation(center);
+        stage.world.insert(body, ColliderBuilder::ball(radius));
     }
     for index in 0..grains {
         let mut center = lattice.center(index) + jitter(random, 0.03);
@@ -74,16 +71,15 @@ pub(super) fn build_hills(bodies: usize, random: &mut Random) -> Stage {
             0 => GRAIN[0],
             _ => log_range(random, GRAIN[0], GRAIN[1]).min(log_range(random, GRAIN[0], GRAIN[1])),
         };
-        insert_body(&mut world, index, half, center);
+        stage.insert(center, ball_or_cube(index, half));
     }
-    Stage::new(world, container)
+    stage
 }
 
-/// Inserts a ball or a cube.
-fn insert_body(world: &mut World, index: usize, half: Real, center: Vector) {
-    let collider = match index % 2 {
+/// Balls and cubes by turns.
+fn ball_or_cube(index: usize, half: Real) -> ColliderBuilder {
+    match index % 2 {
         0 => ColliderBuilder::ball(half),
         _ => cube(half),
-    };
-    world.insert(RigidBodyBuilder::dynamic().translation(center), collider);
+    }
 }

@@ -2,11 +2,11 @@
 
 use super::container::Container;
 use super::lattice::Lattice;
-use super::queries::Queries;
-use super::rapier::math::Real;
+use super::rapier::geometry::ColliderBuilder;
+use super::rapier::math::{DIM, Real};
 use super::script::{Cue, Script};
 use super::space::*;
-use super::stage::{Link, Stage};
+use super::stage::{Stage, falling};
 use super::world::World;
 use super::{flavour, rapier, vehicle, version};
 use crate::SceneKind;
@@ -16,9 +16,8 @@ mod bullets;
 mod chains;
 mod churn;
 mod crowd;
-mod falling_balls;
 mod gas;
-mod ghosts;
+mod grains;
 mod hopper;
 mod mixed;
 mod net;
@@ -37,7 +36,7 @@ mod wall;
 /// Builds the stage of a scene.
 pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stage {
     match kind {
-        SceneKind::FallingBalls => falling_balls::build(bodies, random),
+        SceneKind::FallingBalls => grains::build(bodies, random),
         SceneKind::Pyramid => pyramid::build_one(bodies, random),
         SceneKind::Gas => gas::build(bodies, random),
         SceneKind::Ropes => ropes::build(bodies, random),
@@ -56,7 +55,7 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Soft => soft::build(bodies, random),
         SceneKind::TileMap => tile_map::build(bodies, random),
         SceneKind::Ships => ships::build(bodies, random),
-        SceneKind::Ghosts => ghosts::build(bodies, random),
+        SceneKind::Ghosts => gas::build_ghosts(bodies, random),
         SceneKind::Player => player::build(bodies, random),
         SceneKind::Stacks => stacks::build(bodies, random),
         SceneKind::Wall => wall::build(bodies, random),
@@ -65,21 +64,19 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
     }
 }
 
-/// A world in which things fall.
-fn falling() -> World {
-    World::new(along(UP, -GRAVITY))
-}
-
 /// A world without gravity.
 fn floating() -> World {
     World::new(vector(|_| 0.0))
 }
 
-/// Inserts a floor whose top is at height zero.
-fn lay_floor(world: &mut World, half_width: Real) {
-    const HALF_THICKNESS: Real = 2.0;
-    let floor = cuboid(wide_high(half_width, HALF_THICKNESS));
-    world
-        .colliders
-        .insert(floor.translation(along(UP, -HALF_THICKNESS)));
+/// Inserts fixed balls above the floor, so far apart, which ropes and nets come to lie over.
+fn insert_obstacles(world: &mut World, half_width: Real, apart: Real, random: &mut Random) {
+    const RADIUS: Real = 0.6;
+    let columns = ((2.0 * half_width / apart) as usize).max(1);
+    let lattice = Lattice::with_columns(columns.pow(DIM as u32 - 1), apart, columns);
+    for index in 0..lattice.per_layer() {
+        let center = lattice.center(index) + jitter(random, 0.5);
+        let ball = ColliderBuilder::ball(RADIUS);
+        world.colliders.insert(ball.translation(center));
+    }
 }

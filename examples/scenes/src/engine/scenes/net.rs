@@ -3,9 +3,7 @@
 //! Everything moves together and little, and most pairs that a broad phase reports are of joined neighbours.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Lattice, Point, Random, Stage, UP, World, falling, flavour, jitter, vector,
-};
+use super::{Container, Point, Random, Stage, UP, flavour, insert_obstacles, jitter, vector};
 
 /// The radius of a knot.
 const RADIUS: Real = 0.2;
@@ -22,10 +20,6 @@ const ASPECT: usize = 4;
 /// How far above the obstacles the net begins.
 const HEIGHT: Real = 2.0;
 
-/// The radius of an obstacle, and the distance between two.
-const OBSTACLE: Real = 0.6;
-const APART: Real = 4.0;
-
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let columns = match DIM {
         2 => bodies * ASPECT,
@@ -40,9 +34,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         _ => HEIGHT,
     };
     let walls = Container::standing(half_width, top + 2.0);
-    let mut stage = Stage::new(falling(), walls.open());
-    walls.wall_in(&mut stage.world, |side| side.build());
-    insert_obstacles(&mut stage.world, half_width, random);
+    let mut stage = Stage::walled(walls);
+    insert_obstacles(&mut stage.world, half_width, 4.0, random);
 
     // The second axis of the net: down in the plane, and otherwise to the side.
     let across = if DIM == 2 { UP } else { DIM - 1 };
@@ -86,16 +79,4 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         knots.push(knot);
     }
     stage
-}
-
-/// Inserts fixed balls on the floor, which the net comes to lie over.
-fn insert_obstacles(world: &mut World, half_width: Real, random: &mut Random) {
-    let columns = ((2.0 * half_width / APART) as usize).max(1);
-    let lattice = Lattice::with_columns(columns.pow(DIM as u32 - 1), APART, columns);
-    for index in 0..lattice.per_layer() {
-        let center = lattice.center(index) + jitter(random, 0.5);
-        world
-            .colliders
-            .insert(ColliderBuilder::ball(OBSTACLE).translation(center));
-    }
 }

@@ -3,20 +3,15 @@
 //! Both are controllers of Rapier, which ask the broad phase's tree at every step: the character where it can go and
 //! whom it pushes, the vehicle what is under its wheels. Sixteen rays a step are what the character sees.
 
+use super::grains::{SPACING, grain};
 use super::rapier::control::KinematicCharacterController;
+use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 use super::vehicle::Vehicle;
 use super::{
-    Container, Cue, GRAVITY, Lattice, Point, Queries, Random, Script, Stage, UP, Vector, World,
-    along, cosine, direction, dot, falling, flavour, jitter, length_squared, own, sine, vector,
-    version,
+    Container, Cue, GRAVITY, Lattice, Point, Random, Script, Stage, UP, Vector, World, along,
+    cosine, direction, dot, flavour, length_squared, own, sine, vector,
 };
-
-/// Radii of balls differ by a tenth either way.
-const RADIUS: [Real; 2] = [0.45, 0.55];
-
-/// The distance between two balls at the start.
-const SPACING: Real = 1.25;
 
 /// Half the height of the character, without its round ends.
 const HALF: Real = 0.5;
@@ -48,16 +43,14 @@ struct Play {
 }
 
 impl Script for Play {
-    fn prepare(&mut self, _world: &mut World, _cue: &mut Cue) {}
-
     fn asks(&self) -> bool {
         true
     }
 
-    fn ask(&mut self, world: &mut World, cue: &mut Cue, queries: &dyn Queries) {
-        self.walk(world, cue, queries);
+    fn ask(&mut self, world: &mut World, cue: &mut Cue, tree: &Bvh) {
+        self.walk(world, cue, tree);
         if let Some(vehicle) = &mut self.vehicle {
-            let work = vehicle.drive(cue.step, world, queries);
+            let work = vehicle.drive(cue.step, world, tree);
             cue.supply(1.0, work);
         }
     }
@@ -81,7 +74,7 @@ impl Script for Play {
 
 impl Play {
     /// Walks on, falls and pushes balls, and turns where it cannot go on.
-    fn walk(&mut self, world: &mut World, cue: &mut Cue, queries: &dyn Queries) {
+    fn walk(&mut self, world: &mut World, cue: &mut Cue, tree: &Bvh) {
         let dt = world.params.dt;
         let place = *world.bodies[self.body].position();
         self.fall += GRAVITY * dt;
@@ -91,7 +84,7 @@ impl Play {
         let mut hits = Vec::new();
         let movement = self.controller.move_shape(
             dt,
-            &queries.pipeline(&world.bodies, &world.colliders, filter),
+            &world.queries(tree, filter),
             &*self.shape,
             &place,
             wanted,
@@ -99,7 +92,7 @@ impl Play {
         );
         self.controller.solve_character_collision_impulses(
             dt,
-            &mut queries.pipeline_mut(&mut world.bodies, &mut world.colliders, filter),
+            &mut world.queries_mut(tree, filter),
             &*self.shape,
             MASS,
             &hits,
@@ -108,7 +101,7 @@ impl Play {
         let pushed = hits.len() as Real * MASS;
         cue.supply(pushed, length_squared(wanted / dt));
 
-        let next = version::origin(&place) + movement.translation;
+        let next = own(world.bodies[self.body].translation()) + movement.translation;
         world.bodies[self.body].set_next_kinematic_translation(next);
         if movement.grounded {
             self.fall = 0.0;
@@ -134,11 +127,11 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     // Wide enough that the balls do not bury the floor deeply.
     let half_width = 2.0 * lattice.half_width() + 4.0;
     let walls = Container::standing(half_width, lattice.height() + 1.0);
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
     if bodies == 0 {
-        return Stage::new(world, walls.open());
+        return stage;
     }
+    let world = &mut stage.world;
 
     let mut place = along(0, 1.5 - half_width);
     place[UP] = HALF + GIRTH + 0.1;
@@ -149,20 +142,16 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     );
     place[0] = half_width - 2.5;
     let vehicle = if bodies > 1 {
-        Vehicle::insert(&mut world, place)
+        Vehicle::insert(world, place)
     } else {
         None
     };
     let driven = world.bodies.len();
     for index in 0..bodies - driven {
-        let center = lattice.center(index) + jitter(random, 0.07);
-        let radius = random.range(RADIUS[0], RADIUS[1]);
-        world.insert(
-            RigidBodyBuilder::dynamic().translation(center),
-            ColliderBuilder::ball(radius),
-        );
+        let (center, ball) = grain(lattice.center(index), random);
+        stage.insert(center, ball);
     }
-    Stage::new(world, walls.open()).with_script(Play {
+    stage.with_script(Play {
         body,
         shape,
         controller: KinematicCharacterController::default(),

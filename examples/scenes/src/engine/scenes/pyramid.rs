@@ -1,10 +1,7 @@
 //! Pyramids of cuboids, one or many: contact chains, deep or shallow, that come to rest and fall asleep.
 
 use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Lattice, Random, Stage, UP, Vector, World, cube, falling, horizontal, lay_floor,
-    vector,
-};
+use super::{Lattice, Random, Stage, UP, Vector, cube, horizontal, vector};
 
 /// Half the side of a cuboid.
 const HALF: Real = 0.5;
@@ -31,30 +28,28 @@ pub(super) fn build_one(bodies: usize, random: &mut Random) -> Stage {
         count += usize::pow(base, DIM as u32 - 1);
     }
 
-    let mut world = falling();
-    lay_floor(&mut world, base as Real * SPACING + 10.0);
-    insert_pyramid(&mut world, Vector::default(), base, bodies, random);
-    Stage::new(world, Container::above_ground())
+    let mut stage = Stage::on_floor(base as Real * SPACING + 10.0);
+    insert_pyramid(&mut stage, Vector::default(), base, bodies, random);
+    stage
 }
 
 /// Builds small pyramids side by side, in a row or in rows.
 pub(super) fn build_many(bodies: usize, random: &mut Random) -> Stage {
     let pyramids = bodies.div_ceil(SMALL);
     let lattice = Lattice::layer(pyramids, APART);
-    let mut world = falling();
-    lay_floor(&mut world, lattice.half_width() + 10.0);
+    let mut stage = Stage::on_floor(lattice.half_width() + 10.0);
     for pyramid in 0..pyramids {
         let mut middle = lattice.center(pyramid);
         middle[UP] = 0.0;
         let cuboids = SMALL.min(bodies - pyramid * SMALL);
-        insert_pyramid(&mut world, middle, SMALL_BASE, cuboids, random);
+        insert_pyramid(&mut stage, middle, SMALL_BASE, cuboids, random);
     }
-    Stage::new(world, Container::above_ground())
+    stage
 }
 
 /// Inserts a pyramid. Its tip is cut off where the cuboids run out.
 fn insert_pyramid(
-    world: &mut World,
+    stage: &mut Stage,
     middle: Vector,
     base: usize,
     cuboids: usize,
@@ -71,7 +66,7 @@ fn insert_pyramid(
                 rest /= side;
                 center[axis] = place * SPACING + random.range(-OFFSET, OFFSET) + middle[axis];
             }
-            world.insert(RigidBodyBuilder::dynamic().translation(center), cube(HALF));
+            stage.insert(center, cube(HALF));
             left -= 1;
         }
     }

@@ -5,8 +5,7 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Lattice, Link, Point, Random, Stage, UP, Vector, World, along, falling, flavour,
-    jitter, vector,
+    Container, Random, Stage, UP, Vector, along, flavour, insert_obstacles, jitter, vector,
 };
 
 /// The number of capsules in a rope.
@@ -33,9 +32,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let half_width = (width as Real * SPACING / 2.0).max(length) + 2.0;
     let walls = Container::standing(half_width, length + layers as Real * SPACING);
 
-    let mut stage = Stage::new(falling(), walls.open());
-    walls.wall_in(&mut stage.world, |side| side.build());
-    insert_obstacles(&mut stage.world, half_width, random);
+    let mut stage = Stage::walled(walls);
+    insert_obstacles(&mut stage.world, half_width, 3.0, random);
     for rope in 0..ropes {
         let segments = SEGMENTS.min(bodies - rope * SEGMENTS);
         let across = (rope % width) as Real - (width - 1) as Real / 2.0;
@@ -50,20 +48,6 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     stage
 }
 
-/// Inserts fixed balls between floor and ropes, which the ropes come to lie over.
-fn insert_obstacles(world: &mut World, half_width: Real, random: &mut Random) {
-    const OBSTACLE: Real = 0.6;
-    const APART: Real = 3.0;
-    let columns = (2.0 * half_width / APART) as usize;
-    let lattice = Lattice::with_columns(columns.pow(DIM as u32 - 1), APART, columns);
-    for index in 0..lattice.per_layer() {
-        let center = lattice.center(index) + jitter(random, 0.5);
-        world
-            .colliders
-            .insert(ColliderBuilder::ball(OBSTACLE).translation(center));
-    }
-}
-
 /// Inserts a rope that lies along the first axis from `start` on.
 fn insert_rope(
     stage: &mut Stage,
@@ -74,10 +58,7 @@ fn insert_rope(
 ) {
     let mut previous = hangs.then(|| {
         let hook = RigidBodyBuilder::fixed().translation(start);
-        (
-            stage.world.bodies.insert(hook),
-            Point::from(Vector::default()),
-        )
+        (stage.world.bodies.insert(hook), Vector::default())
     });
     for segment in 0..segments {
         let along_rope = (2 * segment + 1) as Real * HALF;
@@ -89,18 +70,9 @@ fn insert_rope(
             ColliderBuilder::capsule_y(HALF, RADIUS),
         );
         // Lying turns the upper end of a capsule to the negative side of the first axis.
-        let upper = Point::from(along(UP, HALF));
-        if let Some((before, anchor)) = previous {
-            let pin = GenericJointBuilder::new(flavour::PIN)
-                .local_anchor1(anchor)
-                .local_anchor2(upper)
-                .contacts_enabled(false);
-            let joint = stage.world.impulse_joints.insert(before, body, pin, true);
-            stage.links.push(Link {
-                joint,
-                bodies: [before, body],
-                length: 2.0 * HALF,
-            });
+        let upper = along(UP, HALF);
+        if let Some(end) = previous {
+            stage.pin([end, (body, upper)], 2.0 * HALF);
         }
         previous = Some((body, -upper));
     }

@@ -3,8 +3,8 @@
 
 use super::rapier::{math::DIM, prelude::*};
 use super::{
-    Container, Lattice, Point, Random, Stage, UP, along, cube, cuboid, falling, flavour, jitter,
-    vector, version, wide_high,
+    Container, Lattice, Point, Random, Stage, UP, along, cube, cuboid, flavour, jitter, vector,
+    version, wide_high,
 };
 
 /// The distance between bodies at the start.
@@ -27,8 +27,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         lo: wide_high(-half_width, -1.0),
         hi: wide_high(half_width, lattice.height() + 4.0),
     };
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
+    let world = &mut stage.world;
     let cells = (half_width as usize).clamp(2, 64);
     world
         .colliders
@@ -54,7 +54,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
                 .insert_with_parent(collider, body, &mut world.bodies);
         }
     }
-    Stage::new(world, walls.open())
+    stage
 }
 
 /// The colliders of a body of one of the kinds. All fit into a cell of the lattice however they are turned.

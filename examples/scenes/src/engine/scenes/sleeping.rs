@@ -3,7 +3,7 @@
 use super::rapier::{math::DIM, prelude::*};
 use super::{
     Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, cube, cuboid,
-    falling, flavour, own, power, sine, vector, wide_high,
+    flavour, own, power, sine, vector, wide_high,
 };
 
 /// Half the size of a box.
@@ -73,8 +73,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let half_width = lattice.half_width() + 1.0;
 
     let walls = Container::standing(half_width, storeys as Real * STOREY);
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
+    let world = &mut stage.world;
     for storey in 1..storeys {
         let center = along(UP, storey as Real * STOREY - 0.25);
         world
@@ -108,7 +108,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             }
         })
         .collect();
-    Stage::new(world, walls.open()).with_script(Errands {
+    stage.with_script(Errands {
         movers,
         half_width: lattice.half_width(),
     })

@@ -1,7 +1,7 @@
 //! Soft bodies in a heap with balls: Rapier's own where it has them, and otherwise balls on springs.
 
 use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, UP, along, falling, jitter, version};
+use super::{Container, Lattice, Random, Stage, UP, along, jitter, version};
 
 /// One body in this many is soft.
 const SOFT_ONE_IN: usize = 10;
@@ -22,16 +22,14 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let count = bodies - soft * (parts - 1);
     let lattice = Lattice::heap(count, SPACING, 1.0);
     let walls = Container::standing(lattice.half_width() + 0.5, lattice.height() + 2.0);
-    let mut world = falling();
-    walls.wall_in(&mut world, |side| side.build());
+    let mut stage = Stage::walled(walls);
     for index in 0..count {
         let center = lattice.center(index) + along(UP, 0.5) + jitter(random, 0.05);
         if index % SOFT_ONE_IN == 0 && index / SOFT_ONE_IN < soft {
-            version::insert_soft_body(&mut world, center, HALF);
+            version::insert_soft_body(&mut stage.world, center, HALF);
         } else {
-            let ball = RigidBodyBuilder::dynamic().translation(center);
-            world.insert(ball, ColliderBuilder::ball(RADIUS));
+            stage.insert(center, ColliderBuilder::ball(RADIUS));
         }
     }
-    Stage::new(world, walls.open())
+    stage
 }

@@ -2,7 +2,7 @@
 //! what is above and below.
 
 use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, UP, cube, falling, horizontal, lay_floor};
+use super::{Lattice, Random, Stage, UP, cube, horizontal};
 
 /// Half the side of a box.
 const HALF: Real = 0.5;
@@ -18,8 +18,7 @@ const HIGH: usize = 14;
 
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let lattice = Lattice::layer(bodies.div_ceil(HIGH), SPACING);
-    let mut world = falling();
-    lay_floor(&mut world, lattice.half_width() + 10.0);
+    let mut stage = Stage::on_floor(lattice.half_width() + 10.0);
     for index in 0..bodies {
         let layer = index / lattice.per_layer();
         let mut center = lattice.center(index);
@@ -27,7 +26,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         for axis in horizontal() {
             center[axis] += random.range(-OFFSET, OFFSET);
         }
-        world.insert(RigidBodyBuilder::dynamic().translation(center), cube(HALF));
+        stage.insert(center, cube(HALF));
     }
-    Stage::new(world, Container::above_ground())
+    stage
 }

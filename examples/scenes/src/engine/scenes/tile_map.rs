@@ -38,11 +38,12 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         _ => (side, 3),
     };
     let map = Lattice::with_columns(columns.pow(DIM as u32 - 1) * depth, 2.0 * HALF, columns);
-    let mut world = falling();
+    let mut stage = Stage::new(falling(), Container::above_ground());
     for index in 0..map.layers * map.per_layer() {
         let mut center = map.center(index);
         center[UP] -= map.height();
-        world.colliders.insert(cube(HALF).translation(center));
+        let tile = cube(HALF).translation(center);
+        stage.world.colliders.insert(tile);
     }
 
     let per_layer = bodies.div_ceil(LAYERS).max(1);
@@ -53,13 +54,11 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         let mut center = lattice.center(index);
         center[UP] = 2.0 * RADIUS + (index / lattice.per_layer()) as Real * LAYER;
         let velocity = jitter(random, SPEED);
-        world.insert(
-            RigidBodyBuilder::dynamic()
-                .translation(center + jitter(random, 0.05))
-                .linvel(velocity)
-                .angular_damping(DAMPING),
-            ColliderBuilder::ball(RADIUS),
-        );
+        let ball = RigidBodyBuilder::dynamic()
+            .translation(center + jitter(random, 0.05))
+            .linvel(velocity)
+            .angular_damping(DAMPING);
+        stage.world.insert(ball, ColliderBuilder::ball(RADIUS));
     }
-    Stage::new(world, Container::above_ground())
+    stage
 }

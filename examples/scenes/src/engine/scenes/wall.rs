@@ -1,7 +1,7 @@
 //! A brick wall in running bond: every other course starts and ends with half a brick. In space it is one brick thick.
 
 use super::rapier::prelude::*;
-use super::{Container, Random, Stage, UP, cuboid, falling, lay_floor, vector};
+use super::{Random, Stage, UP, cuboid, vector};
 
 /// Half the height of a brick, and half its depth in space.
 const HALF_HEIGHT: Real = 0.25;
@@ -22,8 +22,7 @@ const ASPECT: usize = 6;
 pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let columns = ((bodies.max(1) * ASPECT) as f64).sqrt().ceil() as usize;
     let half_width = columns as Real * UNIT;
-    let mut world = falling();
-    lay_floor(&mut world, half_width + 10.0);
+    let mut stage = Stage::on_floor(half_width + 10.0);
     for index in 0..bodies {
         let (course, place) = place(index, columns);
         // Where the brick begins and ends, in halves of bricks.
@@ -41,12 +40,9 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             UP => HALF_HEIGHT,
             _ => HALF_DEPTH,
         });
-        world.insert(
-            RigidBodyBuilder::dynamic().translation(center),
-            cuboid(half),
-        );
+        stage.insert(center, cuboid(half));
     }
-    Stage::new(world, Container::above_ground())
+    stage
 }
 
 /// The course of a brick, and its place in it. Courses have `columns` bricks and one more by turns.

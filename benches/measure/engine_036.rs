@@ -1,0 +1,55 @@
+//! How Rapier 0.36 drives a broad phase: it hands over the boxes of what it has moved, which it computes for any broad phase,
+//! and lists what is new.
+
+use super::frames::{Changes, World};
+use super::ours::UnisizeBroadPhase;
+use super::rapier::prelude::*;
+use std::time::Duration;
+
+/// The version of Rapier.
+pub(crate) const RAPIER: &str = "0.36";
+
+/// Removes a collider.
+pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world: &mut World) {
+    let (bodies, soft_bodies) = (&mut world.bodies, &mut SoftBodySet::new());
+    let colliders = &mut world.colliders;
+    colliders.remove(handle, islands, bodies, soft_bodies, false);
+}
+
+/// A broad phase as its engine drives it.
+pub(crate) trait Driven {
+    /// How long an update takes. What Rapier's own defers, to do it beside the solver, counts as a part of the next update.
+    fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration;
+}
+
+macro_rules! driven {
+    ($broad_phase:ty, $set_boxes:expr) => {
+        impl Driven for $broad_phase {
+            fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration {
+                let (params, bodies) = (&world.params, &world.bodies);
+                let colliders = &world.colliders;
+                let box_of = |&handle: &ColliderHandle| {
+                    let aabb = colliders[handle].compute_broad_phase_aabb(params, bodies);
+                    (handle, aabb)
+                };
+                let boxes: Vec<_> = changes.moved.iter().map(box_of).collect();
+                let (inserted, removed) = (changes.inserted, changes.removed);
+                let events = &mut world.events;
+                world.clock.time(|| {
+                    $set_boxes(self, params, &boxes);
+                    self.update(params, colliders, bodies, inserted, removed, events);
+                })
+            }
+        }
+    };
+}
+
+driven!(UnisizeBroadPhase, UnisizeBroadPhase::set_aabbs);
+driven!(
+    DefaultBroadPhase,
+    |tree: &mut DefaultBroadPhase, params: &_, boxes: &[(ColliderHandle, Aabb)]| {
+        for (handle, aabb) in boxes {
+            tree.set_aabb(params, *handle, *aabb);
+        }
+    }
+);

@@ -1,0 +1,55 @@
+//! How many bytes a collider broad phases hold, which is what dropping them frees, and whether time and memory a body stay level up to
+//! millions. Events do not count, since they go into the caller's list.
+//!
+//! The same cubes move in every frame, spread over the whole environment. Moving them and listing them is not timed.
+
+use crate::case::{Case, Motion};
+use crate::options::Options;
+use crate::report::Report;
+use crate::{dim2, dim2_036, dim3, dim3_036};
+
+/// Gives 0.8 overlapping pairs per box.
+const DENSITIES: [f64; 2] = [0.4, 0.2];
+
+/// Numbers of bodies. The largest world takes some 10 GB.
+const SCALE: [usize; 4] = [100_000, 300_000, 1_000_000, 4_000_000];
+
+const MOTIONS: [Motion; 4] = [
+    Motion::OneIn(1),
+    Motion::OneIn(10),
+    Motion::OneIn(100),
+    Motion::InMargin,
+];
+
+fn case(dim: usize, count: usize, motion: Motion, bodies: bool) -> Case {
+    Case {
+        count,
+        density: DENSITIES[dim - 2],
+        motion,
+        bodies,
+    }
+}
+
+/// Measures the memory of both versions after each motion of colliders without bodies.
+pub(crate) fn memory(options: &Options, report: &mut Report) -> anyhow::Result<()> {
+    let (count, frames) = options.least((1 << 16, 60), (1_000, 3));
+    for motion in MOTIONS {
+        let [flat, solid] = [2, 3].map(|dim| case(dim, count, motion, false));
+        report.row(&dim2::follow::measure(&flat, frames))?;
+        report.row(&dim3::follow::measure(&solid, frames))?;
+        report.row(&dim2_036::follow::measure(&flat, frames))?;
+        report.row(&dim3_036::follow::measure(&solid, frames))?;
+    }
+    Ok(())
+}
+
+/// Does the time a body stay level? All move, on a body each.
+pub(crate) fn scale(options: &Options, report: &mut Report) -> anyhow::Result<()> {
+    let frames = options.least(20, 2);
+    for &count in options.least(&SCALE[..], &[1_000]) {
+        let [flat, solid] = [2, 3].map(|dim| case(dim, count, Motion::OneIn(1), true));
+        report.row(&dim2::follow::measure(&flat, frames))?;
+        report.row(&dim3::follow::measure(&solid, frames))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,158 @@
+//! The scene simulated on each broad phase alone: what a whole step takes.
+//!
+//! The two worlds are stepped by turns, and the turn changes at each step, so that whatever else the machine does
+//! slows both down. The queries of a step are part of it: the default keeps its tree up to date in every update,
+//! while others may build one when they are asked.
+//!
+//! The worlds drift apart, since the order of events decides the order in which the solver works, and with it the
+//! last bits of its result. So their end states are not compared with each other, but each with what physics
+//! demands; see [`Sanity::verdict`].
+//!
+//! Neither of the two is clocked inside of a step: to be so, Rapier 0.36's own broad phase has to be wrapped, and does not work
+//! beside the solver any more. That is done in a world of its own, of which both times are taken.
+
+use super::super::observed::Observed;
+use super::super::queries::{AsQueryPipeline, tree_of};
+use super::super::rapier::prelude::*;
+use super::super::sanity::Sanity;
+use super::super::scene::Scene;
+use super::super::version::{self, BroadPhase, OwnBroadPhase};
+use super::super::world::Steppable;
+use super::rays::{self, SomeRays};
+use super::{Candidate, Comparison};
+use crate::{Both, End, Limit, Repeat, milliseconds};
+use std::time::{Duration, Instant};
+
+impl Comparison {
+    /// Simulates the scene on both, each alone.
+    pub(super) fn run_alone<C: BroadPhase + 'static>(
+        &self,
+        candidate: &Candidate<C>,
+        repeat: usize,
+    ) -> Repeat {
+        let seed = self.seed.wrapping_add(repeat as u64);
+        let (other, queries) = version::alone((candidate.create)(), candidate.queries);
+        let own = DefaultBroadPhase::new();
+        let mut default = Run::new(self, seed, own, DefaultBroadPhase::as_query_pipeline);
+        let mut other = Run::new(self, seed, other, queries);
+        for step in 0..self.steps {
+            if step % 2 == 0 {
+                default.step();
+                other.step();
+            } else {
+                other.step();
+                default.step();
+            }
+        }
+        let end = Both {
+            default: default.end(self.steps),
+            candidate: other.end(self.steps),
+        };
+        let ms_per_step = Both {
+            default: end.default.ms_per_step,
+            candidate: end.candidate.ms_per_step,
+        };
+        let ratio = ms_per_step.ratio();
+        Repeat { seed, ratio, end }
+    }
+
+    /// Simulates the scene on the default alone, and times its broad phase.
+    pub(super) fn run_clocked(&self) -> Limit {
+        let own = version::install(Observed::new(OwnBroadPhase::new()).clocked());
+        let mut run = Run::new(
+            self,
+            self.seed,
+            own,
+            |clocked, dispatcher, bodies, colliders, filter| {
+                let own = &clocked.inner;
+                own.as_query_pipeline(dispatcher, bodies, colliders, filter)
+            },
+        );
+        for _ in 0..self.steps {
+            run.step();
+        }
+        let [step, broad_phase] = [run.elapsed, run.broad_phase.timing().total]
+            .map(|time| milliseconds(time) / self.steps as f64);
+        Limit::of(step, broad_phase)
+    }
+}
+
+/// A scene on one broad phase.
+struct Run<B> {
+    scene: Scene,
+    initial: Sanity,
+    broad_phase: B,
+    queries: AsQueryPipeline<B>,
+    rays: SomeRays,
+    elapsed: Duration,
+    casting: Duration,
+}
+
+impl<B: Steppable> Run<B> {
+    fn new(
+        comparison: &Comparison,
+        seed: u64,
+        broad_phase: B,
+        queries: AsQueryPipeline<B>,
+    ) -> Self {
+        let scene = Scene::build(comparison.kind, comparison.bodies, seed);
+        Self {
+            initial: scene.sanity(),
+            rays: SomeRays::new(&scene, comparison.rays, seed),
+            scene,
+            broad_phase,
+            queries,
+            elapsed: Duration::ZERO,
+            casting: Duration::ZERO,
+        }
+    }
+
+    fn step(&mut self) {
+        let start = Instant::now();
+        let tree = || tree_of(&self.broad_phase, self.queries);
+        self.scene.prepare_asking(tree);
+        self.scene.world.step(self.broad_phase.for_step(), &(), &());
+        self.elapsed += start.elapsed();
+        let rays = self.rays.draw(&self.scene);
+        if rays.is_empty() {
+            return;
+        }
+        let start = Instant::now();
+        let tree = tree_of(&self.broad_phase, self.queries);
+        std::hint::black_box(rays::cast(tree, &self.scene.world, rays));
+        let casting = start.elapsed();
+        self.elapsed += casting;
+        self.casting += casting;
+    }
+
+    fn end(self, steps: usize) -> End {
+        let sanity = self.scene.sanity();
+        let ms_per_step = |time: Duration| milliseconds(time) / steps as f64;
+        End {
+            complaint: sanity.verdict(&self.initial).err(),
+            bodies: sanity.bodies,
+            asleep: sanity.sleeping,
+            outside: sanity.fallen_through,
+            not_finite: sanity.not_finite,
+            energy: sanity.energy(),
+            max_rope_stretch: sanity.max_rope_stretch,
+            pairs_without_contact: self.scene.world.pairs_without_contact(),
+            ms_per_step: ms_per_step(self.elapsed),
+            ms_of_rays: ms_per_step(self.casting),
+        }
+    }
+}
+
+/// Says so if the candidate's run went wrong where the default's did not.
+pub(super) fn difference(repeat: &Repeat) -> Option<String> {
+    match (
+        &repeat.end.default.complaint,
+        &repeat.end.candidate.complaint,
+    ) {
+        (None, Some(complaint)) => Some(format!(
+            "simulated on the candidate alone, with the seed {}: {complaint}, which does not happen on the default",
+            repeat.seed
+        )),
+        _ => None,
+    }
+}
