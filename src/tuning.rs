@@ -178,7 +178,7 @@ pub(crate) mod update {
     pub(crate) const MOST_CANDIDATES: usize = 8;
 }
 
-/// How far ahead fat boxes are drawn. Shown by `cargo bench --all-features -- prices`.
+/// How far ahead fat boxes are drawn.
 pub(crate) mod foresight {
     /// Box sizes: how far ahead fat boxes are drawn, at the mean speed. Above: more candidates where things are fast. Below: more
     /// searches.
@@ -212,8 +212,8 @@ pub(crate) mod foresight {
 }
 
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
-/// caches. Chosen, and not fitted: `cargo bench --all-features -- prices` fits other prices to the times of updates,
-/// but a fit does not know what that spares or costs later. Only ratios decide anything.
+/// caches. Chosen, and not fitted: a fit to the times of updates does not know what they spare or cost later. Only ratios
+/// decide anything.
 pub(crate) mod prices {
     /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
     /// lists are left unused where few move.
