@@ -16,7 +16,7 @@ const CLASS: f64 = 4.0;
 
 /// What is dealt to processes: a box, its number, and what travels with it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(bound = "R: Real + Sent, T: Sent")]
+#[serde(bound = "[R; D]: Sent, T: Sent")]
 pub struct Body<R, const D: usize, T = ()> {
     /// Its number, the same wherever it is. No two bodies have one number.
     pub number: u64,
@@ -67,7 +67,10 @@ pub struct Domains<'a, R, const D: usize, T = ()> {
     pub stats: Stats,
 }
 
-impl<'a, R: Real + Sent, const D: usize, T: Copy + Sent> Domains<'a, R, D, T> {
+impl<'a, R: Real, const D: usize, T: Copy + Sent> Domains<'a, R, D, T>
+where
+    [R; D]: Sent,
+{
     /// With these bodies on this process: any, for they are dealt when pairs are first searched for.
     pub fn new(world: &'a World, bodies: Vec<Body<R, D, T>>) -> Self {
         Self {

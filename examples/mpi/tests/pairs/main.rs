@@ -4,7 +4,6 @@
 #[path = "../../../../tests/oracle/boxes.rs"]
 mod boxes;
 #[path = "../../../../tests/oracle/inputs.rs"]
-#[expect(unused_imports)]
 mod inputs;
 #[path = "../../../../tests/oracle/limits.rs"]
 mod limits;
@@ -37,7 +36,10 @@ fn main() -> Result<()> {
 }
 
 /// Checks everything in one dimension and scalar, and returns the number of lists.
-fn unions_are_exact<R: Number + Sent, const D: usize>(world: &World) -> Result<usize> {
+fn unions_are_exact<R: Number, const D: usize>(world: &World) -> Result<usize>
+where
+    [R; D]: Sent,
+{
     let mut lists = inputs::all::<R, D>();
     lists.extend(HardBoxes::ALL.map(|kind| {
         let corner = |corner: [f32; D]| corner.map(|x| R::from_f64(x.into()));
@@ -52,17 +54,20 @@ fn unions_are_exact<R: Number + Sent, const D: usize>(world: &World) -> Result<u
 }
 
 /// Moves each own body to where its box is now.
-fn place<R: Number + Sent, const D: usize>(domains: &mut Domains<R, D>, boxes: &[Aabb<R, D>]) {
+fn place<R: Number, const D: usize>(domains: &mut Domains<R, D>, boxes: &[Aabb<R, D>]) {
     for own in &mut domains.bodies {
         own.aabb = boxes[own.number as usize];
     }
 }
 
 /// All bodies are on the last process, which deals them.
-fn domains<'a, R: Number + Sent, const D: usize>(
+fn domains<'a, R: Number, const D: usize>(
     world: &'a World,
     boxes: &[Aabb<R, D>],
-) -> Domains<'a, R, D> {
+) -> Domains<'a, R, D>
+where
+    [R; D]: Sent,
+{
     let is_last = world.rank() + 1 == world.size();
     let mine = if is_last { boxes } else { &[] };
     let bodies = (0..).zip(mine).map(|(number, &aabb)| {
@@ -72,7 +77,10 @@ fn domains<'a, R: Number + Sent, const D: usize>(
     Domains::new(world, bodies.collect())
 }
 
-fn check_union<R: Number + Sent, const D: usize>(world: &World, list: &Input<R, D>) -> Result<()> {
+fn check_union<R: Number, const D: usize>(world: &World, list: &Input<R, D>) -> Result<()>
+where
+    [R; D]: Sent,
+{
     let (name, mut boxes) = (&list.name, list.boxes.clone());
     let mut domains = domains(world, &boxes);
     for frame in 0..3 {
@@ -110,11 +118,13 @@ fn check_union<R: Number + Sent, const D: usize>(world: &World, list: &Input<R, 
 }
 
 /// With three faults in a list, every process names the first as one process would. Then they are mended.
-fn first_fault_is_told_to_all<R: Number + Sent, const D: usize>(
+fn first_fault_is_told_to_all<R: Number, const D: usize>(
     domains: &mut Domains<R, D>,
     sound: &[Aabb<R, D>],
     at: usize,
-) {
+) where
+    [R; D]: Sent,
+{
     let (mut boxes, last, first) = (sound.to_vec(), sound.len() - 1, sound.len() / 4);
     boxes[last].mins = [R::from_f64(f64::NAN); D];
     boxes[last - 1].maxs = [R::from_f64(f64::NAN); D];
