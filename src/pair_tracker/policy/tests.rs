@@ -159,7 +159,8 @@ fn costs_add_up_and_end_at_the_largest_number() {
     cost.add(&Work::default());
     let searching = 1000 * LOOKED_UP + 10_000 * SEARCHED + 100_000 * FOUND;
     assert_eq!((cost.updates, cost.searching), (2, searching));
-    work.found = usize::MAX;
+    // Where a count has 32 bits, no single one costs as much.
+    (work.found, cost.searching) = (usize::MAX, u64::MAX - 1);
     cost.add(&work);
     assert_eq!(cost.searching, u64::MAX);
     assert!(!is_full_run(PlanInputs { cost, ..left(1) }));
