@@ -7,12 +7,8 @@ use unisize::Aabb;
 pub(crate) enum Bisection<const D: usize> {
     /// A process, and its region, of which finite `maxs` are not a part.
     Leaf(usize, Aabb<f64, D>),
-    /// Points below the finite `at` on `axis` are on the first side, all others on the second.
-    Cut {
-        axis: usize,
-        at: f64,
-        sides: Box<[Self; 2]>,
-    },
+    /// Points that have less than this finite number on this axis are on the first side, all others on the second.
+    Cut(usize, f64, Box<[Self; 2]>),
 }
 
 impl<const D: usize> Bisection<D> {
@@ -33,8 +29,7 @@ impl<const D: usize> Bisection<D> {
         let middle = owners.start + half;
         let first = Self::new(first, owners.start..middle, below);
         let second = Self::new(second, middle..owners.end, above);
-        let sides = Box::new([first, second]);
-        Self::Cut { axis, at, sides }
+        Self::Cut(axis, at, Box::new([first, second]))
     }
 
     /// Tells of each process whose region a box reaches, and the region: for a point its owner only; for a box, whose sides are compared
@@ -42,7 +37,7 @@ impl<const D: usize> Bisection<D> {
     pub(crate) fn reach(&self, aabb: &Aabb<f64, D>, tell: &mut impl FnMut(usize, &Aabb<f64, D>)) {
         match self {
             Self::Leaf(process, region) => tell(*process, region),
-            Self::Cut { axis, at, sides } => {
+            Self::Cut(axis, at, sides) => {
                 if aabb.mins[*axis] < *at {
                     sides[0].reach(aabb, tell);
                 }

@@ -1,7 +1,6 @@
 //! The bodies of one process, its copies of others, and the pairs among them.
 
-use crate::bisection::Bisection;
-use crate::{Sent, World};
+use crate::{Sent, World, bisection::Bisection};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
