@@ -1,35 +1,24 @@
 //! Rapier's own collision pipeline, to compare with.
 
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::channel;
 
 use rapier3d_036::prelude::*;
 
 use crate::beads::Beads;
 
 /// Beads in the same places, under Rapier's own broad and narrow phase.
+#[derive(Default)]
 pub(crate) struct Engine {
     colliders: ColliderSet,
-    bodies: RigidBodySet,
-    islands: IslandManager,
     broad_phase: DefaultBroadPhase,
     narrow_phase: NarrowPhase,
-    pipeline: CollisionPipeline,
-    collector: ChannelEventCollector,
-    events: Receiver<CollisionEvent>,
 }
 
 impl Engine {
     pub(crate) fn new(beads: &Beads) -> Self {
-        let (sender, events) = channel();
         Self {
             colliders: beads.colliders.clone(),
-            bodies: RigidBodySet::new(),
-            islands: IslandManager::new(),
-            broad_phase: DefaultBroadPhase::new(),
-            narrow_phase: NarrowPhase::new(),
-            pipeline: CollisionPipeline::new(),
-            collector: ChannelEventCollector::new(sender, channel().0, channel().0),
-            events,
+            ..Self::default()
         }
     }
 
@@ -43,16 +32,17 @@ impl Engine {
             let place = beads.colliders[handle].translation();
             self.colliders[handle].set_translation(place);
         }
-        self.pipeline.step(
+        let (sender, events) = channel();
+        CollisionPipeline::new().step(
             params.prediction_distance(),
-            &mut self.islands,
+            &mut IslandManager::new(),
             &mut self.broad_phase,
             &mut self.narrow_phase,
-            &mut self.bodies,
+            &mut RigidBodySet::new(),
             &mut self.colliders,
             &(),
-            &self.collector,
+            &ChannelEventCollector::new(sender, channel().0, channel().0),
         );
-        self.events.try_iter().collect()
+        events.try_iter().collect()
     }
 }
