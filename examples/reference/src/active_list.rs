@@ -52,7 +52,8 @@ impl<R: Real, const D: usize> Block<R, D> {
     }
 
     #[inline]
-    fn set(&mut self, lane: usize, aabb: &Aabb<R, D>) {
+    fn set(&mut self, lane: usize, owner: u32, aabb: &Aabb<R, D>) {
+        self.owners[lane] = owner;
         for k in 0..D {
             self.mins[k][lane] = aabb.mins[k];
             self.maxs[k][lane] = aabb.maxs[k];
@@ -117,9 +118,7 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
         if block == self.blocks.len() {
             self.blocks.push(Block::empty());
         }
-        let block = &mut self.blocks[block];
-        block.set(lane, aabb);
-        block.owners[lane] = owner;
+        self.blocks[block].set(lane, owner, aabb);
         self.places[owner as usize] = self.len as u32;
         self.len += 1;
     }
@@ -131,13 +130,12 @@ impl<R: Real, const D: usize> ActiveList<R, D> {
         let lane = self.len % LANES;
         let (moved_owner, moved) = (last.owners[lane], last.get(lane));
         let nan = [R::from_f64(f64::NAN); D];
-        last.set(lane, &Aabb::new(nan, nan));
+        last.set(lane, moved_owner, &Aabb::new(nan, nan));
         if moved_owner != owner {
             let place = self.places[owner as usize];
             self.places[moved_owner as usize] = place;
-            let block = &mut self.blocks[place as usize / LANES];
-            block.set(place as usize % LANES, &moved);
-            block.owners[place as usize % LANES] = moved_owner;
+            let (block, lane) = (place as usize / LANES, place as usize % LANES);
+            self.blocks[block].set(lane, moved_owner, &moved);
         }
     }
 

@@ -5,7 +5,6 @@
 //! the paper and in `RankSweep`, so that what is compared is the search.
 
 mod active_list;
-mod endpoints;
 mod sweep_and_prune;
 
 pub use sweep_and_prune::SweepAndPrune;

@@ -2,7 +2,6 @@
 
 use crate::active_list::ActiveList;
 use crate::check_boxes;
-use crate::endpoints::{self, Endpoint};
 use unisize::{Aabb, InvalidInput, PairFinder, Real};
 
 /// Sweep and prune on one axis: Baraff, *Dynamic simulation of non-penetrating rigid bodies* (1992), as section 3 of
@@ -20,7 +19,7 @@ use unisize::{Aabb, InvalidInput, PairFinder, Real};
 #[derive(Clone, Debug, Default)]
 pub struct SweepAndPrune<R, const D: usize> {
     /// Scratch memory: the endpoints in order.
-    endpoints: Vec<Endpoint<R>>,
+    endpoints: Vec<(R, u32)>,
     active: ActiveList<R, D>,
 }
 
@@ -33,9 +32,27 @@ impl<R: Real, const D: usize> PairFinder<R, D> for SweepAndPrune<R, D> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_boxes(boxes)?;
-        endpoints::sort(boxes, 0, &mut self.endpoints);
+        sort(boxes, &mut self.endpoints);
         let order = self.endpoints.iter().map(|&(_, endpoint)| endpoint);
         self.active.sweep(order, boxes, pairs);
         Ok(())
+    }
+}
+
+/// Replaces `endpoints` by those of the first axis in order, each with its coordinate. The low endpoint of object `i` is `i`, the high one
+/// `i + n`. At equal coordinates lows come before highs, as closed boxes require, and each kind is in the order of object ids.
+///
+/// Computes in **O(n)** time, by a stable radix sort.
+fn sort<R: Real, const D: usize>(boxes: &[Aabb<R, D>], endpoints: &mut Vec<(R, u32)>) {
+    // Zeros have no sign here, because -0 and +0 must tie.
+    let unsigned = |x: R| x + R::default();
+    let lows = boxes.iter().map(|aabb| unsigned(aabb.mins[0]));
+    let highs = boxes.iter().map(|aabb| unsigned(aabb.maxs[0]));
+    endpoints.clear();
+    endpoints.extend(lows.chain(highs).zip(0..));
+    if size_of::<R>() == size_of::<f32>() {
+        radsort::sort_by_key(endpoints, |e| e.0.to_f64() as f32);
+    } else {
+        radsort::sort_by_key(endpoints, |e| e.0.to_f64());
     }
 }
