@@ -1,9 +1,10 @@
 //! How Rapier 0.36 drives a broad phase: it hands over the boxes of what it has moved, which it computes for any broad phase,
 //! and lists what is new.
 
-use super::frames::{Changes, World};
+use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use crate::time;
 use std::time::Duration;
 
 /// The version of Rapier.
@@ -18,24 +19,36 @@ pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world:
 
 /// A broad phase as its engine drives it.
 pub(crate) trait Driven {
-    /// How long an update takes. What Rapier's own defers, to do it beside the solver, counts as a part of the next update.
-    fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration;
+    /// How long an update takes of colliders that were inserted, moved, and removed since the last one. What Rapier's
+    /// own defers, to do it beside the solver, counts as a part of the next update.
+    fn follow(
+        &mut self,
+        world: &mut World,
+        inserted: &[ColliderHandle],
+        moved: &[ColliderHandle],
+        removed: &[ColliderHandle],
+    ) -> Duration;
 }
 
 macro_rules! driven {
     ($broad_phase:ty, $set_boxes:expr) => {
         impl Driven for $broad_phase {
-            fn follow(&mut self, world: &mut World, changes: Changes<'_>) -> Duration {
+            fn follow(
+                &mut self,
+                world: &mut World,
+                inserted: &[ColliderHandle],
+                moved: &[ColliderHandle],
+                removed: &[ColliderHandle],
+            ) -> Duration {
                 let (params, bodies) = (&world.params, &world.bodies);
                 let colliders = &world.colliders;
                 let box_of = |&handle: &ColliderHandle| {
                     let aabb = colliders[handle].compute_broad_phase_aabb(params, bodies);
                     (handle, aabb)
                 };
-                let boxes: Vec<_> = changes.moved.iter().map(box_of).collect();
-                let (inserted, removed) = (changes.inserted, changes.removed);
+                let boxes: Vec<_> = moved.iter().map(box_of).collect();
                 let events = &mut world.events;
-                world.clock.time(|| {
+                time(world.count, || {
                     $set_boxes(self, params, &boxes);
                     self.update(params, colliders, bodies, inserted, removed, events);
                 })

@@ -5,8 +5,8 @@ use super::frames::Frames;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::math::DIM;
 use super::rapier::prelude::DefaultBroadPhase;
-use crate::case::Case;
 use crate::bytes_held;
+use crate::worlds::Case;
 use serde_json::Value;
 use std::time::Duration;
 

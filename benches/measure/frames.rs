@@ -2,8 +2,7 @@
 
 use super::engine::Driven;
 use super::rapier::prelude::*;
-use crate::case::{Case, Motion};
-use crate::clock::Clock;
+use crate::worlds::{Case, Motion};
 use std::hint::black_box;
 use std::time::Duration;
 use unisize_scenes::DriftingBoxes;
@@ -14,31 +13,24 @@ const LEAP: Real = 0.1;
 /// Half of the smallest margin, which is 0.01 in Rapier 0.27.
 const NUDGE: Real = 0.005;
 
-/// The colliders that were inserted, moved, and removed since the last update.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Changes<'a> {
-    pub(crate) inserted: &'a [ColliderHandle],
-    pub(crate) moved: &'a [ColliderHandle],
-    pub(crate) removed: &'a [ColliderHandle],
-}
-
 /// The parts of Rapier that a broad phase looks at, and what it says.
 pub(crate) struct World {
     pub(crate) params: IntegrationParameters,
     pub(crate) bodies: RigidBodySet,
     pub(crate) colliders: ColliderSet,
     pub(crate) events: Vec<BroadPhasePairEvent>,
-    pub(crate) clock: Clock,
+    /// How many colliders there are.
+    pub(crate) count: usize,
 }
 
 impl World {
-    pub(crate) fn new(clock: Clock) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self {
             params: IntegrationParameters::default(),
             bodies: RigidBodySet::new(),
             colliders: ColliderSet::new(),
             events: Vec::new(),
-            clock,
+            count,
         }
     }
 }
@@ -57,7 +49,7 @@ impl Frames {
     /// All colliders before the first frame, already known to the broad phase.
     pub(crate) fn new(case: &Case, broad_phase: &mut impl Driven) -> Self {
         let boxes = DriftingBoxes::new(case.count, case.density, 7);
-        let mut world = World::new(Clock::for_count(case.count));
+        let mut world = World::new(case.count);
         let mut insert = |min: &[Real; DIM]| {
             // A shape each, as different things have.
             let cuboid = Cuboid::new(Vector::from([DriftingBoxes::<DIM>::SIZE / 2.0; DIM]));
@@ -74,11 +66,7 @@ impl Frames {
             world.colliders.insert_with_parent(collider, body, bodies)
         };
         let all: Vec<_> = boxes.mins().iter().map(&mut insert).collect();
-        let changes = Changes {
-            inserted: &all,
-            ..Changes::default()
-        };
-        broad_phase.follow(&mut world, changes);
+        broad_phase.follow(&mut world, &all, &[], &[]);
         let moving = all.into_iter().step_by(case.motion.stride()).collect();
         Self {
             world,
@@ -112,11 +100,7 @@ impl Frames {
             }
         }
         self.world.events.clear();
-        let changes = Changes {
-            moved: &self.moving,
-            ..Changes::default()
-        };
-        let time = broad_phase.follow(&mut self.world, changes);
+        let time = broad_phase.follow(&mut self.world, &[], &self.moving, &[]);
         black_box(&self.world.events);
         time
     }

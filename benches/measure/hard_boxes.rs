@@ -2,8 +2,8 @@
 //!
 //! *Work* is the number of boxes and pairs together, the least that any method has to process.
 
+use crate::Options;
 use crate::growth::{self, Figures};
-use crate::options::Options;
 use crate::report::Report;
 use std::io;
 use std::time::{Duration, Instant};

@@ -5,10 +5,9 @@
 //! held pairs and events together, the least that a broad phase has to process.
 
 use super::engine::{self, Driven};
-use super::frames::{Changes, World};
+use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use crate::clock::Clock;
 use crate::growth::{self, Figures};
 use crate::report::Report;
 use std::collections::HashSet;
@@ -45,15 +44,11 @@ pub(crate) fn measure(is_small: bool, report: &mut Report) -> io::Result<()> {
 /// Measures one broad phase on one motion.
 fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Option<Figures> {
     let mut frames = HardFrames::<DIM>::new(motion, count, 7);
-    let mut world = World::new(Clock::for_count(count));
+    let mut world = World::new(count);
     let mut islands = IslandManager::new();
     let insert = |&mins: &_| world.colliders.insert(cube(mins));
     let mut handles: Vec<_> = frames.mins().iter().map(insert).collect();
-    let first = Changes {
-        inserted: &handles,
-        ..Changes::default()
-    };
-    broad_phase.follow(&mut world, first);
+    broad_phase.follow(&mut world, &handles, &[], &[]);
     let (mut held, mut updates, mut events) = (HashSet::new(), 0, 0);
     let (mut all, mut worst) = (Duration::ZERO, Duration::ZERO);
     note(&world.events, &mut held);
@@ -75,12 +70,7 @@ fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Opt
             inserted.push(handles[i]);
         }
         world.events.clear();
-        let changes = Changes {
-            inserted: &inserted,
-            moved: &moved,
-            removed: &removed,
-        };
-        let time = broad_phase.follow(&mut world, changes);
+        let time = broad_phase.follow(&mut world, &inserted, &moved, &removed);
         all += time;
         worst = worst.max(time);
         events += world.events.len();

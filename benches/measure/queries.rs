@@ -9,6 +9,8 @@ use crate::report::Report;
 use std::io;
 use std::time::{Duration, Instant};
 
+use super::engine::Driven;
+use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
@@ -24,9 +26,7 @@ const RAYS: usize = 2000;
 
 /// Balls that fly straight and turn at the walls of their container.
 struct Flight {
-    params: IntegrationParameters,
-    bodies: RigidBodySet,
-    colliders: ColliderSet,
+    world: World,
     /// Those that move, and how far in a step.
     movers: Vec<(ColliderHandle, Vector<Real>)>,
     side: Real,
@@ -37,9 +37,7 @@ impl Flight {
     fn new(count: usize, one_in: usize) -> Self {
         let side = (count as f64 / DENSITY).powf(1.0 / DIM as f64) as Real;
         let mut flight = Self {
-            params: IntegrationParameters::default(),
-            bodies: RigidBodySet::new(),
-            colliders: ColliderSet::new(),
+            world: World::new(count),
             movers: Vec::new(),
             side,
             random: oorandom::Rand32::new(7),
@@ -47,7 +45,7 @@ impl Flight {
         for i in 0..count {
             let place = flight.any() * side;
             let ball = ColliderBuilder::ball(0.5).translation(place);
-            let handle = flight.colliders.insert(ball);
+            let handle = flight.world.colliders.insert(ball);
             let velocity = (flight.any() - Vector::repeat(0.5)) * SPEED;
             if i % one_in == 0 {
                 flight.movers.push((handle, velocity));
@@ -61,18 +59,9 @@ impl Flight {
         Vector::from_fn(|_, _| self.random.rand_float())
     }
 
-    /// All of them, and those that move.
-    fn handles(&self) -> [Vec<ColliderHandle>; 2] {
-        let all = self.colliders.iter().map(|(handle, _)| handle);
-        [
-            all.collect(),
-            self.movers.iter().map(|&(handle, _)| handle).collect(),
-        ]
-    }
-
     fn advance(&mut self) {
         for (handle, velocity) in &mut self.movers {
-            let ball = &mut self.colliders[*handle];
+            let ball = &mut self.world.colliders[*handle];
             let place = ball.translation() + *velocity;
             for k in 0..DIM {
                 if !(0.0..self.side).contains(&place[k]) {
@@ -89,27 +78,15 @@ impl Flight {
         from[0] = -1.0;
         Ray::new(from.into(), Vector::x())
     }
+}
 
-    fn update(&self, broad_phase: &mut impl BroadPhase, listed: &[ColliderHandle]) {
-        let (colliders, bodies) = (&self.colliders, &self.bodies);
-        broad_phase.update(
-            &self.params,
-            colliders,
-            bodies,
-            listed,
-            &[],
-            &mut Vec::new(),
-        );
+/// The time of rays, each.
+fn time(scene: &QueryPipeline<'_>, rays: &[Ray]) -> Duration {
+    let start = Instant::now();
+    for ray in rays {
+        std::hint::black_box(scene.cast_ray(ray, Real::MAX, true));
     }
-
-    /// The time of rays, each.
-    fn time(&self, scene: &QueryPipeline<'_>, rays: &[Ray]) -> Duration {
-        let start = Instant::now();
-        for ray in rays {
-            std::hint::black_box(scene.cast_ray(ray, Real::MAX, true));
-        }
-        start.elapsed() / rays.len() as u32
-    }
+    start.elapsed() / rays.len() as u32
 }
 
 /// Measures one case: balls, of which one in so many moves.
@@ -120,33 +97,36 @@ pub(crate) fn measure(
     report: &mut Report,
 ) -> io::Result<()> {
     let mut flight = Flight::new(count, one_in);
-    let [all, movers] = flight.handles();
+    let all = flight.world.colliders.iter().map(|(handle, _)| handle);
+    let all: Vec<_> = all.collect();
+    let movers: Vec<_> = flight.movers.iter().map(|&(handle, _)| handle).collect();
     let (mut ours, mut default) = (UnisizeBroadPhase::new(), DefaultBroadPhase::new());
-    flight.update(&mut ours, &all);
-    flight.update(&mut default, &all);
+    ours.follow(&mut flight.world, &all, &[], &[]);
+    default.follow(&mut flight.world, &all, &[], &[]);
     let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
     let mut first = Vec::new();
     for _ in 0..steps {
         flight.advance();
-        flight.update(&mut ours, &movers);
+        flight.world.events.clear();
+        ours.follow(&mut flight.world, &[], &movers, &[]);
         // Its tree ages over the same steps, but it need not be looked at in between.
-        flight.update(&mut default, &movers);
+        default.follow(&mut flight.world, &[], &movers, &[]);
         let ray = flight.ray();
         let start = Instant::now();
-        let (bodies, colliders) = (&flight.bodies, &flight.colliders);
+        let (bodies, colliders) = (&flight.world.bodies, &flight.world.colliders);
         let scene = ours.as_query_pipeline(dispatcher, bodies, colliders, filter);
         std::hint::black_box(scene.cast_ray(&ray, Real::MAX, true));
         first.push(start.elapsed());
     }
     let rays: Vec<_> = (0..RAYS).map(|_| flight.ray()).collect();
-    let (bodies, colliders) = (&flight.bodies, &flight.colliders);
+    let (bodies, colliders) = (&flight.world.bodies, &flight.world.colliders);
     let ours = ours.as_query_pipeline(dispatcher, bodies, colliders, filter);
     let default = default.as_query_pipeline(dispatcher, bodies, colliders, filter);
     // In turns, so that both see the same machine.
     let mut best = [Duration::MAX; 2];
     for _ in 0..5 {
         for (best, scene) in best.iter_mut().zip([&ours, &default]) {
-            *best = flight.time(scene, &rays).min(*best);
+            *best = time(scene, &rays).min(*best);
         }
     }
     let mean = |times: &[Duration]| micros(times.iter().sum::<Duration>()) / times.len() as f64;
