@@ -25,12 +25,8 @@ pub(crate) fn judge(table: &mut Table) {
     let (time, their_time) = ("t_c, ns", "paper: t_c, ns");
     let of_phase = |column: &str| cell("figure3", largest, column);
     let [above, below] = [COUNTS[3], COUNTS[1]];
-    let growth = rows(
-        "third-axis-growth",
-        "RankSweep, ms",
-        &count(above),
-        &count(below),
-    );
+    let [more, fewer] = [count(above), count(below)];
+    let growth = rows("third-axis-growth", "RankSweep, ms", &more, &fewer);
     let exponent = growth.map(|growth| growth.ln() / (above as f64 / below as f64).ln());
     let claims = [
         (

@@ -2,7 +2,7 @@
 
 use crate::Run;
 use crate::published::{LINES, Line};
-use crate::race::{Times, unit_boxes};
+use crate::race::{Times, drift};
 use crate::table1::row;
 use anyhow::Result;
 use unisize::{GridSweep, PairFinder, RankSweep};
@@ -23,30 +23,28 @@ const PANELS: [(&str, &str); 3] = [
 ];
 
 pub(crate) fn measure(run: &mut Run) -> Result<()> {
-    let mut curves = [const { Vec::new() }; PANELS.len()];
-    for (group, color) in LINES.chunk_by(|a, b| a.0 == b.0).zip(COLORS) {
-        let mut points = [const { Vec::new() }; PANELS.len()];
-        for line in group {
-            let n = run.choose(1 << (line.1 - 7), 1 << line.1);
-            measure_line(run, line, n)?;
-            for (points, (_, column)) in points.iter_mut().zip(PANELS) {
-                let y = run.table.number("figure3", &row(line.0, n), column);
-                points.push((n as f64, y.unwrap_or(f64::NAN)));
-            }
-        }
-        for (curves, points) in curves.iter_mut().zip(points) {
-            curves.push(Series::new(format!("d = {}", group[0].0), color, points));
-        }
+    for line in &LINES {
+        measure_line(run, line)?;
     }
-    let panels = PANELS.into_iter().zip(curves).map(|((title, _), curves)| {
+    let groups: Vec<_> = LINES.chunk_by(|a, b| a.0 == b.0).zip(COLORS).collect();
+    let panels = PANELS.map(|(title, column)| {
+        let curves = groups.iter().map(|(group, color)| {
+            let points = group.iter().map(|line| {
+                let n = run.squares(line.1);
+                let y = run.table.number("figure3", &row(line.0, n), column);
+                (n as f64, y.unwrap_or(f64::NAN))
+            });
+            Series::new(format!("d = {}", group[0].0), *color, points)
+        });
         let time = Axis::log("nanoseconds per collision");
         Panel::new(title, Axis::log("n"), time, curves)
     });
     Chart::new("Time per collision", panels).write_svg(&run.pictures.join("figure3.svg"))
 }
 
-fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
-    let &(density, _, [_, _, theirs], [their_collisions, their_pairing]) = line;
+fn measure_line(run: &mut Run, line: &Line) -> Result<()> {
+    let &(density, size, [_, _, theirs], [their_collisions, their_pairing]) = line;
+    let n = run.squares(size);
     let frames = run.choose(3, FRAMES);
     let mut drifting = DriftingBoxes::<2>::new(n, density, 7);
     let mut rank_sweep = RankSweep::<f32, 2>::default().timed();
@@ -55,8 +53,7 @@ fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
     let [mut pairing, mut all, mut sweep] = [const { Times(Vec::new()) }; 3];
     let mut collisions = 0;
     for _ in 0..frames {
-        drifting.advance();
-        unit_boxes(drifting.mins(), &mut boxes);
+        drift(&mut drifting, &mut boxes);
         rank_sweep.find_pairs(&boxes, &mut pairs)?;
         pairing.push(rank_sweep.phase_times().sweep);
         all.push(rank_sweep.phase_times().total());
@@ -66,7 +63,7 @@ fn measure_line(run: &mut Run, line: &Line, n: usize) -> Result<()> {
     }
     let collisions = collisions as f64 / frames as f64;
     let each = |ms: f64, collisions: f64| ms * 1e6 / collisions;
-    let row = row(line.0, n);
+    let row = row(density, n);
     for (column, value) in [
         ("paper: C / 1000", their_collisions),
         ("C / 1000", collisions / 1e3),

@@ -20,7 +20,6 @@ mod figure3;
 mod figure4;
 #[path = "../../benches/common/json_lines.rs"]
 mod json_lines;
-mod method;
 mod published;
 mod race;
 mod table;
@@ -32,7 +31,6 @@ use anyhow::{Context, Result};
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use std::path::PathBuf;
-use std::process::ExitCode;
 use table::Table;
 
 /// A part of the page, and what measures it.
@@ -79,20 +77,16 @@ impl Run {
     fn choose<T>(&self, quick: T, full: T) -> T {
         if self.quick { quick } else { full }
     }
-}
 
-fn main() -> ExitCode {
-    match run(&Options::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
+    /// Two to the power of `size`, the number of squares; a quick run has fewer.
+    fn squares(&self, size: u32) -> usize {
+        self.choose(1 << (size - 7), 1 << size)
     }
 }
 
-fn run(options: &Options) -> Result<()> {
-    let pictures = options.pictures.clone();
+fn main() -> Result<()> {
+    let options = Options::parse();
+    let pictures = options.pictures;
     let pictures = pictures.unwrap_or_else(|| unisize_charts::scratch_folder("paper"));
     let cannot = || format!("cannot create {}", pictures.display());
     std::fs::create_dir_all(&pictures).with_context(cannot)?;

@@ -1,9 +1,41 @@
-//! A race: all methods on the same frames, in turns.
+//! A race: all methods that find pairs, the paper's, one that it is compared with, and ours, on the same frames, in turns.
 
-use crate::method::Method;
 use anyhow::{Context, Result, ensure};
 use std::time::{Duration, Instant};
-use unisize::Aabb;
+use unisize::{Aabb, GridSweep, PairFinder, RankSweep};
+use unisize_charts::{RGBColor, color};
+use unisize_reference::SweepAndPrune;
+use unisize_scenes::DriftingBoxes;
+
+/// A contestant of a race.
+pub(crate) struct Method<const D: usize> {
+    pub(crate) name: &'static str,
+    /// The colour of its lines.
+    pub(crate) color: RGBColor,
+    pub(crate) finder: Box<dyn PairFinder<f32, D>>,
+}
+
+fn method<const D: usize>(
+    name: &'static str,
+    color: RGBColor,
+    finder: impl PairFinder<f32, D> + 'static,
+) -> Method<D> {
+    let finder = Box::new(finder);
+    Method {
+        name,
+        color,
+        finder,
+    }
+}
+
+/// The methods of the paper and ours.
+pub(crate) fn methods<const D: usize>() -> Vec<Method<D>> {
+    vec![
+        method("SweepAndPrune", color::BLACK, SweepAndPrune::default()),
+        method("RankSweep", color::SALMON, RankSweep::default()),
+        method("GridSweep", color::RED, GridSweep::default()),
+    ]
+}
 
 /// Milliseconds, frame by frame.
 #[derive(Clone, Debug, Default)]
@@ -89,20 +121,23 @@ pub(crate) fn unit_boxes<const D: usize>(mins: &[[f32; D]], boxes: &mut Vec<Aabb
     boxes.extend(mins.iter().map(unit));
 }
 
+/// Replaces boxes by those of side 1 that have drifted on.
+pub(crate) fn drift<const D: usize>(
+    drifting: &mut DriftingBoxes<D>,
+    boxes: &mut Vec<Aabb<f32, D>>,
+) {
+    drifting.advance();
+    unit_boxes(drifting.mins(), boxes);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::method;
-    use unisize_scenes::DriftingBoxes;
 
     #[test]
     fn all_methods_find_the_same() {
         let mut drifting = DriftingBoxes::<3>::new(500, 0.5, 7);
-        let next = |boxes: &mut Vec<_>| {
-            drifting.advance();
-            unit_boxes(drifting.mins(), boxes);
-        };
-        let outcome = race(&mut method::all(), 3, next).unwrap();
+        let outcome = race(&mut methods(), 3, |boxes| drift(&mut drifting, boxes)).unwrap();
         assert!(outcome.times.iter().all(|times| times.0.len() == 3));
         assert!(outcome.pairs.iter().all(|&pairs| pairs > 100));
     }

@@ -1,9 +1,9 @@
 //! Table 1: drifting squares at several numbers and densities, by all methods.
 
+use crate::Run;
 use crate::published::LINES;
-use crate::race::{race, unit_boxes};
+use crate::race::{self, drift, race};
 use crate::table::count;
-use crate::{Run, method};
 use anyhow::Result;
 use unisize_scenes::DriftingBoxes;
 
@@ -17,14 +17,11 @@ pub(crate) fn row(density: f64, n: usize) -> String {
 
 pub(crate) fn measure(run: &mut Run) -> Result<()> {
     for (density, size, [bar92, kmz13, theirs], _) in LINES {
-        let n = run.choose(1 << (size - 7), 1 << size);
+        let n = run.squares(size);
         let row = row(density, n);
         let mut drifting = DriftingBoxes::<2>::new(n, density, 7);
-        let mut methods = method::all();
-        let next = |boxes: &mut Vec<_>| {
-            drifting.advance();
-            unit_boxes(drifting.mins(), boxes);
-        };
+        let mut methods = race::methods();
+        let next = |boxes: &mut _| drift(&mut drifting, boxes);
         let outcome = race(&mut methods, run.choose(2, FRAMES), next)?;
         run.table.add("table1", &row, "pairs", outcome.pairs[0]);
         let mut add = |column: &str, value| run.table.add("table1", &row, column, value);

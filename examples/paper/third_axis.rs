@@ -1,10 +1,11 @@
 //! The extension to three dimensions: how the extra interval test holds up as scenes get thicker and larger.
 
-use crate::race::{race, unit_boxes};
+use crate::Run;
+use crate::race::{self, drift, race, unit_boxes};
 use crate::table::{count, digits};
-use crate::{Run, method};
 use anyhow::Result;
-use unisize::{Aabb, GridSweep, PairFinder};
+use serde_json::Value;
+use unisize::{GridSweep, PairFinder};
 use unisize_scenes::DriftingBoxes;
 
 const DENSITY: f64 = 0.2;
@@ -25,10 +26,10 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         let row = format!("{} cubes thick", digits(thickness));
         let pairs = measure_methods(run, "third-axis", &row, &mut drifting)?;
         let flat = flat_pairs(&drifting)?;
-        run.table
-            .add("third-axis", &row, "pairs of the first two axes", flat);
         let share = 100.0 * pairs as f64 / flat as f64;
-        run.table.add("third-axis", &row, "of them pairs, %", share);
+        let mut add = |column, value| run.table.add("third-axis", &row, column, value);
+        add("pairs of the first two axes", Value::from(flat));
+        add("of them pairs, %", share.into());
     }
     for &n in &COUNTS[..run.choose(2, COUNTS.len())] {
         let mut drifting = DriftingBoxes::<3>::new(n, DENSITY, 7);
@@ -44,17 +45,14 @@ fn measure_methods(
     row: &str,
     drifting: &mut DriftingBoxes<3>,
 ) -> Result<usize> {
-    let mut methods = method::all().split_off(1);
-    let next = |boxes: &mut Vec<_>| {
-        drifting.advance();
-        unit_boxes(drifting.mins(), boxes);
-    };
+    let mut methods = race::methods().split_off(1);
+    let next = |boxes: &mut _| drift(drifting, boxes);
     let outcome = race(&mut methods, run.choose(2, FRAMES), next)?;
     let pairs = outcome.pairs.last().copied().unwrap_or_default();
     run.table.add(part, row, "pairs", pairs);
     for (method, times) in methods.iter().zip(&outcome.times) {
-        run.table
-            .add(part, row, format!("{}, ms", method.name), times.median());
+        let column = format!("{}, ms", method.name);
+        run.table.add(part, row, column, times.median());
     }
     Ok(pairs)
 }
@@ -62,8 +60,8 @@ fn measure_methods(
 /// How many pairs overlap on the first two axes: those that need the extra interval test.
 fn flat_pairs(drifting: &DriftingBoxes<3>) -> Result<usize> {
     let flat: Vec<_> = drifting.mins().iter().map(|&[x, y, _]| [x, y]).collect();
-    let (mut boxes, mut pairs) = (Vec::<Aabb<f32, 2>>::new(), Vec::new());
+    let (mut boxes, mut pairs) = (Vec::new(), Vec::new());
     unit_boxes(&flat, &mut boxes);
-    GridSweep::default().find_pairs(&boxes, &mut pairs)?;
+    GridSweep::<f32, 2>::default().find_pairs(&boxes, &mut pairs)?;
     Ok(pairs.len())
 }

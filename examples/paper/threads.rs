@@ -1,7 +1,7 @@
 //! What more threads gain.
 
 use crate::Run;
-use crate::race::{Times, unit_boxes};
+use crate::race::{Times, drift};
 use crate::table1::row;
 use anyhow::{Result, ensure};
 use std::time::Instant;
@@ -16,16 +16,10 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         for &n in run.choose(&[1 << 14][..], &COUNTS[..]) {
             let frames = run.choose(2, FRAMES);
             let boxes = DriftingBoxes::new(n, density, 7);
-            let gains = [
-                (
-                    "RankSweep: all",
-                    gain::<RankSweep<f32, 2>>(boxes.clone(), frames)?,
-                ),
-                ("GridSweep: all", gain::<GridSweep<f32, 2>>(boxes, frames)?),
-            ];
-            for (column, gain) in gains {
-                run.table.add("threads", row(density, n), column, gain);
-            }
+            let mut add = |column, gain| run.table.add("threads", row(density, n), column, gain);
+            let rank_sweep = gain::<RankSweep<f32, 2>>(boxes.clone(), frames)?;
+            add("RankSweep: all", rank_sweep);
+            add("GridSweep: all", gain::<GridSweep<f32, 2>>(boxes, frames)?);
         }
     }
     Ok(())
@@ -44,8 +38,7 @@ fn gain<K: PairFinder<f32, 2> + Default + Send>(
     let mut pairs = [const { Vec::new() }; 2];
     let mut times = [const { Times(Vec::new()) }; 2];
     for frame in 0..=frames {
-        drifting.advance();
-        unit_boxes(drifting.mins(), &mut boxes);
+        drift(&mut drifting, &mut boxes);
         for which in [0, 1] {
             let (kernel, pairs) = (&mut kernels[which], &mut pairs[which]);
             let start = Instant::now();
