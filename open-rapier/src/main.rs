@@ -1,39 +1,59 @@
 //! Opens Rapier 0.36.1 for other broad phases than its own: copies the sources that Cargo has fetched, edits the copies, and has
 //! the project take them.
 
-mod edit;
-mod line_ends;
 mod members;
 mod note;
 mod opened_copy;
-mod options;
 mod patch;
-mod placing;
 mod project;
 mod seam;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Result, ensure};
 use clap::Parser;
 
 use opened_copy::OpenedCopy;
-use options::Options;
 use project::Project;
 use seam::VERSION;
+
+/// Opens Rapier 0.36.1 for other broad phases than its own.
+///
+/// Copies the sources of rapier2d, rapier3d, rapier2d-f64 and rapier3d-f64 that a project uses, as Cargo has fetched them, gives
+/// the copies a trait `CustomBroadPhase` and a constructor `BroadPhaseBvh::custom`, and prints the lines by which the project
+/// takes the copies. A copy that this program has made before is made anew.
+#[derive(Parser)]
+#[command(version)]
+struct Options {
+    /// The folder for the copies, each in a folder with the name of its package
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+
+    /// The manifest of the project that uses Rapier
+    #[arg(long, value_name = "PATH", default_value = "Cargo.toml")]
+    manifest_path: PathBuf,
+
+    /// Write the lines into the manifest of the workspace, instead of printing them
+    #[arg(long)]
+    write: bool,
+
+    /// Write nothing, and fail if a copy is not exactly as it would be made
+    #[arg(long, conflicts_with = "write")]
+    check: bool,
+
+    /// For tests: have `BroadPhaseBvh::new()` and `default()` ask `BROAD_PHASE_FACTORY`
+    #[arg(long)]
+    factory: bool,
+}
 
 fn main() -> Result<()> {
     let options = Options::parse();
     let out = patch::normal(&options.out);
     let project = Project::find(&options.manifest_path, &out)?;
-    let opened = |(package, sources): (&&'static str, &PathBuf)| {
-        OpenedCopy::new(package, sources, options.factory)
-    };
-    let copies = project
-        .sources
-        .iter()
-        .map(opened)
-        .collect::<Result<Vec<_>>>()?;
+    let mut copies = vec![];
+    for (&package, sources) in &project.sources {
+        copies.push(OpenedCopy::new(package, sources, options.factory)?);
+    }
     if options.check {
         check(&copies, &out)
     } else {
@@ -47,20 +67,21 @@ fn check(copies: &[OpenedCopy], out: &Path) -> Result<()> {
     for copy in copies {
         differences.extend(copy.differences(&out.join(copy.package))?);
     }
-    if !differences.is_empty() {
-        bail!(
-            "not as open-rapier would make it:\n{}",
-            differences.join("\n")
-        );
-    }
-    for copy in copies {
-        eprintln!(
-            "{} {VERSION} is open in {}",
-            copy.package,
-            out.join(copy.package).display()
-        );
-    }
+    ensure!(
+        differences.is_empty(),
+        "not as open-rapier would make it:\n{}",
+        differences.join("\n")
+    );
+    tell(copies, out);
     Ok(())
+}
+
+/// Tells where the copies are.
+fn tell(copies: &[OpenedCopy], out: &Path) {
+    for OpenedCopy { package, .. } in copies {
+        let place = out.join(package);
+        eprintln!("{package} {VERSION} is open in {}", place.display());
+    }
 }
 
 /// Makes the copies that are not as they should be, after everything that may fail has been looked at.
@@ -69,7 +90,7 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
     let mut outdated = vec![];
     for copy in copies {
         let place = out.join(copy.package);
-        placing::ensure_free(&place)?;
+        opened_copy::ensure_free(&place)?;
         // What is right is left alone, so that Cargo does not compile it again.
         if !copy.differences(&place)?.is_empty() {
             outdated.push(copy);
@@ -80,13 +101,8 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
     elsewhere.retain(|entry| packages.contains(&entry.package) && !entry.leads_to(out));
     let changed = write && project.manifest.set(&packages, out)?;
 
-    placing::place(&outdated, out)?;
-    for package in packages {
-        eprintln!(
-            "{package} {VERSION} is open in {}",
-            out.join(package).display()
-        );
-    }
+    opened_copy::place(&outdated, out)?;
+    tell(copies, out);
     if changed {
         project.manifest.write()?;
         eprintln!("the manifest takes it from there");
@@ -94,14 +110,13 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
         print!("{lines}");
     }
     for entry in elsewhere {
-        let old = entry.folder.unwrap_or_default();
+        let (package, old) = (entry.package, entry.folder.unwrap_or_default());
+        let old = old.display();
         if write {
-            eprintln!("{} is left as it is, and not used any more", old.display());
+            eprintln!("{old} is left as it is, and not used any more");
         } else {
             eprintln!(
-                "the manifest takes {} from {}: put the line in the place of that one",
-                entry.package,
-                old.display()
+                "the manifest takes {package} from {old}: put the line in the place of that one"
             );
         }
     }

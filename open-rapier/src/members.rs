@@ -63,7 +63,7 @@ fn ensure_no_member(manifest: &Manifest, root: &Path, folder: &Path) -> Result<(
     };
     bail!(
         "{}: {entry:?} of `{list}` matches {}, but copies cannot be members of the workspace: choose another --out{exclude}; nothing was written",
-        manifest.path().display(),
+        manifest.path.display(),
         folder.display()
     )
 }

@@ -1,10 +1,9 @@
 //! What a copy says about itself: a note in its folder, and a line at the head of each file that was changed.
 
+use std::fs;
 use std::path::Path;
-use std::{fs, iter};
 
-use crate::edit::Edit;
-use crate::seam::VERSION;
+use crate::seam::{Edit, VERSION};
 
 /// The name of the note.
 pub(crate) const FILE: &str = "OPENED.md";
@@ -34,10 +33,8 @@ pub(crate) fn notice(file: &str) -> String {
 
 /// The note.
 pub(crate) fn text(package: &str, files: &[(&str, &str, &str)], edits: &[&Edit]) -> String {
-    let added = files
-        .iter()
-        .map(|(name, _, purpose)| (*name, "added", *purpose));
-    let this = iter::once((FILE, "added", "this note"));
+    let added = files.iter().map(|file| (file.0, "added", file.2));
+    let this = [(FILE, "added", "this note")];
     let edited = edits
         .iter()
         .map(|edit| (edit.file, "modified", edit.purpose));

@@ -1,15 +1,15 @@
-//! An opened copy of a package, in memory: every file as it is to be. What is on disk is compared with it, or made from it.
+//! An opened copy of a package, in memory: every file as it is to be. What is on disk is compared with it, or made from it, once all
+//! copies are complete, and never over anything that this tool has not made.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use walkdir::WalkDir;
 
-use crate::edit::Edit;
 use crate::note;
-use crate::seam::{EDITS, FACTORY_EDITS, FACTORY_FILES, FILES};
+use crate::seam::{EDITS, Edit, FACTORY_EDITS, FACTORY_FILES, FILES};
 
 /// What Cargo adds to the sources that it fetches, and what a package does not need.
 const LEFT_OUT: [&str; 5] = [
@@ -44,16 +44,12 @@ impl OpenedCopy {
             edits.extend(FACTORY_EDITS);
         }
         for (name, contents, _) in &files {
-            if copy
-                .files
-                .insert(name.into(), contents.as_bytes().to_vec())
-                .is_some()
-            {
-                bail!(
-                    "{}: {name} is there already; nothing was written",
-                    sources.display()
-                );
-            }
+            let there = copy.files.insert(name.into(), (*contents).into());
+            ensure!(
+                there.is_none(),
+                "{}: {name} is there already; nothing was written",
+                sources.display()
+            );
         }
         for edit in &edits {
             copy.edit(edit)
@@ -91,26 +87,24 @@ impl OpenedCopy {
         }
         let found = read(folder)?;
         let mut differences = vec![];
+        let mut differs = |name: &PathBuf, how: &str| {
+            differences.push(format!("{} is {how}", folder.join(name).display()));
+        };
         for (name, contents) in &self.files {
             match found.get(name) {
-                None => differences.push(format!("{} is missing", folder.join(name).display())),
-                Some(other) if other != contents => {
-                    differences.push(format!("{} is different", folder.join(name).display()));
-                }
+                None => differs(name, "missing"),
+                Some(other) if other != contents => differs(name, "different"),
                 Some(_) => {}
             }
         }
         for name in found.keys().filter(|name| !self.files.contains_key(*name)) {
-            differences.push(format!(
-                "{} is not part of the copy",
-                folder.join(name).display()
-            ));
+            differs(name, "not part of the copy");
         }
         Ok(differences)
     }
 
     /// Writes all files into a new folder.
-    pub(crate) fn write(&self, folder: &Path) -> Result<()> {
+    fn write(&self, folder: &Path) -> Result<()> {
         for (name, contents) in &self.files {
             let path = folder.join(name);
             let parent = path.parent().unwrap_or(folder);
@@ -121,6 +115,47 @@ impl OpenedCopy {
         }
         Ok(())
     }
+}
+
+/// Fails if there is something else where a copy is to be.
+pub(crate) fn ensure_free(place: &Path) -> Result<()> {
+    let Ok(metadata) = fs::symlink_metadata(place) else {
+        return Ok(());
+    };
+    let empty = || fs::read_dir(place).is_ok_and(|mut entries| entries.next().is_none());
+    ensure!(
+        metadata.is_dir() && (note::is_ours(place) || empty()),
+        "{} was not made by open-rapier, and is left as it is: move it, or choose another --out",
+        place.display()
+    );
+    Ok(())
+}
+
+/// Writes the copies next to their places, and moves them there when all are complete.
+pub(crate) fn place(copies: &[&OpenedCopy], out: &Path) -> Result<()> {
+    if copies.is_empty() {
+        return Ok(());
+    }
+    fs::create_dir_all(out).with_context(|| format!("cannot make {}", out.display()))?;
+    // In the same folder, so that moving is renaming; removed with all that is left in it.
+    let site = tempfile::Builder::new()
+        .prefix(".open-rapier-")
+        .tempdir_in(out)
+        .with_context(|| format!("cannot write to {}", out.display()))?;
+    for copy in copies {
+        copy.write(&site.path().join(copy.package))?;
+    }
+
+    for copy in copies {
+        let place = out.join(copy.package);
+        let cannot = || format!("cannot put a copy at {}", place.display());
+        if place.exists() {
+            let old = site.path().join(format!("{}.old", copy.package));
+            fs::rename(&place, old).with_context(cannot)?;
+        }
+        fs::rename(site.path().join(copy.package), &place).with_context(cannot)?;
+    }
+    Ok(())
 }
 
 /// Reads all files below a folder.

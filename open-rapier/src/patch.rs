@@ -6,13 +6,16 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
+use crate::note;
 use crate::seam::PACKAGES;
-use crate::{line_ends, note};
+
+/// The byte-order mark, which `toml_edit` drops, as it does with line ends: whoever has them wants them back.
+const MARK: &str = "\u{feff}";
 
 /// The manifest of a workspace.
 pub(crate) struct Manifest {
-    path: PathBuf,
-    /// As it is to be written: the document knows nothing of line ends.
+    pub(crate) path: PathBuf,
+    /// As it was read: the document knows nothing of line ends.
     text: String,
     document: DocumentMut,
 }
@@ -41,7 +44,8 @@ impl Manifest {
     pub(crate) fn read(path: &Path) -> Result<Self> {
         let text =
             fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-        let document = line_ends::without_mark(&text)
+        let document = text.strip_prefix(MARK).unwrap_or(&text);
+        let document = document
             .parse()
             .with_context(|| format!("{}", path.display()))?;
         Ok(Self {
@@ -112,7 +116,6 @@ impl Manifest {
             } else {
                 patch.insert(&key, Item::Value(entry));
             }
-            self.text = line_ends::keep(&self.text, &self.document.to_string());
             changed = true;
         }
         Ok(changed)
@@ -124,15 +127,12 @@ impl Manifest {
         let path = normal(&self.path);
         let folder = path.parent().unwrap_or(Path::new(""));
         let file = tempfile::NamedTempFile::new_in(folder).with_context(cannot)?;
-        fs::write(&file, &self.text).with_context(cannot)?;
+        let text = keep_line_ends(&self.text, &self.document.to_string());
+        fs::write(&file, text).with_context(cannot)?;
         let permissions = fs::metadata(&path).with_context(cannot)?.permissions();
         fs::set_permissions(&file, permissions).with_context(cannot)?;
         file.persist(&path).with_context(cannot)?;
         Ok(())
-    }
-
-    pub(crate) fn path(&self) -> &Path {
-        &self.path
     }
 
     pub(crate) fn folder(&self) -> &Path {
@@ -203,5 +203,16 @@ pub(crate) fn normal(path: &Path) -> PathBuf {
             parent
         }
         _ => absolute,
+    }
+}
+
+/// `new`, with the byte-order mark of `old`, if it has one, and the line ends of its first line.
+fn keep_line_ends(old: &str, new: &str) -> String {
+    let mark = if old.starts_with(MARK) { MARK } else { "" };
+    let new = new.replace("\r\n", "\n");
+    let first = old.split_inclusive('\n').next();
+    match first.is_some_and(|line| line.ends_with("\r\n")) {
+        true => format!("{mark}{}", new.replace('\n', "\r\n")),
+        false => format!("{mark}{new}"),
     }
 }

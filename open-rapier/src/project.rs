@@ -8,9 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use cargo_metadata::semver::Version;
-use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package};
+use cargo_metadata::{CargoOpt, MetadataCommand, Package};
 
 use crate::patch::{Manifest, normal};
 use crate::seam::{PACKAGES, VERSION};
@@ -28,38 +28,33 @@ impl Project {
     /// Asks Cargo about the project of a manifest whose copies are, or are to be, in `out`.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
         let manifest_path = &found_anywhere(manifest_path)?;
-        let root = workspace_manifest(manifest_path)?;
-        let manifest = Manifest::read(&root)?;
+        let manifest = Manifest::read(&workspace_manifest(manifest_path)?)?;
         // A copy that is a member already keeps Cargo from answering.
         let made = |package: &&str| note::is_ours(&out.join(package));
         members::ensure_none(&manifest, PACKAGES.into_iter().filter(made), out)?;
         let entries = manifest.entries(out);
 
-        let asking = Asking {
-            root: &root,
-            manifest_path,
-        };
-        let mut sources = asking.fetched(entries.iter().map(|entry| entry.package))?;
+        let mut sources = fetched(entries.iter().map(|entry| entry.package), &manifest)?;
         let options = entries.iter().flat_map(|entry| {
             let path = toml_edit::Value::from(&*sources[entry.package].to_string_lossy());
             let key = format!("patch.crates-io.{}", entry.key);
             let package = format!("{key}.package=\"{}\"", entry.package);
-            [
-                "--config".to_owned(),
-                package,
-                "--config".to_owned(),
-                format!("{key}.path={path}"),
-            ]
+            let path = format!("{key}.path={path}");
+            ["--config".to_owned(), package, "--config".to_owned(), path]
         });
-        let metadata = asking.metadata(options.collect())?;
+        // All packages of the project, with all features.
+        let metadata = MetadataCommand::new()
+            .manifest_path(manifest_path)
+            .current_dir(manifest.folder())
+            .features(CargoOpt::AllFeatures)
+            .other_options(options.collect::<Vec<_>>())
+            .exec()?;
 
         let mut other_versions = vec![];
         let mut copies = vec![];
         for package in &metadata.packages {
-            let Some(name) = PACKAGES
-                .into_iter()
-                .find(|name| *name == package.name.as_str())
-            else {
+            let is_it = |name: &&str| *name == package.name.as_str();
+            let Some(name) = PACKAGES.into_iter().find(is_it) else {
                 continue;
             };
             let folder = folder(package);
@@ -85,7 +80,7 @@ impl Project {
                 );
             }
         }
-        sources.extend(asking.fetched(copies.into_iter())?);
+        sources.extend(fetched(copies.into_iter(), &manifest)?);
         refuse_other_versions(&other_versions, sources.is_empty())?;
         members::ensure_none(&manifest, sources.keys().copied(), out)?;
         Ok(Self { manifest, sources })
@@ -109,21 +104,17 @@ fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<(
             name = package.name
         );
     }
-    if nothing_found {
-        let list = packages
-            .iter()
-            .map(|package| format!("{} {}", package.name, package.version));
-        let list = list.collect::<Vec<_>>().join(", ");
-        let found = if list.is_empty() {
-            "none of them".to_owned()
-        } else {
-            list
-        };
-        bail!(
-            "nothing to open: the project uses {found}, and only version {VERSION} of {} can be opened",
-            PACKAGES.join(", ")
-        );
-    }
+    let name = |package: &&Package| format!("{} {}", package.name, package.version);
+    let found: Vec<_> = packages.iter().map(name).collect();
+    let found = match found.is_empty() {
+        true => "none of them".to_owned(),
+        false => found.join(", "),
+    };
+    ensure!(
+        !nothing_found,
+        "nothing to open: the project uses {found}, and only version {VERSION} of {} can be opened",
+        PACKAGES.join(", ")
+    );
     Ok(())
 }
 
@@ -140,13 +131,8 @@ fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
 fn workspace_manifest(manifest_path: &Path) -> Result<PathBuf> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
-        .args([
-            "locate-project",
-            "--workspace",
-            "--message-format",
-            "plain",
-            "--manifest-path",
-        ])
+        .args(["locate-project", "--workspace", "--message-format=plain"])
+        .arg("--manifest-path")
         .arg(manifest_path)
         .output()
         .context("cannot run cargo")?;
@@ -158,87 +144,49 @@ fn workspace_manifest(manifest_path: &Path) -> Result<PathBuf> {
     Ok(String::from_utf8(output.stdout)?.trim_end().into())
 }
 
-/// What questions to Cargo have in common.
-struct Asking<'a> {
-    root: &'a Path,
-    manifest_path: &'a Path,
-}
-
-impl Asking<'_> {
-    /// All packages of the project, with all features.
-    fn metadata(&self, options: Vec<String>) -> Result<Metadata> {
-        let mut command = MetadataCommand::new();
-        command
-            .manifest_path(self.manifest_path)
-            .current_dir(self.folder());
-        command
-            .features(CargoOpt::AllFeatures)
-            .other_options(options);
-        Ok(command.exec()?)
+/// The sources of packages, whatever the project makes of them.
+fn fetched(
+    packages: impl Iterator<Item = &'static str>,
+    project: &Manifest,
+) -> Result<BTreeMap<&'static str, PathBuf>> {
+    let packages: Vec<_> = packages.collect();
+    if packages.is_empty() {
+        return Ok(BTreeMap::new());
     }
-
-    /// The sources of packages, whatever the project makes of them.
-    fn fetched(
-        &self,
-        packages: impl Iterator<Item = &'static str>,
-    ) -> Result<BTreeMap<&'static str, PathBuf>> {
-        let packages: Vec<_> = packages.collect();
-        if packages.is_empty() {
-            return Ok(BTreeMap::new());
-        }
-        let site = tempfile::tempdir()?;
-        let dependencies: String = packages
-            .iter()
-            .map(|name| format!("{name} = \"={VERSION}\"\n"))
-            .collect();
-        let manifest = format!(
-            "[workspace]\n[package]\nname = \"sources\"\nedition = \"2024\"\n[lib]\npath = \"lib.rs\"\n[dependencies]\n{dependencies}"
-        );
-        fs::write(site.path().join("Cargo.toml"), manifest)?;
-        fs::write(site.path().join("lib.rs"), "")?;
-        // So that Cargo need not fetch other versions of what Rapier depends on.
-        let lock = self.folder().join("Cargo.lock");
-        if lock.exists() {
-            fs::copy(lock, site.path().join("Cargo.lock"))?;
-        }
-        let mut command = MetadataCommand::new();
+    let site = tempfile::tempdir()?;
+    let dependency = |name: &&str| format!("{name} = \"={VERSION}\"\n");
+    let dependencies: String = packages.iter().map(dependency).collect();
+    let manifest = format!(
+        "[workspace]\n[package]\nname = \"sources\"\nedition = \"2024\"\n[lib]\npath = \"lib.rs\"\n[dependencies]\n{dependencies}"
+    );
+    fs::write(site.path().join("Cargo.toml"), manifest)?;
+    fs::write(site.path().join("lib.rs"), "")?;
+    // So that Cargo need not fetch other versions of what Rapier depends on.
+    let lock = project.folder().join("Cargo.lock");
+    if lock.exists() {
+        fs::copy(lock, site.path().join("Cargo.lock"))?;
+    }
+    let metadata = MetadataCommand::new()
+        .manifest_path(site.path().join("Cargo.toml"))
         // The project's folder, for Cargo's configuration is found from there.
-        command
-            .manifest_path(site.path().join("Cargo.toml"))
-            .current_dir(self.folder());
-        let metadata = command.exec()?;
-        let mut sources = BTreeMap::new();
-        for name in packages {
-            let mut found = metadata
-                .packages
-                .iter()
-                .filter(|package| package.name.as_str() == name && is_published(package));
-            let package = found
-                .next()
-                .with_context(|| format!("{name} {VERSION} is patched by Cargo's configuration"))?;
-            sources.insert(name, folder(package));
-        }
-        Ok(sources)
+        .current_dir(project.folder())
+        .exec()?;
+    let mut sources = BTreeMap::new();
+    for name in packages {
+        let is_it = |package: &&Package| package.name.as_str() == name && is_published(package);
+        let package = metadata.packages.iter().find(is_it);
+        let patched = || format!("{name} {VERSION} is patched by Cargo's configuration");
+        sources.insert(name, folder(package.with_context(patched)?));
     }
-
-    fn folder(&self) -> &Path {
-        self.root.parent().unwrap_or(Path::new("."))
-    }
+    Ok(sources)
 }
 
 fn is_published(package: &Package) -> bool {
-    package
-        .source
-        .as_ref()
-        .is_some_and(|source| source.is_crates_io())
+    let source = package.source.as_ref();
+    source.is_some_and(|source| source.is_crates_io())
 }
 
 fn folder(package: &Package) -> PathBuf {
-    normal(
-        package
-            .manifest_path
-            .as_std_path()
-            .parent()
-            .unwrap_or(Path::new("")),
-    )
+    let folder = package.manifest_path.parent();
+    normal(folder.map_or(Path::new(""), |folder| folder.as_std_path()))
 }

@@ -5,7 +5,48 @@
 //!
 //! [`BroadPhaseBvh`]: https://docs.rs/rapier3d/0.36.1/rapier3d/geometry/struct.BroadPhaseBvh.html
 
-use crate::edit::{Change, Edit};
+use anyhow::{Result, ensure};
+
+/// What becomes of the text that was found.
+pub(crate) enum Change {
+    Replace(&'static str),
+    Before(&'static str),
+    After(&'static str),
+}
+
+/// An edit of a text, which must be there as often as it was where the edit was written for.
+pub(crate) struct Edit {
+    /// The file, from the folder of the package.
+    pub(crate) file: &'static str,
+    /// What the edit is for, as the note in the copy tells it.
+    pub(crate) purpose: &'static str,
+    /// The text that is looked for.
+    pub(crate) find: &'static str,
+    /// How often it must occur.
+    pub(crate) times: usize,
+    /// What becomes of it. `{package}` stands for the package's name.
+    pub(crate) change: Change,
+}
+
+impl Edit {
+    /// The text with every occurrence edited.
+    pub(crate) fn apply(&self, text: &str, package: &str) -> Result<String> {
+        let found = text.matches(self.find).count();
+        ensure!(
+            found == self.times,
+            "{}: expected {} of the text below, found {found}; nothing was written\n{}",
+            self.file,
+            self.times,
+            self.find,
+        );
+        let new = match self.change {
+            Change::Replace(new) => new.to_owned(),
+            Change::Before(new) => format!("{new}{}", self.find),
+            Change::After(new) => format!("{}{new}", self.find),
+        };
+        Ok(text.replace(self.find, &new.replace("{package}", package)))
+    }
+}
 
 /// The packages that can be opened.
 pub(crate) const PACKAGES: [&str; 4] = ["rapier2d", "rapier3d", "rapier2d-f64", "rapier3d-f64"];

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::SystemTime;
 
 use tempfile::TempDir;
-use walkdir::WalkDir;
+use walkdir::{DirEntry, WalkDir};
 
 use crate::seam::EDITS;
 
@@ -50,10 +50,8 @@ impl Fixture {
         let fixture = Self {
             site: tempfile::tempdir().unwrap(),
         };
-        let lines = dependencies
-            .iter()
-            .map(|(name, version)| format!("{name} = \"={version}\"\n"));
-        let lines: String = lines.collect();
+        let line = |(name, version): &_| format!("{name} = \"={version}\"\n");
+        let lines: String = dependencies.iter().map(line).collect();
         fixture.write(
             "project/Cargo.toml",
             &format!("[package]\nname = \"game\"\nedition = \"2024\"\n\n[dependencies]\n{lines}"),
@@ -73,12 +71,7 @@ impl Fixture {
     fn publish(&self, name: &str, version: &str) {
         let mut files = BTreeMap::from([
             ("src/lib.rs", String::new()),
-            (
-                "Cargo.toml",
-                format!(
-                    "[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\nbuild = false\n"
-                ),
-            ),
+            ("Cargo.toml", manifest(name, version) + "build = false\n"),
             (".cargo-checksum.json", "{\"files\":{}}".to_owned()),
             (".cargo-ok", "{\"v\":1}".to_owned()),
             ("Cargo.lock", "version = 4\n".to_owned()),
@@ -96,11 +89,7 @@ impl Fixture {
 
     /// Another package, in a folder beside the project.
     pub(crate) fn package(&self, folder: &str, name: &str, version: &str) {
-        let lines = format!("name = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n");
-        self.write(
-            &format!("{folder}/Cargo.toml"),
-            &format!("[package]\n{lines}"),
-        );
+        self.write(&format!("{folder}/Cargo.toml"), &manifest(name, version));
         self.write(&format!("{folder}/src/lib.rs"), "");
     }
 
@@ -138,10 +127,6 @@ impl Fixture {
         fs::write(path, contents).unwrap();
     }
 
-    pub(crate) fn remove(&self, name: &str) {
-        fs::remove_dir_all(self.path(name)).unwrap();
-    }
-
     /// Runs the program in the project, with its copies in `copies`.
     pub(crate) fn run(&self, options: &[&str]) -> Outcome {
         self.run_in("project", &[&["--out", "copies"], options].concat())
@@ -155,31 +140,33 @@ impl Fixture {
 
     /// The folders from which Cargo takes all versions of a package of the project.
     pub(crate) fn folders_of(&self, package: &str) -> Vec<PathBuf> {
-        let mut command = cargo_metadata::MetadataCommand::new();
-        let metadata = command
+        let metadata = cargo_metadata::MetadataCommand::new()
             .current_dir(self.path("project"))
             .env("CARGO_NET_OFFLINE", "true")
             .exec()
             .unwrap();
         let found = metadata.packages.iter();
         let found = found.filter(|found| found.name.as_str() == package);
-        found
-            .map(|found| found.manifest_path.parent().unwrap().into())
-            .collect()
+        let folder = |found: &cargo_metadata::Package| found.manifest_path.parent().unwrap().into();
+        found.map(folder).collect()
     }
 
     /// All files of a folder, if it exists, and when they were written.
     pub(crate) fn state(&self, folder: &str) -> BTreeMap<PathBuf, (Vec<u8>, SystemTime)> {
-        let files = WalkDir::new(self.path(folder))
-            .into_iter()
-            .filter_map(Result::ok);
+        let state = |entry: DirEntry| {
+            let written = entry.metadata().unwrap().modified().unwrap();
+            let text = fs::read(entry.path()).unwrap();
+            (entry.into_path(), (text, written))
+        };
+        let entries = WalkDir::new(self.path(folder)).into_iter();
+        let files = entries.filter_map(Result::ok);
         let files = files.filter(|entry| !entry.file_type().is_dir());
-        let written = |path: &Path| fs::metadata(path).unwrap().modified().unwrap();
-        let state = |path: &Path| (fs::read(path).unwrap(), written(path));
-        files
-            .map(|entry| (entry.path().to_owned(), state(entry.path())))
-            .collect()
+        files.map(state).collect()
     }
+}
+
+fn manifest(name: &str, version: &str) -> String {
+    format!("[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n")
 }
 
 pub(crate) fn outcome(command: &mut Command) -> Outcome {

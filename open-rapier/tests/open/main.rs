@@ -8,8 +8,5 @@ mod rapier;
 
 // The tables, from which the small package is made.
 #[allow(dead_code)]
-#[path = "../../src/edit.rs"]
-mod edit;
-#[allow(dead_code)]
 #[path = "../../src/seam.rs"]
 mod seam;
