@@ -40,11 +40,11 @@ pub(crate) fn draw(rows: &[Row], folder: &Path) -> Result<()> {
 }
 
 /// All contenders in the order of their first rows, but unisize's own first.
-fn names(rows: &[Row]) -> Vec<&str> {
+fn names(rows: &[Row]) -> Vec<&'static str> {
     let mut names = Vec::new();
     for row in rows {
-        if !names.contains(&row.contender.as_str()) {
-            names.push(row.contender.as_str());
+        if !names.contains(&row.contender) {
+            names.push(row.contender);
         }
     }
     names.sort_by_key(|name| !name.starts_with("unisize"));

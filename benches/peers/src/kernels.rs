@@ -6,7 +6,6 @@
 mod broccoli;
 mod cgal;
 mod contender;
-mod frame;
 mod ours;
 mod rstar;
 mod zelll;
@@ -31,13 +30,12 @@ mod parry3 {
     pub(super) use tree::families;
 }
 
-use crate::pair_set::PairSet;
+use crate::pair_set;
 use crate::progress::progress_bar;
 use crate::report::Report;
 use crate::row::Row;
 use anyhow::{Context, Result};
-use contender::{Contender, Family};
-use frame::Frame;
+use contender::{Contender, Family, Frame};
 use unisize_scenes::DriftingBoxes;
 
 /// How long one number of boxes is measured.
@@ -137,9 +135,9 @@ fn contend<const D: usize>(
     effort: &Effort,
 ) -> Result<Vec<Row>> {
     let boxes = DriftingBoxes::new(effort.count, density, 7);
-    let mut frame = Frame::new();
+    let mut frame = Frame::default();
     frame.show(&boxes);
-    let expected = PairSet::of_boxes(&frame.boxes)?;
+    let expected = pair_set::of_boxes(&frame.boxes)?;
 
     let mut contenders = Vec::new();
     for family in families {
@@ -150,7 +148,8 @@ fn contend<const D: usize>(
         }
     }
     for round in 0..effort.rounds {
-        let run = |contender: &mut Contender<D>| contender.run(effort.frames_a_round, &mut frame);
+        let run =
+            |contender: &mut Contender<'_, D>| contender.run(effort.frames_a_round, &mut frame);
         if round % 2 == 0 {
             contenders.iter_mut().try_for_each(run)?;
         } else {
@@ -160,6 +159,6 @@ fn contend<const D: usize>(
     for contender in &contenders {
         contender.check_last(&mut frame)?;
     }
-    let row = |contender: &Contender<D>| contender.row(density, &contenders[0]);
+    let row = |contender: &Contender<'_, D>| contender.row(density, &contenders[0]);
     Ok(contenders.iter().map(row).collect())
 }

@@ -10,7 +10,7 @@ pub(crate) struct Row {
     /// The part of the area or volume that the boxes would fill if they did not overlap.
     pub(crate) density: f64,
     pub(crate) count: usize,
-    pub(crate) contender: String,
+    pub(crate) contender: &'static str,
     /// The setting that was best, of those that were tried.
     pub(crate) setting: String,
     /// How many frames were measured.
@@ -31,7 +31,7 @@ impl Row {
             ("dim", self.dim.into()),
             ("density", self.density.into()),
             ("count", self.count.into()),
-            ("contender", self.contender.as_str().into()),
+            ("contender", self.contender.into()),
             ("setting", self.setting.as_str().into()),
             ("frames", self.frames.into()),
             ("typical_ms", self.ms.into()),

@@ -3,9 +3,7 @@
 //! Boxes are closed there as well. They lie in the tree by value, with their index. The one setting is the
 //! height of the tree.
 
-use super::contender::{Family, Kernel, Setting};
-use super::frame::Frame;
-use anyhow::Result;
+use super::contender::{Family, Setting};
 use broccoli::aabb::BBox;
 use broccoli::build::{DefaultSorter, TreeEmbryo};
 use broccoli::{num_level, rect};
@@ -16,45 +14,24 @@ const BOXES_A_LEAF: [usize; 4] = [5, 20, num_level::DEFAULT_NUMBER_ELEM_PER_NODE
 
 /// broccoli at its best height.
 pub(crate) fn family() -> Family<2> {
-    let setting = |boxes_a_leaf| {
-        Setting::new(format!("{boxes_a_leaf} boxes a leaf"), move || {
-            Ok(Broccoli {
-                boxes_a_leaf,
-                boxes: Vec::new(),
-                pairs: Vec::new(),
-            })
-        })
-    };
     Family::new("broccoli", BOXES_A_LEAF.map(setting))
 }
 
-struct Broccoli {
-    boxes_a_leaf: usize,
-    boxes: Vec<BBox<f32, u32>>,
-    pairs: Vec<[u32; 2]>,
-}
-
-impl Kernel<2> for Broccoli {
-    fn find_pairs(&mut self, frame: &Frame<2>) -> Result<()> {
-        let bbox = |(index, &[mins, maxs]): (usize, &[[f32; 2]; 2])| {
-            BBox::new(rect(mins[0], maxs[0], mins[1], maxs[1]), index as u32)
-        };
-        // The tree has put them into another order, so they are made anew.
-        self.boxes.clear();
-        self.boxes
-            .extend(frame.corners.iter().enumerate().map(bbox));
-        let levels = num_level::with_num_elem_in_leaf(self.boxes.len(), self.boxes_a_leaf);
-        let (mut embryo, root) = TreeEmbryo::with_num_level(&mut self.boxes, levels);
-        embryo.recurse(root, &mut DefaultSorter);
-        let mut tree = embryo.finish();
-
-        let pairs = &mut self.pairs;
-        pairs.clear();
-        tree.find_colliding_pairs(|a, b| pairs.push([a.inner, b.inner]));
-        Ok(())
-    }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
-    }
+fn setting(boxes_a_leaf: usize) -> Setting<2> {
+    Setting::listing(format!("{boxes_a_leaf} boxes a leaf"), move || {
+        let mut boxes: Vec<BBox<f32, u32>> = Vec::new();
+        move |frame, pairs| {
+            // The tree has put them into another order, so they are made anew.
+            boxes.clear();
+            boxes.extend((0..).zip(&frame.corners).map(|(index, [mins, maxs])| {
+                BBox::new(rect(mins[0], maxs[0], mins[1], maxs[1]), index)
+            }));
+            let levels = num_level::with_num_elem_in_leaf(boxes.len(), boxes_a_leaf);
+            let (mut embryo, root) = TreeEmbryo::with_num_level(&mut boxes, levels);
+            embryo.recurse(root, &mut DefaultSorter);
+            let mut tree = embryo.finish();
+            tree.find_colliding_pairs(|a, b| pairs.push([a.inner, b.inner]));
+            Ok(())
+        }
+    })
 }

@@ -6,8 +6,7 @@
 // The one file that calls C++; what it relies on is in cpp/cgal.cpp.
 #![allow(unsafe_code)]
 
-use super::contender::{Family, Kernel, Setting};
-use super::frame::Frame;
+use super::contender::{Family, Frame, Kernel, Setting};
 use anyhow::{Context, Result, ensure};
 use std::ptr::NonNull;
 

@@ -1,13 +1,34 @@
 //! One library in one case: its best setting is searched for, then measured.
 
-use super::frame::Frame;
-use crate::pair_set::PairSet;
+use crate::pair_set;
 use crate::row::Row;
 use crate::times::Times;
 use anyhow::{Result, bail};
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+use unisize::Aabb;
 use unisize_scenes::DriftingBoxes;
+
+/// The boxes of one moment. Whatever else a kernel needs is built from this, as a part of its time.
+#[derive(Default)]
+pub(crate) struct Frame<const D: usize> {
+    /// For unisize.
+    pub(crate) boxes: Vec<Aabb<f32, D>>,
+    /// For all others, the same: the least coordinates of each box, then the greatest.
+    pub(crate) corners: Vec<[[f32; D]; 2]>,
+}
+
+impl<const D: usize> Frame<D> {
+    /// Shows the boxes as they are now.
+    pub(crate) fn show(&mut self, drifting: &DriftingBoxes<D>) {
+        let corners = |mins: &[f32; D]| [*mins, mins.map(|x| x + DriftingBoxes::<D>::SIZE)];
+        self.corners.clear();
+        self.corners.extend(drifting.mins().iter().map(corners));
+        self.boxes.clear();
+        let aabb = |&[mins, maxs]: &[[f32; D]; 2]| Aabb::new(mins, maxs);
+        self.boxes.extend(self.corners.iter().map(aabb));
+    }
+}
 
 /// Something that finds all overlapping pairs of boxes.
 pub(crate) trait Kernel<const D: usize> {
@@ -16,6 +37,26 @@ pub(crate) trait Kernel<const D: usize> {
 
     /// The pairs found, each once, in any order.
     fn pairs(&self) -> &[[u32; 2]];
+}
+
+/// A kernel that puts the pairs into an empty list.
+struct Listing<F> {
+    find: F,
+    pairs: Vec<[u32; 2]>,
+}
+
+impl<F, const D: usize> Kernel<D> for Listing<F>
+where
+    F: FnMut(&Frame<D>, &mut Vec<[u32; 2]>) -> Result<()>,
+{
+    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
+        self.pairs.clear();
+        (self.find)(frame, &mut self.pairs)
+    }
+
+    fn pairs(&self) -> &[[u32; 2]] {
+        &self.pairs
+    }
 }
 
 /// A way to set a kernel up. It has no name if there is no other.
@@ -33,6 +74,17 @@ impl<const D: usize> Setting<D> {
             name: name.to_string(),
             create: Box::new(move || Ok(Box::new(create()?))),
         }
+    }
+
+    /// For a kernel that is no more than a function.
+    pub(crate) fn listing<F>(name: impl ToString, create: impl Fn() -> F + 'static) -> Self
+    where
+        F: FnMut(&Frame<D>, &mut Vec<[u32; 2]>) -> Result<()> + 'static,
+    {
+        Self::new(name, move || {
+            let (find, pairs) = (create(), Vec::new());
+            Ok(Listing { find, pairs })
+        })
     }
 }
 
@@ -64,33 +116,31 @@ const HOPELESS: f64 = 3.0;
 const WORTH_TRYING_MS: f64 = 50.0;
 
 /// A family at its best setting, with boxes of its own that drift on, the same for all contenders.
-pub(crate) struct Contender<const D: usize> {
-    name: &'static str,
-    setting: String,
+pub(crate) struct Contender<'a, const D: usize> {
+    family: &'a Family<D>,
+    setting: &'a str,
     kernel: Box<dyn Kernel<D>>,
     boxes: DriftingBoxes<D>,
-    least_frames: usize,
     times: Times,
 }
 
-impl<const D: usize> Contender<D> {
+impl<'a, const D: usize> Contender<'a, D> {
     /// Tries every setting on so many frames, and keeps the one with the best mean. On the first frame,
     /// every one is compared with the oracle.
     pub(crate) fn best_of(
-        family: &Family<D>,
+        family: &'a Family<D>,
         boxes: &DriftingBoxes<D>,
-        expected: &PairSet,
+        expected: &[[u32; 2]],
         frames: usize,
         frame: &mut Frame<D>,
     ) -> Result<Self> {
         let mut best: Option<Self> = None;
         for setting in &family.settings {
             let mut contender = Self {
-                name: family.name,
-                setting: setting.name.clone(),
+                family,
+                setting: &setting.name,
                 kernel: (setting.create)()?,
                 boxes: boxes.clone(),
-                least_frames: family.least_frames,
                 times: Times::default(),
             };
             frame.show(&contender.boxes);
@@ -118,28 +168,30 @@ impl<const D: usize> Contender<D> {
 
     /// Measures so many frames, or a few more if the family needs them, each after the boxes have drifted on.
     pub(crate) fn run(&mut self, frames: usize, frame: &mut Frame<D>) -> Result<()> {
-        self.times.begin_turn();
-        for _ in 0..frames.next_multiple_of(self.least_frames) {
+        let frames = frames.next_multiple_of(self.family.least_frames);
+        let mut time = Duration::ZERO;
+        for _ in 0..frames {
             self.boxes.advance();
             frame.show(&self.boxes);
             let start = Instant::now();
             self.kernel.find_pairs(black_box(frame))?;
-            self.times.push(start.elapsed());
+            time += start.elapsed();
             black_box(&self.kernel);
         }
+        self.times.push(frames, time);
         Ok(())
     }
 
     /// Compares the pairs of the last frame with the oracle's.
     pub(crate) fn check_last(&self, frame: &mut Frame<D>) -> Result<()> {
         frame.show(&self.boxes);
-        self.check(&PairSet::of_boxes(&frame.boxes)?)
+        self.check(&pair_set::of_boxes(&frame.boxes)?)
     }
 
-    fn check(&self, expected: &PairSet) -> Result<()> {
-        let found = PairSet::new(self.kernel.pairs().iter().copied());
-        if let Some(difference) = found.difference(expected) {
-            bail!("{} ({}) found {difference}", self.name, self.setting);
+    fn check(&self, expected: &[[u32; 2]]) -> Result<()> {
+        let found = pair_set::ordered(self.kernel.pairs());
+        if let Some(difference) = pair_set::difference(&found, expected) {
+            bail!("{} ({}) found {difference}", self.family.name, self.setting);
         }
         Ok(())
     }
@@ -149,9 +201,9 @@ impl<const D: usize> Contender<D> {
             dim: D,
             density,
             count: self.boxes.mins().len(),
-            contender: self.name.to_owned(),
-            setting: self.setting.clone(),
-            frames: self.times.count(),
+            contender: self.family.name,
+            setting: self.setting.to_owned(),
+            frames: self.times.frames,
             ms: self.times.typical(),
             pairs: self.kernel.pairs().len(),
             ratio: self.times.typical() / ours.times.typical(),

@@ -1,8 +1,6 @@
 //! The kernels of this repository.
 
-use super::contender::{Family, Kernel, Setting};
-use super::frame::Frame;
-use anyhow::Result;
+use super::contender::{Family, Setting};
 use unisize::{GridSweep, PairFinder, RankSweep};
 
 /// GridSweep, which all ratios are relative to, and RankSweep, up to so many boxes.
@@ -16,22 +14,8 @@ pub(crate) fn families<const D: usize>(rank_sweep_max: usize) -> Vec<Family<D>> 
 }
 
 fn setting<F: PairFinder<f32, D> + Default + 'static, const D: usize>() -> Setting<D> {
-    Setting::new("", || Ok(Ours::<F>::default()))
-}
-
-#[derive(Default)]
-struct Ours<F> {
-    finder: F,
-    pairs: Vec<[u32; 2]>,
-}
-
-impl<F: PairFinder<f32, D>, const D: usize> Kernel<D> for Ours<F> {
-    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
-        self.finder.find_pairs(&frame.boxes, &mut self.pairs)?;
-        Ok(())
-    }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
-    }
+    Setting::listing("", || {
+        let mut finder = F::default();
+        move |frame, pairs| Ok(finder.find_pairs(&frame.boxes, pairs)?)
+    })
 }

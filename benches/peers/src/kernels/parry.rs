@@ -5,32 +5,24 @@
 //! leaves are moved. All trees are traversed against themselves.
 
 use super::parry;
-use crate::kernels::contender::{Family, Kernel, Setting};
-use crate::kernels::frame::Frame;
-use anyhow::Result;
+use crate::kernels::contender::{Family, Setting};
 use parry::bounding_volume::Aabb;
 use parry::math::{DIM, Point};
 use parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 
 /// A tree built for each frame, and a tree that is kept, each in the best of several ways.
 pub(crate) fn families() -> Vec<Family<DIM>> {
-    let setting =
-        |(name, upkeep): (String, Upkeep)| Setting::new(name, move || Ok(Tree::new(upkeep)));
     let built = [
-        ("binned".to_owned(), Upkeep::Build(BvhBuildStrategy::Binned)),
-        ("PLOC".to_owned(), Upkeep::Build(BvhBuildStrategy::Ploc)),
+        setting("binned", Upkeep::Build(BvhBuildStrategy::Binned)),
+        setting("PLOC", Upkeep::Build(BvhBuildStrategy::Ploc)),
     ];
-    let period = |frames| {
-        (
-            format!("rebuilt one frame in {frames}"),
-            Upkeep::RebuildOneIn(frames),
-        )
-    };
-    let kept = [4, 8, MAX_PERIOD].map(period);
-    let built = Family::new("Parry Bvh, new", built.map(setting));
-    let mut kept = Family::new("Parry Bvh, kept", kept.map(setting));
+    let kept = [4, 8, MAX_PERIOD].map(|frames| {
+        let name = format!("rebuilt one frame in {frames}");
+        setting(&name, Upkeep::RebuildOneIn(frames))
+    });
+    let mut kept = Family::new("Parry Bvh, kept", kept);
     kept.least_frames = MAX_PERIOD;
-    vec![built, kept]
+    vec![Family::new("Parry Bvh, new", built), kept]
 }
 
 /// Frames between two rebuilds at most. Without any, the tree would be twenty times slower after some hundred
@@ -47,24 +39,33 @@ enum Upkeep {
     RebuildOneIn(usize),
 }
 
-struct Tree {
-    upkeep: Upkeep,
-    frame: usize,
-    tree: Bvh,
-    workspace: BvhWorkspace,
-    pairs: Vec<[u32; 2]>,
-}
-
-impl Tree {
-    fn new(upkeep: Upkeep) -> Self {
-        Self {
-            upkeep,
-            frame: 0,
-            tree: Bvh::new(),
-            workspace: BvhWorkspace::default(),
-            pairs: Vec::new(),
+fn setting(name: &str, upkeep: Upkeep) -> Setting<DIM> {
+    Setting::listing(name, move || {
+        let (mut tree, mut workspace) = (Bvh::new(), BvhWorkspace::default());
+        let mut frames = 0_usize;
+        move |frame, pairs| {
+            let build = |strategy| {
+                let leaves = frame.corners.iter().map(aabb).enumerate();
+                Bvh::from_iter(strategy, leaves)
+            };
+            match upkeep {
+                Upkeep::Build(strategy) => tree = build(strategy),
+                _ if tree.is_empty() => tree = build(BvhBuildStrategy::Binned),
+                Upkeep::RebuildOneIn(period) => {
+                    move_leaves(&mut tree, &frame.corners);
+                    if frames.is_multiple_of(period) {
+                        tree.rebuild(&mut workspace, BvhBuildStrategy::Binned);
+                    }
+                    // Puts the nodes into the order in which they are visited.
+                    tree.refit(&mut workspace);
+                }
+            }
+            frames += 1;
+            let push = &mut |a, b| pairs.push([a, b]);
+            tree.traverse_bvtt_single_tree::<false>(&mut workspace, push);
+            Ok(())
         }
-    }
+    })
 }
 
 fn aabb(&[mins, maxs]: &[[f32; DIM]; 2]) -> Aabb {
@@ -75,36 +76,5 @@ fn move_leaves(tree: &mut Bvh, corners: &[[[f32; DIM]; 2]]) {
     for (index, corners) in corners.iter().enumerate() {
         // Without a margin: the boxes are to be these very ones.
         tree.insert_or_update_partially(aabb(corners), index as u32, 0.0);
-    }
-}
-
-impl Kernel<DIM> for Tree {
-    fn find_pairs(&mut self, frame: &Frame<DIM>) -> Result<()> {
-        let (corners, tree, workspace) = (&frame.corners, &mut self.tree, &mut self.workspace);
-        let build = |strategy| {
-            let leaves = corners.iter().map(aabb).enumerate();
-            Bvh::from_iter(strategy, leaves)
-        };
-        match self.upkeep {
-            Upkeep::Build(strategy) => *tree = build(strategy),
-            _ if tree.is_empty() => *tree = build(BvhBuildStrategy::Binned),
-            Upkeep::RebuildOneIn(period) => {
-                move_leaves(tree, corners);
-                if self.frame.is_multiple_of(period) {
-                    tree.rebuild(workspace, BvhBuildStrategy::Binned);
-                }
-                // Puts the nodes into the order in which they are visited.
-                tree.refit(workspace);
-            }
-        }
-        self.frame += 1;
-        let pairs = &mut self.pairs;
-        pairs.clear();
-        tree.traverse_bvtt_single_tree::<false>(workspace, &mut |a, b| pairs.push([a, b]));
-        Ok(())
-    }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
     }
 }

@@ -3,8 +3,7 @@
 //! Boxes are closed there as well. Either way names every pair twice and every box with itself; one of the two
 //! is kept. The size of a node can be set for the second way only.
 
-use super::contender::{Family, Kernel, Setting};
-use super::frame::Frame;
+use super::contender::{Family, Frame, Setting};
 use anyhow::Result;
 use rstar::{AABB, Point, RStarInsertionStrategy, RTree, RTreeObject, RTreeParams};
 
@@ -14,10 +13,10 @@ where
     [f32; D]: Point<Scalar = f32>,
 {
     let settings = [
-        Setting::new("intersected", || Ok(Intersected::default())),
-        Setting::new("nodes of 6", || Ok(Queried::<6>::default())),
-        Setting::new("nodes of 12", || Ok(Queried::<12>::default())),
-        Setting::new("nodes of 24", || Ok(Queried::<24>::default())),
+        Setting::listing("intersected", || intersected),
+        Setting::listing("nodes of 6", || query::<6, D>),
+        Setting::listing("nodes of 12", || query::<12, D>),
+        Setting::listing("nodes of 24", || query::<24, D>),
     ];
     Family::new("rstar", settings)
 }
@@ -39,40 +38,20 @@ where
 }
 
 fn indexed<const D: usize>(frame: &Frame<D>) -> Vec<IndexedBox<D>> {
-    let boxes = frame.corners.iter().enumerate();
-    let indexed = |(index, &corners): (usize, &[[f32; D]; 2])| IndexedBox {
-        corners,
-        index: index as u32,
-    };
+    let boxes = (0..).zip(&frame.corners);
+    let indexed = |(index, &corners)| IndexedBox { corners, index };
     boxes.map(indexed).collect()
 }
 
-#[derive(Default)]
-struct Intersected {
-    pairs: Vec<[u32; 2]>,
-}
-
-impl<const D: usize> Kernel<D> for Intersected
+fn intersected<const D: usize>(frame: &Frame<D>, pairs: &mut Vec<[u32; 2]>) -> Result<()>
 where
     [f32; D]: Point<Scalar = f32>,
 {
-    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
-        let tree = RTree::bulk_load(indexed(frame));
-        self.pairs.clear();
-        let twice = tree.intersection_candidates_with_other_tree(&tree);
-        let once = twice.filter(|(a, b)| a.index < b.index);
-        self.pairs.extend(once.map(|(a, b)| [a.index, b.index]));
-        Ok(())
-    }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
-    }
-}
-
-#[derive(Default)]
-struct Queried<const MAX: usize> {
-    pairs: Vec<[u32; 2]>,
+    let tree = RTree::bulk_load(indexed(frame));
+    let twice = tree.intersection_candidates_with_other_tree(&tree);
+    let once = twice.filter(|(a, b)| a.index < b.index);
+    pairs.extend(once.map(|(a, b)| [a.index, b.index]));
+    Ok(())
 }
 
 /// Nodes of up to so many children.
@@ -85,23 +64,19 @@ impl<const MAX: usize> RTreeParams for NodesOf<MAX> {
     type DefaultInsertionStrategy = RStarInsertionStrategy;
 }
 
-impl<const MAX: usize, const D: usize> Kernel<D> for Queried<MAX>
+fn query<const MAX: usize, const D: usize>(
+    frame: &Frame<D>,
+    pairs: &mut Vec<[u32; 2]>,
+) -> Result<()>
 where
     [f32; D]: Point<Scalar = f32>,
 {
-    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
-        let tree = RTree::<_, NodesOf<MAX>>::bulk_load_with_params(indexed(frame));
-        self.pairs.clear();
-        // In the order of the tree, where the next box is near the last one.
-        for a in tree.iter() {
-            let overlapping = tree.locate_in_envelope_intersecting(&a.envelope());
-            let once = overlapping.filter(|b| a.index < b.index);
-            self.pairs.extend(once.map(|b| [a.index, b.index]));
-        }
-        Ok(())
+    let tree = RTree::<_, NodesOf<MAX>>::bulk_load_with_params(indexed(frame));
+    // In the order of the tree, where the next box is near the last one.
+    for a in tree.iter() {
+        let overlapping = tree.locate_in_envelope_intersecting(&a.envelope());
+        let once = overlapping.filter(|b| a.index < b.index);
+        pairs.extend(once.map(|b| [a.index, b.index]));
     }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
-    }
+    Ok(())
 }

@@ -4,9 +4,7 @@
 //! the corners are the particles, the cells are a little larger than the boxes, and every pair of corners in
 //! neighbouring cells is compared box with box. With boxes of different sizes it would not work at all.
 
-use super::contender::{Family, Kernel, Setting};
-use super::frame::Frame;
-use anyhow::Result;
+use super::contender::{Family, Setting};
 use unisize_scenes::DriftingBoxes;
 use zelll::{CellGrid, ParticleLike};
 
@@ -16,16 +14,30 @@ const CELL_SIZES: [f32; 3] = [1.001, 1.5, 2.0];
 
 /// zelll at its best size of a cell.
 pub(crate) fn family<const D: usize>() -> Family<D> {
-    let setting = |size| {
-        Setting::new(format!("cells of {size}"), move || {
-            Ok(Zelll {
-                cutoff: size * DriftingBoxes::<D>::SIZE,
-                grid: None,
-                pairs: Vec::new(),
-            })
-        })
-    };
     Family::new("zelll", CELL_SIZES.map(setting))
+}
+
+fn setting<const D: usize>(size: f32) -> Setting<D> {
+    Setting::listing(format!("cells of {size}"), move || {
+        let mut grid: Option<CellGrid<Particle<D>, D, f32>> = None;
+        move |frame, pairs| {
+            let particle = |(index, &corners)| Particle { corners, index };
+            let particles = (0..).zip(&frame.corners).map(particle);
+            match &mut grid {
+                Some(grid) => grid.rebuild_mut(particles, None),
+                none => {
+                    let cutoff = size * DriftingBoxes::<D>::SIZE;
+                    *none = Some(CellGrid::new(particles, cutoff));
+                }
+            }
+            for (a, b) in grid.iter().flat_map(CellGrid::particle_pairs) {
+                if a.overlaps(b) {
+                    pairs.push([a.index, b.index]);
+                }
+            }
+            Ok(())
+        }
+    })
 }
 
 #[derive(Clone, Copy)]
@@ -57,36 +69,5 @@ impl<const D: usize> Particle<D> {
             overlaps &= (a_mins[k] <= b_maxs[k]) & (b_mins[k] <= a_maxs[k]);
         }
         overlaps
-    }
-}
-
-struct Zelll<const D: usize> {
-    cutoff: f32,
-    grid: Option<CellGrid<Particle<D>, D, f32>>,
-    pairs: Vec<[u32; 2]>,
-}
-
-impl<const D: usize> Kernel<D> for Zelll<D> {
-    fn find_pairs(&mut self, frame: &Frame<D>) -> Result<()> {
-        let particle = |(index, &corners): (usize, &[[f32; D]; 2])| Particle {
-            corners,
-            index: index as u32,
-        };
-        let particles = frame.corners.iter().enumerate().map(particle);
-        match &mut self.grid {
-            Some(grid) => grid.rebuild_mut(particles, None),
-            none => *none = Some(CellGrid::new(particles, self.cutoff)),
-        }
-        self.pairs.clear();
-        for (a, b) in self.grid.iter().flat_map(CellGrid::particle_pairs) {
-            if a.overlaps(b) {
-                self.pairs.push([a.index, b.index]);
-            }
-        }
-        Ok(())
-    }
-
-    fn pairs(&self) -> &[[u32; 2]] {
-        &self.pairs
     }
 }
