@@ -26,30 +26,10 @@ macro_rules! flavour {
     };
 }
 
-flavour!(
-    rapier2d,
-    rapier2d_036,
-    dim2_036,
-    "../../../tests/pipelines/dim2.rs"
-);
-flavour!(
-    rapier3d,
-    rapier3d_036,
-    dim3_036,
-    "../../../tests/pipelines/dim3.rs"
-);
-flavour!(
-    rapier2d_f64,
-    rapier2d_f64_036,
-    dim2_f64_036,
-    "../../../tests/pipelines/dim2.rs"
-);
-flavour!(
-    rapier3d_f64,
-    rapier3d_f64_036,
-    dim3_f64_036,
-    "../../../tests/pipelines/dim3.rs"
-);
+flavour! { rapier2d, rapier2d_036, dim2_036, "../../../tests/pipelines/dim2.rs" }
+flavour! { rapier3d, rapier3d_036, dim3_036, "../../../tests/pipelines/dim3.rs" }
+flavour! { rapier2d_f64, rapier2d_f64_036, dim2_f64_036, "../../../tests/pipelines/dim2.rs" }
+flavour! { rapier3d_f64, rapier3d_f64_036, dim3_f64_036, "../../../tests/pipelines/dim3.rs" }
 
 // It does not look into macros.
 #[cfg(rustfmt)]
