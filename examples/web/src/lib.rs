@@ -18,61 +18,29 @@ use drawing::Drawing;
 use unisize_scenes::SceneKind;
 use wasm_bindgen::prelude::*;
 
-#[cfg(feature = "rapier-027")]
-#[path = "engine"]
-mod dim2_027 {
-    use rapier2d_027 as rapier;
-    use unisize::rapier2d_027::UnisizeBroadPhase;
-    use unisize_scenes::dim2 as scenes;
+/// A flavour of Rapier, if its version is on.
+macro_rules! engine {
+    ($name:ident, $scenes:ident, $rapier:ident, $feature:literal, $version:literal) => {
+        #[cfg(feature = $feature)]
+        #[path = "engine"]
+        mod $name {
+            use unisize::$rapier::UnisizeBroadPhase;
+            use unisize_scenes::$scenes as scenes;
+            use $rapier as rapier;
 
-    #[cfg(feature = "check")]
-    pub(crate) mod check;
-    #[path = "rapier_027.rs"]
-    mod version;
-    pub(crate) mod world;
+            #[cfg(feature = "check")]
+            pub(crate) mod check;
+            #[path = $version]
+            mod version;
+            pub(crate) mod world;
+        }
+    };
 }
 
-#[cfg(feature = "rapier-027")]
-#[path = "engine"]
-mod dim3_027 {
-    use rapier3d_027 as rapier;
-    use unisize::rapier3d_027::UnisizeBroadPhase;
-    use unisize_scenes::dim3 as scenes;
-
-    #[cfg(feature = "check")]
-    pub(crate) mod check;
-    #[path = "rapier_027.rs"]
-    mod version;
-    pub(crate) mod world;
-}
-
-#[cfg(feature = "rapier-036")]
-#[path = "engine"]
-mod dim2_036 {
-    use rapier2d_036 as rapier;
-    use unisize::rapier2d_036::UnisizeBroadPhase;
-    use unisize_scenes::dim2_036 as scenes;
-
-    #[cfg(feature = "check")]
-    pub(crate) mod check;
-    #[path = "rapier_036.rs"]
-    mod version;
-    pub(crate) mod world;
-}
-
-#[cfg(feature = "rapier-036")]
-#[path = "engine"]
-mod dim3_036 {
-    use rapier3d_036 as rapier;
-    use unisize::rapier3d_036::UnisizeBroadPhase;
-    use unisize_scenes::dim3_036 as scenes;
-
-    #[cfg(feature = "check")]
-    pub(crate) mod check;
-    #[path = "rapier_036.rs"]
-    mod version;
-    pub(crate) mod world;
-}
+engine! { dim2_027, dim2, rapier2d_027, "rapier-027", "rapier_027.rs" }
+engine! { dim3_027, dim3, rapier3d_027, "rapier-027", "rapier_027.rs" }
+engine! { dim2_036, dim2_036, rapier2d_036, "rapier-036", "rapier_036.rs" }
+engine! { dim3_036, dim3_036, rapier3d_036, "rapier-036", "rapier_036.rs" }
 
 /// A function of the engine of this name, `rapier2d-027` or another; returns a sentence if there is none.
 macro_rules! for_engine {
@@ -98,39 +66,18 @@ fn kind(scene: &str) -> Result<SceneKind, JsError> {
     SceneKind::from_name(scene).ok_or_else(|| JsError::new(&format!("there is no scene {scene}")))
 }
 
-/// A scene on one broad phase, whichever Rapier it is of.
+/// A scene on one broad phase, whichever Rapier it is of. [`Side`] says what is returned.
 trait World {
-    /// Runs the script of the scene and advances it by one time step. Returns the milliseconds of the broad phase.
     fn step(&mut self) -> f64;
-
-    /// The number of bodies that are not fixed.
     fn body_count(&self) -> usize;
-
-    /// The number of pairs that the narrow phase looks at in each step.
     fn pair_count(&self) -> usize;
-
-    /// The number of pairs with a contact that the solver sees.
     fn contact_count(&self) -> usize;
-
-    /// The coordinates of all bodies, one after the other.
     fn positions(&self) -> Vec<f32>;
-
-    /// The corners of the box around everything whose size is finite, the lower one first, each with three coordinates.
     fn bounds(&self) -> [f32; 6];
-
-    /// Draws the colliders.
     fn draw(&self, drawing: &mut Drawing);
-
-    /// The ends of the edges of the boxes of the colliders that move.
     fn box_lines(&self) -> Vec<f32>;
-
-    /// The ends of the edges of the boxes that unisize has searched by; none on the other side.
     fn fat_box_lines(&self) -> Vec<f32>;
-
-    /// How unisize searches; zeros on the other side. See [`Side::searches`].
     fn searches(&self) -> [f64; 5];
-
-    /// The ends of a line for each pair of the narrow phase: pairs without contact, or those with one.
     fn pair_lines(&self, touching: bool) -> Vec<f32>;
 }
 
@@ -163,7 +110,7 @@ impl Side {
         })
     }
 
-    /// Advances the world by one time step. Returns the milliseconds of the broad phase.
+    /// Runs the script of the scene and advances the world by one time step. Returns the milliseconds of the broad phase.
     pub fn step(&mut self) -> f64 {
         self.world.step()
     }
@@ -188,7 +135,7 @@ impl Side {
         self.world.positions()
     }
 
-    /// The lower and the upper corner of the scene.
+    /// The corners of the box around everything whose size is finite, the lower one first, each with three coordinates.
     pub fn bounds(&self) -> Vec<f32> {
         self.world.bounds().to_vec()
     }

@@ -77,8 +77,11 @@ impl<B: Steppable> World for Run<B> {
 
     fn bounds(&self) -> [f32; 6] {
         let mut bounds = [f32::MAX, f32::MAX, f32::MAX, f32::MIN, f32::MIN, f32::MIN];
-        let colliders = self.scene.world.colliders.iter();
-        for (_, collider) in colliders.filter(|(_, collider)| !is_half_space(collider)) {
+        for (_, collider) in self.scene.world.colliders.iter() {
+            // Half-spaces have no end.
+            if collider.shape().as_halfspace().is_some() {
+                continue;
+            }
             let corners = corners(collider);
             for axis in 0..3 {
                 bounds[axis] = bounds[axis].min(corners[axis]);
@@ -102,7 +105,7 @@ impl<B: Steppable> World for Run<B> {
                 0.7 + variety as f32 / 850.0
             };
             let (shape, half) = outline(collider, is_fixed);
-            let pose = pose(collider);
+            let pose: Pose = *collider.position();
             drawing.add(
                 shape,
                 axes(&pose, half),
@@ -129,9 +132,7 @@ impl<B: Steppable> World for Run<B> {
         let boxes = unisize.into_iter().flat_map(UnisizeBroadPhase::fat_boxes);
         // Not those of half-spaces, which have no end.
         let finite = boxes.filter(|aabb| aabb.extents()[0] < SLAB[0]);
-        finite
-            .flat_map(|aabb| edges(corners_of(&aabb)))
-            .collect()
+        finite.flat_map(|aabb| edges(corners_of(&aabb))).collect()
     }
 
     fn searches(&self) -> [f64; 5] {
@@ -170,16 +171,6 @@ fn outline(collider: &Collider, is_fixed: bool) -> (Shape, [Real; 3]) {
             (Shape::Cuboid, std::array::from_fn(half))
         }
     }
-}
-
-/// Whether a collider has no end.
-fn is_half_space(collider: &Collider) -> bool {
-    collider.shape().as_halfspace().is_some()
-}
-
-/// The pose of a collider.
-fn pose(collider: &Collider) -> Pose {
-    *collider.position()
 }
 
 /// The images of the unit vectors, scaled.
