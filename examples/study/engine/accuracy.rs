@@ -9,7 +9,7 @@ use super::scenes::rapier::{
 };
 use super::scenes::{Observed, OwnBroadPhase, Sanity, Scene, Steppable, World, install};
 use super::space::{Place, distance, motion, place_of, typical_size};
-use crate::accuracy::case::{
+use crate::accuracy::ensembles::{
     Case, DEEPEST, ENERGY, FRAMES, LOST, MEAN_DEPTH, Run, STRAYED, STRETCH,
 };
 use cpu_time::ThreadTime;
