@@ -1,7 +1,7 @@
 //! The options that all studies have in common.
 
+use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use clap::{Args, ValueEnum};
 use std::ops::Range;
 use std::path::PathBuf;
 use unisize_scenes::SceneKind;
@@ -10,8 +10,8 @@ use unisize_scenes::SceneKind;
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Common {
     /// In how many dimensions
-    #[arg(long, value_enum, default_value = "both")]
-    dimension: Dimension,
+    #[arg(long, default_value = "both", value_parser = ["2", "3", "both"])]
+    dimension: String,
     /// How many steps of each simulation at most
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     pub(crate) steps: Option<usize>,
@@ -31,10 +31,10 @@ pub(crate) struct Common {
 
 impl Common {
     pub(crate) fn dims(&self) -> &'static [u8] {
-        match self.dimension {
-            Dimension::Two => &[2],
-            Dimension::Three => &[3],
-            Dimension::Both => &[2, 3],
+        match &*self.dimension {
+            "2" => &[2],
+            "3" => &[3],
+            _ => &[2, 3],
         }
     }
 
@@ -54,15 +54,6 @@ impl Common {
     pub(crate) fn usual<T>(&self, [quick, full]: [T; 2]) -> T {
         if self.quick { quick } else { full }
     }
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Dimension {
-    #[value(name = "2")]
-    Two,
-    #[value(name = "3")]
-    Three,
-    Both,
 }
 
 fn at_least_one() -> RangedU64ValueParser<usize> {

@@ -32,18 +32,16 @@ const ZERO_WIDTH: f64 = 0.8;
 impl Axis {
     /// From zero on.
     pub fn linear(title: impl Into<String>) -> Self {
-        let title = title.into();
         Self {
-            title,
             is_log: false,
+            ..Self::log(title)
         }
     }
 
     /// Logarithmic.
     pub fn log(title: impl Into<String>) -> Self {
-        let title = title.into();
         Self {
-            title,
+            title: title.into(),
             is_log: true,
         }
     }
@@ -138,16 +136,13 @@ impl Scale {
             });
             (by_steps.into(), FEW)
         };
-        let mut candidates = candidates.into_iter().map(|ticks| {
-            let places = ticks.into_iter().map(|tick| self.place(tick));
-            places.filter(|place| range.contains(place)).collect()
-        });
-        let mut ticks: Vec<f64> = candidates.next().unwrap_or_default();
-        while ticks.len() < few {
-            let Some(finer) = candidates.next() else {
+        let mut ticks: Vec<f64> = Vec::new();
+        for candidate in candidates {
+            let places = candidate.into_iter().map(|tick| self.place(tick));
+            ticks = places.filter(|place| range.contains(place)).collect();
+            if ticks.len() >= few {
                 break;
-            };
-            ticks = finer;
+            }
         }
         ticks.extend(self.zero);
         ticks

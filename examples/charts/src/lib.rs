@@ -18,7 +18,6 @@
 mod axis;
 pub mod color;
 mod labels;
-mod legend;
 mod panel;
 mod series;
 
@@ -28,7 +27,7 @@ pub use plotters::style::RGBColor;
 pub use series::Series;
 
 use anyhow::{Result, anyhow};
-use legend::Legend;
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -37,6 +36,9 @@ const WIDTH: u32 = 860;
 const PANEL_HEIGHT: u32 = 380;
 
 const TITLE_HEIGHT: u32 = 40;
+/// The most that a letter of the legend takes, and the sample of a series with the gaps around it.
+const LETTER_WIDTH: u32 = 8;
+const SAMPLE_WIDTH: u32 = 56;
 const LINE_HEIGHT: u32 = 22;
 const TEXT: (&str, u32) = ("sans-serif", 15);
 
@@ -81,17 +83,28 @@ impl Chart {
             .map_err(|error| anyhow!("cannot draw {}: {error}", file.display()))
     }
 
+    /// What the legend shows: the first series of every name.
+    fn entries(&self) -> Vec<&Series> {
+        let mut entries: Vec<&Series> = Vec::new();
+        let shown = self.panels.iter().filter(|_| self.has_legend);
+        for series in shown.flat_map(|panel| &panel.series) {
+            if !entries.iter().any(|entry| entry.name == series.name) {
+                entries.push(series);
+            }
+        }
+        entries
+    }
+
     fn draw(&self, file: &Path) -> Result<(), Box<dyn Error>> {
         let columns = self.panels.len().clamp(1, 2);
         let rows = self.panels.len().div_ceil(columns);
         let panels_height = PANEL_HEIGHT * rows as u32;
-        let shown = if self.has_legend {
-            &self.panels[..]
-        } else {
-            &[]
-        };
-        let legend = Legend::new(shown, WIDTH);
-        let footer_height = LINE_HEIGHT * (legend.rows() + self.notes.len() as u32) + 10;
+        let entries = self.entries();
+        let lengths = entries.iter().map(|entry| entry.name.chars().count());
+        let entry_width = LETTER_WIDTH * lengths.max().unwrap_or(0) as u32 + SAMPLE_WIDTH;
+        let entries_in_row = (WIDTH / entry_width).max(1);
+        let legend_rows = (entries.len() as u32).div_ceil(entries_in_row);
+        let footer_height = LINE_HEIGHT * (legend_rows + self.notes.len() as u32) + 10;
         let size = (WIDTH, TITLE_HEIGHT + panels_height + footer_height);
 
         let root = SVGBackend::new(file, size).into_drawing_area();
@@ -102,13 +115,38 @@ impl Chart {
         for (area, panel) in areas.iter().zip(&self.panels) {
             panel.draw(area, &self.panels)?;
         }
-        legend.draw(&lower)?;
-        for (row, note) in (legend.rows()..).zip(&self.notes) {
+        for (index, entry) in (0..).zip(entries) {
+            let (row, column) = (index / entries_in_row, index % entries_in_row);
+            draw_entry(&lower, entry, row, (column * entry_width) as i32 + 16)?;
+        }
+        for (row, note) in (legend_rows..).zip(&self.notes) {
             lower.draw(&Text::new(note.as_str(), (16, text_top(row)), TEXT))?;
         }
         root.present()?;
         Ok(())
     }
+}
+
+/// Draws a series of the legend in a row below the panels, from this place on: a sample, and its name.
+fn draw_entry<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    entry: &Series,
+    row: u32,
+    x: i32,
+) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+    let y = (row * LINE_HEIGHT + LINE_HEIGHT / 2) as i32;
+    if entry.has_line() {
+        let sample = [(x, y), (x + 24, y)];
+        area.draw(&PathElement::new(sample, entry.line_style()))?;
+    }
+    if entry.has_marks() {
+        area.draw(&entry.mark((x + 12, y)))?;
+    }
+    area.draw(&Text::new(
+        entry.name.as_str(),
+        (x + 32, text_top(row)),
+        TEXT,
+    ))
 }
 
 /// The upper edge of the text in a row below the panels.

@@ -84,9 +84,9 @@ impl Panel {
             }
             for place in places {
                 let pixel = chart.backend_coord(&place);
-                labels.avoid(pixel, series.radius());
+                labels.avoid(pixel, series.radius);
                 if series.is_labelled {
-                    texts.push((place, series.name.clone(), pixel, series.color()));
+                    texts.push((place, series.name.clone(), pixel, series.color));
                 }
             }
         }

@@ -9,20 +9,12 @@ pub struct Series {
     pub(crate) points: Vec<(f64, f64)>,
     /// Whether its name is beside its points.
     pub(crate) is_labelled: bool,
-    color: RGBColor,
+    pub(crate) color: RGBColor,
+    /// The radius of its marks.
+    pub(crate) radius: i32,
     stroke: u32,
-    mark: Mark,
+    is_ringed: bool,
 }
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Mark {
-    /// A filled circle of this radius.
-    Dot(i32),
-    /// A circle.
-    Ring,
-}
-
-const RING_RADIUS: i32 = 8;
 
 /// With more points than this, a line has no marks.
 const MARKED: usize = 40;
@@ -39,20 +31,21 @@ impl Series {
             points: points.into_iter().collect(),
             is_labelled: false,
             color,
+            radius: 3,
             stroke: 2,
-            mark: Mark::Dot(3),
+            is_ringed: false,
         }
     }
 
     /// With a thicker line and larger dots.
     pub fn bold(mut self) -> Self {
-        (self.stroke, self.mark) = (4, Mark::Dot(5));
+        (self.stroke, self.radius) = (4, 5);
         self
     }
 
     /// With rings in place of dots, and without a line.
     pub fn ringed(mut self) -> Self {
-        self.mark = Mark::Ring;
+        (self.radius, self.is_ringed) = (8, true);
         self
     }
 
@@ -67,31 +60,20 @@ impl Series {
     }
 
     pub(crate) fn has_line(&self) -> bool {
-        self.mark != Mark::Ring
-    }
-
-    pub(crate) fn color(&self) -> RGBColor {
-        self.color
+        !self.is_ringed
     }
 
     pub(crate) fn line_style(&self) -> ShapeStyle {
         self.color.stroke_width(self.stroke)
     }
 
-    pub(crate) fn radius(&self) -> i32 {
-        match self.mark {
-            Mark::Dot(radius) => radius,
-            Mark::Ring => RING_RADIUS,
-        }
-    }
-
     /// The mark of a point.
     pub(crate) fn mark<C>(&self, center: C) -> Circle<C, i32> {
-        let style = match self.mark {
-            Mark::Ring => self.color.stroke_width(2),
-            _ => self.color.filled(),
+        let style = match self.is_ringed {
+            true => self.color.stroke_width(2),
+            false => self.color.filled(),
         };
-        Circle::new(center, self.radius(), style)
+        Circle::new(center, self.radius, style)
     }
 }
 
@@ -102,11 +84,10 @@ mod tests {
 
     #[test]
     fn rings_are_not_joined() {
-        let series = || Series::new("x", color::RED, [(1.0, 2.0), (2.0, 3.0)]);
+        let series = |count: i32| Series::new("x", color::RED, (0..count).map(|x| (x.into(), 1.0)));
         let has = |series: Series| (series.has_line(), series.has_marks());
-        assert_eq!(has(series()), (true, true));
-        assert_eq!(has(series().ringed()), (false, true));
-        let many = Series::new("x", color::RED, (0..50).map(|x| (x.into(), 1.0)));
-        assert_eq!(has(many), (true, false));
+        assert_eq!(has(series(2)), (true, true));
+        assert_eq!(has(series(2).ringed()), (false, true));
+        assert_eq!(has(series(50)), (true, false));
     }
 }

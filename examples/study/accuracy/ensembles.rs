@@ -1,47 +1,87 @@
-//! What was measured of one scene in one dimension: an ensemble of runs for every method and time step.
+//! What is simulated, what comes of it, and all of that for one scene in one dimension: an ensemble of runs for every method and time
+//! step.
 
 use super::FREQUENCIES;
-use super::case::{Case, Run};
 use crate::finder::Finder;
 use crate::statistics::median;
 use unisize_scenes::SceneKind;
+
+/// One simulation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Case {
+    pub(crate) kind: SceneKind,
+    pub(crate) finder: Finder,
+    /// Steps per simulated second; a multiple of [`FRAMES`].
+    pub(crate) frequency: u32,
+    /// What decides the starting positions, up to a little.
+    pub(crate) seed: u64,
+    /// About how many bodies.
+    pub(crate) bodies: usize,
+    /// How long, in simulated seconds.
+    pub(crate) seconds: f64,
+}
+
+/// So often in a simulated second are errors measured, whatever the time step.
+pub(crate) const FRAMES: u32 = 30;
+
+/// The names of the errors.
+pub(crate) const STRAYED: &str = "largest distance from its place, sizes";
+pub(crate) const STRETCH: &str = "largest stretch, links";
+pub(crate) const DEEPEST: &str = "largest penetration, sizes";
+pub(crate) const MEAN_DEPTH: &str = "mean penetration, sizes";
+pub(crate) const LOST: &str = "bodies lost, of all";
+pub(crate) const ENERGY: &str = "energy gained, of what was put in";
+
+/// What came of a simulation.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Run {
+    /// Milliseconds of the processor for one simulated second, without those of measuring.
+    pub(crate) milliseconds: f64,
+    /// By name, the most telling one first. None is NaN; what is not a number is infinitely wrong.
+    pub(crate) errors: Vec<(&'static str, f64)>,
+    /// A hash of the poses and velocities of all bodies at the end. Where it differs, the runs do.
+    pub(crate) state: u64,
+}
 
 /// The runs of one scene in one dimension.
 #[derive(Clone, Debug)]
 pub(crate) struct Ensembles {
     pub(crate) dim: u8,
-    pub(crate) kind: SceneKind,
-    pub(crate) bodies: usize,
-    pub(crate) seconds: f64,
+    /// What all runs have in common; method, time step and seed are those of none.
+    pub(crate) case: Case,
     runs: Vec<(Finder, u32, Run)>,
 }
 
 impl Ensembles {
     /// A scene for which nothing has run yet.
     pub(crate) fn new(dim: u8, kind: SceneKind, bodies: usize, seconds: f64) -> Self {
-        Self {
-            dim,
+        let case = Case {
             kind,
+            finder: Finder::DEFAULT,
+            frequency: FRAMES,
+            seed: 0,
             bodies,
             seconds,
+        };
+        Self {
+            dim,
+            case,
             runs: Vec::new(),
         }
     }
 
     /// The name of the scene, with its dimension.
     pub(crate) fn title(&self) -> String {
-        format!("{} {}D", self.kind.name(), self.dim)
+        format!("{} {}D", self.case.kind.name(), self.dim)
     }
 
     /// One simulation of it.
     pub(crate) fn case(&self, finder: Finder, frequency: u32, seed: u64) -> Case {
         Case {
-            kind: self.kind,
             finder,
             frequency,
             seed,
-            bodies: self.bodies,
-            seconds: self.seconds,
+            ..self.case
         }
     }
 

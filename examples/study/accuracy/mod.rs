@@ -14,9 +14,7 @@
 //! are simulated again with the events of both in the same order: if they find the same pairs, the runs are then equal bit for bit, in
 //! all errors, and in the motions of all bodies at the end.
 
-pub(crate) mod case;
-mod chart;
-mod ensembles;
+pub(crate) mod ensembles;
 mod verdict;
 
 use crate::finder::Finder;
@@ -24,13 +22,13 @@ use crate::options::Common;
 use crate::output::Output;
 use crate::progress::progress_bar;
 use crate::statistics::geometric_mean;
-use crate::{FINDERS, dim2, dim3};
+use crate::{FINDERS, RAPIER, dim2, dim3};
 use anyhow::Result;
-use case::{DEEPEST, LOST, STRAYED, STRETCH};
 use clap::Args;
-use ensembles::Ensembles;
+use ensembles::{DEEPEST, Ensembles, LOST, STRAYED, STRETCH};
 use indicatif::ProgressBar;
 use std::ops::Range;
+use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_scenes::SceneKind;
 use verdict::Verdict;
 
@@ -92,7 +90,7 @@ impl Arguments {
         let verdict = Verdict::of(&studies);
         report(&studies, &verdict, &mut output)?;
         for &dim in self.common.dims() {
-            output.chart(Some(dim), || chart::chart(dim, &studies))?;
+            output.chart(Some(dim), || chart(dim, &studies))?;
         }
         Ok(self.conclude(&studies, &verdict, seeds))
     }
@@ -114,22 +112,17 @@ impl Arguments {
         let mut is_equal = true;
         for (scene, study) in studies.iter().enumerate() {
             let is_told_apart = has_verdict && verdict.tells_apart(scene, Finder::DEFAULT);
-            let all = if is_told_apart {
-                seeds.end
+            let count = if is_told_apart {
+                seeds.end - seeds.start
             } else {
-                seeds.start + 1
+                1
             };
-            let is_same = is_same_in_order(study, seeds.start..all);
-            match (is_told_apart, is_same) {
-                (_, false) => println!(
-                    "\n{}: runs DIFFER, even with events in order.",
-                    study.title()
-                ),
-                (true, true) => println!(
-                    "\n{}: told apart by the order of events alone.",
-                    study.title()
-                ),
-                (false, true) => {}
+            let is_same = is_same_in_order(study, seeds.start..seeds.start + count);
+            let title = study.title();
+            if !is_same {
+                println!("\n{title}: runs DIFFER, even with events in order.");
+            } else if is_told_apart {
+                println!("\n{title}: told apart by the order of events alone.");
             }
             is_equal &= is_same;
         }
@@ -185,7 +178,7 @@ fn is_same_in_order(study: &Ensembles, mut seeds: Range<u64>) -> bool {
     })
 }
 
-/// Writes what each method does to all scenes, to each of them, and with each time step.
+/// Writes what each method does to all scenes, and to each of them.
 fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Result<()> {
     for &finder in FINDERS {
         let step = |study: &Ensembles| {
@@ -199,14 +192,9 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
             };
             studies.iter().filter_map(of_scene).reduce(f64::max)
         };
-        let told_apart = match finder {
-            Finder::Rapier => None,
-            _ => Some(format!(
-                "{} of {}",
-                verdict.told_apart(studies.len(), finder),
-                studies.len()
-            )),
-        };
+        let scenes = studies.len();
+        let told_apart = (finder != Finder::Rapier)
+            .then(|| format!("{} of {scenes}", verdict.told_apart(scenes, finder)));
         output.row(
             "method",
             &[
@@ -228,36 +216,50 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
             "error",
             &[
                 ("dimension", study.dim.into()),
-                ("scene", study.kind.name().into()),
+                ("scene", study.case.kind.name().into()),
                 ("error", study.errors()[comparison.error].into()),
                 ("method", comparison.finder.name().into()),
                 ("rapier", median(Finder::Rapier)),
                 ("other", median(comparison.finder)),
                 ("worse", comparison.worse.into()),
                 ("better", comparison.better.into()),
-                ("same", comparison.same.into()),
                 ("p", comparison.p.into()),
                 ("corrected", comparison.corrected.into()),
             ],
         )?;
     }
-    for study in studies {
-        for &finder in FINDERS {
-            for frequency in FREQUENCIES {
-                output.row(
-                    "point",
-                    &[
-                        ("dimension", study.dim.into()),
-                        ("scene", study.kind.name().into()),
-                        ("method", finder.name().into()),
-                        ("steps_per_second", frequency.into()),
-                        ("ms", study.milliseconds(finder, frequency).into()),
-                        ("error", study.errors()[0].into()),
-                        ("value", study.error(finder, frequency, 0).into()),
-                    ],
-                )?;
-            }
-        }
-    }
     Ok(())
+}
+
+/// The chart of one dimension: error against computing time, a panel for each scene, a curve for each method, and a point for each time
+/// step.
+fn chart(dim: u8, studies: &[Ensembles]) -> Chart {
+    let title = format!(
+        "Error against computing time, {dim}D, Rapier {RAPIER}: low is accurate, left is fast"
+    );
+    let of_dim = studies.iter().filter(|study| study.dim == dim);
+    Chart::new(title, of_dim.map(panel))
+        .note("The points of a curve: time steps of 1/30, 1/60, 1/120 and 1/240 s, from the left to the right; medians of the starts.")
+}
+
+/// All methods in one scene, by the first of its errors.
+fn panel(study: &Ensembles) -> Panel {
+    let mut finders = FINDERS.to_vec();
+    // The first one is drawn above all others.
+    finders.sort_by_key(|&finder| (!finder.is_exact(), finder != Finder::DEFAULT));
+    let points = |finder: Finder| {
+        FREQUENCIES.map(|frequency| {
+            let ms = study.milliseconds(finder, frequency);
+            (ms, study.error(finder, frequency, 0))
+        })
+    };
+    let series = finders
+        .into_iter()
+        .map(|finder| Series::new(finder.name(), finder.color(), points(finder)));
+    Panel::new(
+        format!("{}, {} bodies", study.title(), study.case.bodies),
+        Axis::log("ms of computing for one simulated second"),
+        Axis::log(study.errors().first().copied().unwrap_or_default()),
+        series,
+    )
 }

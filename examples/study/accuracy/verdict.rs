@@ -16,10 +16,9 @@ pub(crate) struct Comparison {
     /// The error, by its index.
     pub(crate) error: usize,
     pub(crate) finder: Finder,
-    /// How many runs, of all seeds and time steps, were worse with the other one, better, and the same.
+    /// How many runs, of all seeds and time steps, were worse with the other one, and better.
     pub(crate) worse: usize,
     pub(crate) better: usize,
-    pub(crate) same: usize,
     /// The chance of a difference as large as this, were both alike.
     pub(crate) p: f64,
     /// The same for all tests together.
@@ -41,7 +40,6 @@ impl Comparison {
             finder,
             worse: count(|own, other| other > own),
             better: count(|own, other| other < own),
-            same: count(|own, other| other == own),
             p,
             corrected: p,
         }
@@ -85,84 +83,72 @@ impl Verdict {
 
     /// How many comparisons of a method are tests.
     pub(crate) fn tests(&self, finder: Finder) -> usize {
-        let tests = self
-            .0
-            .iter()
-            .filter(|of| of.finder == finder && of.is_test());
-        tests.count()
+        let of_finder = self.0.iter().filter(|of| of.finder == finder);
+        of_finder.filter(|of| of.is_test()).count()
     }
 
     /// Whether one error at least of a scene tells a method apart from Rapier's own.
     pub(crate) fn tells_apart(&self, scene: usize, finder: Finder) -> bool {
-        let mut of_scene = self
-            .0
-            .iter()
-            .filter(|of| (of.scene, of.finder) == (scene, finder));
-        of_scene.any(|of| of.corrected < LEVEL)
+        let mut all = self.0.iter();
+        all.any(|of| (of.scene, of.finder) == (scene, finder) && of.corrected < LEVEL)
     }
 
     /// In how many of so many scenes it does.
     pub(crate) fn told_apart(&self, scenes: usize, finder: Finder) -> usize {
-        (0..scenes)
-            .filter(|&scene| self.tells_apart(scene, finder))
-            .count()
+        let told_apart = (0..scenes).filter(|&scene| self.tells_apart(scene, finder));
+        told_apart.count()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::FREQUENCIES;
-    use super::super::case::Run;
-    use super::{Comparison, Ensembles, FINDERS, Finder, Verdict};
+    use super::super::ensembles::Run;
+    use super::*;
     use unisize_scenes::SceneKind;
 
-    /// A study of 20 seeds in which the errors of unisize and of the control are larger by these factors.
-    fn study(ours: f64, control: f64) -> Ensembles {
+    /// The verdict on 20 seeds in which the errors of unisize and of the control are larger by these factors: how many scenes tell
+    /// either apart, and the first comparison of each.
+    fn verdict(ours: f64, control: f64) -> ([usize; 2], [Comparison; 2], usize) {
         let mut study = Ensembles::new(2, SceneKind::FallingBalls, 10, 1.0);
         for seed in 1..=20 {
-            for frequency in FREQUENCIES {
-                for &finder in FINDERS {
-                    let factor = match finder {
-                        Finder::Unisize(..) => ours,
-                        Finder::Lossy => control,
-                        _ => 1.0,
-                    };
-                    let error = factor * f64::from(seed) / f64::from(frequency);
-                    let run = Run {
-                        milliseconds: 1.0,
-                        errors: ["an error", "another"].map(|name| (name, error)).into(),
-                        state: 0,
-                    };
-                    study.push(finder, frequency, run);
-                }
+            let of_step = |frequency| FINDERS.iter().map(move |&finder| (frequency, finder));
+            for (frequency, finder) in FREQUENCIES.into_iter().flat_map(of_step) {
+                let factor = match finder {
+                    Finder::Unisize(..) => ours,
+                    Finder::Lossy => control,
+                    _ => 1.0,
+                };
+                let error = factor * f64::from(seed) / f64::from(frequency);
+                let run = Run {
+                    milliseconds: 1.0,
+                    errors: ["an error", "another"].map(|name| (name, error)).into(),
+                    state: 0,
+                };
+                study.push(finder, frequency, run);
             }
         }
-        study
+        let verdict = Verdict::of(&[study]);
+        let finders = [Finder::DEFAULT, Finder::Lossy];
+        let first = |finder| verdict.0.iter().find(|of| of.finder == finder).cloned();
+        (
+            finders.map(|finder| verdict.told_apart(1, finder)),
+            finders.map(|finder| first(finder).expect("all are compared")),
+            verdict.tests(Finder::DEFAULT),
+        )
     }
 
     #[test]
     fn what_is_larger_is_told_apart_and_what_is_equal_is_not() {
-        let told_apart = |study: Ensembles| {
-            let verdict = Verdict::of(&[study]);
-            let finders = [Finder::DEFAULT, Finder::Lossy];
-            (finders.map(|finder| verdict.told_apart(1, finder)), verdict)
-        };
-        let of = |verdict: &Verdict, finder| -> Comparison {
-            let mut comparisons = verdict.0.iter();
-            comparisons.find(|of| of.finder == finder).cloned().unwrap()
-        };
-        let (counts, verdict) = told_apart(study(1.0, 1.1));
-        assert_eq!((counts, verdict.tests(Finder::DEFAULT)), ([0, 1], 0));
-        let control = of(&verdict, Finder::Lossy);
-        assert_eq!((control.worse, control.same), (80, 0));
-        assert_eq!(of(&verdict, Finder::DEFAULT).same, 80);
+        let (told_apart, [ours, control], tests) = verdict(1.0, 1.1);
+        assert_eq!((told_apart, tests), ([0, 1], 0));
+        assert_eq!([ours.worse + ours.better, control.worse], [0, 80]);
         // unisize has no test, and the control has two.
         assert!((control.corrected - 2.0 * control.p).abs() < 1e-12);
 
-        let (counts, verdict) = told_apart(study(0.9, 1.0));
-        assert_eq!((counts, verdict.tests(Finder::DEFAULT)), ([1, 0], 2));
+        let (told_apart, [ours, _], tests) = verdict(0.9, 1.0);
+        assert_eq!((told_apart, tests), ([1, 0], 2));
         // Two tests, both at the smallest value.
-        let ours = of(&verdict, Finder::DEFAULT);
         assert!((ours.corrected - 2.0 * ours.p).abs() < 1e-12);
         assert_eq!(ours.better, 80);
     }

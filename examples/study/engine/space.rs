@@ -1,7 +1,7 @@
 //! Vectors, spelled alike for every flavour of Rapier, and places in `f64`, which errors are measured in.
 
 use super::scenes::World;
-use super::scenes::rapier::{math::DIM, prelude::*};
+use super::scenes::rapier::{math::DIM, parry::bounding_volume::BoundingVolume, prelude::*};
 use super::version::Vector;
 use std::borrow::Borrow;
 
@@ -67,6 +67,26 @@ pub(super) fn typical_size(world: &World) -> Real {
     sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
 }
 
+/// A collider with its handle.
+pub(super) type Known<'a> = (ColliderHandle, &'a Collider);
+
+/// Every two colliders that the narrow phase would look at and whose boxes, loosened by this much, overlap: the later one first.
+/// Each box is compared with each. **O(n²)**.
+pub(super) fn near_pairs(world: &World, slack: Real) -> Vec<[Known<'_>; 2]> {
+    let enabled = world.colliders.iter_enabled();
+    let boxed: Vec<_> = enabled
+        .map(|known| (known.1.compute_aabb().loosened(slack), known))
+        .collect();
+    let mut pairs = Vec::new();
+    for (index, (aabb, a)) in boxed.iter().enumerate() {
+        let others = boxed[..index].iter();
+        let near = others.filter(|(other, _)| aabb.intersects(other));
+        let near = near.filter(|(_, b)| world.may_touch(a.1, b.1));
+        pairs.extend(near.map(|(_, b)| [*a, *b]));
+    }
+    pairs
+}
+
 /// How far apart the two ends are that a joint of these bodies holds together.
 pub(super) fn gap(
     bodies: &RigidBodySet,
@@ -76,11 +96,7 @@ pub(super) fn gap(
     let [first, second]: [&RigidBody; 2] = joined.map(|body| &bodies[body]);
     let first = first.position() * joint.local_anchor1();
     let second = second.position() * joint.local_anchor2();
-    components(second - first)
-        .iter()
-        .map(|x| x * x)
-        .sum::<f64>()
-        .sqrt()
+    distance(components(second - first), [0.0; DIM])
 }
 
 /// The pose and the velocities of a body as text: different numbers are different texts.

@@ -152,10 +152,9 @@ impl Arguments {
         for &dim in self.common.dims() {
             for &kind in &kinds {
                 bar.set_message(format!("{} {dim}D", kind.name()));
-                let bodies = if kind == SceneKind::Ropes {
-                    ROPES
-                } else {
-                    BODIES
+                let bodies = match kind {
+                    SceneKind::Ropes => ROPES,
+                    _ => BODIES,
                 };
                 let race = |seed| {
                     let course = Course {
@@ -215,11 +214,10 @@ impl Study {
 /// One method in all scenes.
 struct Method {
     finder: Finder,
-    /// The times of the broad phase, and of broad and narrow phase, over those of unisize by default, scene by scene.
-    broad: Vec<f64>,
-    both: Vec<f64>,
-    /// The shares that are missed, scene by scene.
-    missed: Vec<f64>,
+    /// The time of broad and narrow phase over that of unisize by default, the mean of all scenes.
+    both: f64,
+    /// The share that is missed in the worst scene.
+    missed: f64,
     frames: usize,
     frames_with_misses: usize,
 }
@@ -228,24 +226,16 @@ impl Method {
     fn all(studies: &[Study]) -> Vec<Self> {
         let of = |(index, finder): (usize, Finder)| {
             let figures = || studies.iter().map(|study| &study.figures[index]);
-            let ratios = |time: fn(&Figures) -> f64| {
-                let ratio = |study: &Study| time(&study.figures[index]) / time(&study.figures[0]);
-                studies.iter().map(ratio).collect::<Vec<_>>()
-            };
+            let ratio = |study: &Study| study.figures[index].both / study.figures[0].both;
             Self {
                 finder,
-                broad: ratios(|of| of.broad),
-                both: ratios(|of| of.both),
-                missed: figures().map(Figures::share_missed).collect(),
+                both: geometric_mean(&studies.iter().map(ratio).collect::<Vec<_>>()),
+                missed: figures().map(Figures::share_missed).fold(0.0, f64::max),
                 frames: figures().map(|of| of.frames).sum(),
                 frames_with_misses: figures().map(|of| of.frames_with_misses).sum(),
             }
         };
         FINDERS.into_iter().enumerate().map(of).collect()
-    }
-
-    fn missed_at_worst(&self) -> f64 {
-        self.missed.iter().copied().fold(0.0, f64::max)
     }
 
     /// Whether it has missed nothing, but could.
@@ -264,29 +254,13 @@ impl Method {
     }
 
     fn report(&self, output: &mut Output) -> Result<()> {
-        let with_misses = self.missed.iter().filter(|&&share| share > 0.0).count();
         output.row(
             "method",
             &[
                 ("method", self.finder.name().into()),
                 ("cannot_miss", self.finder.is_exact().into()),
-                ("broad", geometric_mean(&self.broad).into()),
-                ("both", geometric_mean(&self.both).into()),
-                (
-                    "both_least",
-                    self.both
-                        .iter()
-                        .copied()
-                        .fold(f64::INFINITY, f64::min)
-                        .into(),
-                ),
-                (
-                    "both_most",
-                    self.both.iter().copied().fold(0.0, f64::max).into(),
-                ),
-                ("missed_percent", (100.0 * self.missed_at_worst()).into()),
-                ("scenes", self.missed.len().into()),
-                ("scenes_with_misses", with_misses.into()),
+                ("both", self.both.into()),
+                ("missed_percent", (100.0 * self.missed).into()),
                 ("misses", self.misses().into()),
             ],
         )
@@ -297,7 +271,7 @@ impl Method {
 fn chart(methods: &[Method]) -> Chart {
     let series = methods.iter().map(|method| {
         let name = method.finder.name();
-        let point = (method.missed_at_worst(), geometric_mean(&method.both));
+        let point = (method.missed, method.both);
         let series = Series::new(name, method.finder.color(), [point]).labelled();
         match method.happened_not_to_miss() {
             true => series.ringed(),

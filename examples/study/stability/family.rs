@@ -19,13 +19,8 @@ pub(crate) struct Family {
 /// A parameter that is a whole number.
 const COUNT: &str = "boxes";
 
-/// Links of a chain.
-const LINKS: usize = 100;
-
-/// Boxes of the stacks whose height is not what is varied.
-const BOXES: usize = 10;
-
-const STACK: Case = Case::usual(Setup::Stack { boxes: BOXES });
+/// The stack whose height is not what is varied.
+const STACK: Case = Case::usual(Setup::Stack(10));
 
 impl Family {
     pub(crate) const ALL: [Self; 13] = [
@@ -34,11 +29,7 @@ impl Family {
             title: "stacks of boxes",
             parameter: COUNT,
             range: [5.0, 80.0],
-            build: |boxes| {
-                Case::usual(Setup::Stack {
-                    boxes: boxes as usize,
-                })
-            },
+            build: |boxes| Case::usual(Setup::Stack(boxes as usize)),
         },
         Self {
             name: "mass-ratios",
@@ -52,12 +43,7 @@ impl Family {
             title: "chains of 100 links with a heavy end",
             parameter: "mass of the end, links",
             range: [1.0, 1e4],
-            build: |ratio| {
-                Case::usual(Setup::Chain {
-                    links: LINKS,
-                    ratio,
-                })
-            },
+            build: |ratio| Case::usual(Setup::Chain { ratio }),
         },
         Self {
             name: "time-steps",

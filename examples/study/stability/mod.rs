@@ -12,7 +12,6 @@ pub(crate) mod case;
 pub(crate) mod caught;
 pub(crate) mod family;
 pub(crate) mod probe;
-mod threshold;
 
 use crate::options::Common;
 use crate::output::Output;
@@ -26,7 +25,6 @@ use family::Family;
 use probe::{Alone, Equality, Probe};
 use rayon::ThreadPoolBuilder;
 use std::collections::BTreeMap;
-use threshold::last_sound;
 
 /// How many values there are between the ends of a family's range, of a quick run and of a full one.
 const VALUES: [usize; 2] = [5, 65];
@@ -122,39 +120,26 @@ impl Arguments {
 }
 
 impl Outcome {
-    /// The last value at which neither fails.
-    fn neither(&self) -> Option<usize> {
-        let [default, ours] = self.thresholds;
-        default.zip(ours).map(|(default, ours)| default.min(ours))
-    }
-
-    /// The first value above it, unless there is none.
-    fn next(&self) -> Option<usize> {
-        let next = self.neither().map_or(0, |index| index + 1);
-        self.probes.contains_key(&next).then_some(next)
-    }
-
     fn report(&self, output: &mut Output) -> Result<()> {
-        let case = self.family.case(self.values[0]);
+        // The last value at which neither fails, and the first one above it.
+        let [default, ours] = self.thresholds;
+        let neither = default.zip(ours).map(|(default, ours)| default.min(ours));
+        let next = neither.map_or(0, |index| index + 1);
         let value = |index: Option<usize>| index.map(|index| self.values[index]).into();
-        let failures = |side: usize| {
-            let next = self.next().map(|index| self.probes[&index].failures());
-            next.map(|failures| failures[side]).into()
-        };
         output.row(
             "family",
             &[
                 ("dimension", self.dim.into()),
                 ("world", self.family.title.into()),
-                ("fails_if", case.setup.fails_if().into()),
                 ("parameter", self.family.parameter.into()),
                 ("equality", self.equality().into()),
-                ("neither", value(self.neither())),
-                ("next", value(self.next())),
-                ("rapier", value(self.thresholds[0])),
-                ("unisize", value(self.thresholds[1])),
-                ("rapier_failures", failures(0)),
-                ("unisize_failures", failures(1)),
+                ("neither", value(neither)),
+                (
+                    "next",
+                    value(self.probes.contains_key(&next).then_some(next)),
+                ),
+                ("rapier", value(default)),
+                ("unisize", value(ours)),
                 ("starts", self.probes[&0].ends.len().into()),
                 ("values", self.probes.len().into()),
             ],
@@ -196,21 +181,16 @@ impl Outcome {
 /// Judges all values together, and says how little would have been noticed; whether unisize has passed.
 fn conclude(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
     let values: usize = outcomes.iter().map(|outcome| outcome.probes.len()).sum();
-    let mut alone = Alone::default();
-    let probes = outcomes.iter().flat_map(|outcome| outcome.probes.values());
-    probes.for_each(|probe| alone += probe.alone());
+    let alone = Alone::of(outcomes.iter().flat_map(|outcome| outcome.probes.values()));
     let starts = outcomes[0].probes[&0].ends.len();
     output.row(
         "all",
         &[
             ("values", values.into()),
             ("starts", starts.into()),
-            ("rarer_than", rarer_than(starts).into()),
             ("rapier_alone", alone.default.into()),
             ("unisize_alone", alone.ours.into()),
             ("p", alone.probability().into()),
-            ("noticed_at_one_value", Alone::noticed(values).into()),
-            ("noticed_at_all", Alone::noticed(1).into()),
         ],
     )?;
     let faults: Vec<_> = outcomes.iter().flat_map(|of| of.faults(values)).collect();
@@ -229,4 +209,48 @@ fn conclude(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
     };
     println!("unisize {verdict}");
     Ok(is_sound)
+}
+
+/// The last of so many indices that is sound, if the first ones are; `None` if the first one is not. It is asked for about as many
+/// indices as the logarithm of their number.
+///
+/// Near the limit worlds are chaotic, so that a larger value may hold where a smaller one fails. What is found is one value that holds
+/// whose neighbour fails, and not the only such value.
+fn last_sound(count: usize, mut is_sound: impl FnMut(usize) -> bool) -> Option<usize> {
+    let [mut sound, mut failing] = [0, count.checked_sub(1)?];
+    if !is_sound(sound) {
+        return None;
+    }
+    if is_sound(failing) {
+        return Some(failing);
+    }
+    while failing - sound > 1 {
+        let middle = sound.midpoint(failing);
+        match is_sound(middle) {
+            true => sound = middle,
+            false => failing = middle,
+        }
+    }
+    Some(sound)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::last_sound;
+
+    #[test]
+    fn the_last_sound_one_is_found_in_few_steps() {
+        for count in 1..40 {
+            for sound in 0..=count {
+                let mut asked = 0;
+                let found = last_sound(count, |index| {
+                    asked += 1;
+                    index < sound
+                });
+                assert_eq!(found, sound.checked_sub(1));
+                assert!(asked <= 3 + count.ilog2() as usize, "{count} {asked}");
+            }
+        }
+        assert_eq!(last_sound(0, |_| true), None);
+    }
 }

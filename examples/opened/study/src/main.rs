@@ -23,7 +23,7 @@ mod progress;
 mod report;
 #[path = "../../../study/stability/mod.rs"]
 mod stability;
-#[path = "../../../study/statistics/mod.rs"]
+#[path = "../../../study/statistics.rs"]
 mod statistics;
 
 use clap::Parser;

@@ -3,9 +3,6 @@
 use super::scenes::rapier::prelude::*;
 use super::version::AngVector;
 
-/// What a joint of a chain holds together.
-pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_REVOLUTE_AXES;
-
 /// A spin or a rotation about the third axis, whatever the other shares are.
 pub(super) fn spin(speed: Real, _share: [Real; 3]) -> AngVector {
     speed

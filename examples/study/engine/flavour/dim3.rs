@@ -3,9 +3,6 @@
 use super::scenes::rapier::prelude::*;
 use super::version::AngVector;
 
-/// What a joint of a chain holds together.
-pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
-
 /// A spin or a rotation at this speed, on each axis this share of it.
 pub(super) fn spin(speed: Real, share: [Real; 3]) -> AngVector {
     let mut spin = AngVector::default();

@@ -7,7 +7,7 @@ use super::finder::{Created, create};
 use super::scenes::rapier::prelude::*;
 use super::scenes::{Observed, Scene};
 use super::space::typical_size;
-use super::{scenes, version};
+use super::{scenes, space, version};
 
 mod contestant;
 mod truth;

@@ -8,10 +8,13 @@ use super::stage::Stage;
 use super::version::{Point, Vector};
 use crate::stability::case::{Case, Setup};
 use oorandom::Rand32;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How far from its place a body may start on each horizontal axis, in metres: the seeds differ in that.
 const JITTER: f64 = 0.02;
+
+/// Links of a chain.
+const LINKS: usize = 100;
 
 /// Of a link: the distance between its two joints, and the radius, in metres.
 const LINK: f64 = 0.5;
@@ -30,23 +33,22 @@ const WALL: f64 = 0.1;
 const HALF_WIDTH: f64 = 3.0;
 const SIDE: f64 = 1.0;
 
-pub(super) fn build(case: &Case, seed: u64) -> Stage {
-    let mut builder = Builder::new(case, seed);
-    match case.setup {
-        Setup::Stack { boxes } => {
-            builder.floor();
-            builder.stack(boxes, |_| 1.0);
+impl Stage {
+    /// Builds the world of a case with the start of this seed.
+    pub(super) fn build(case: &Case, seed: u64) -> Self {
+        let mut builder = Builder::new(case, seed);
+        match case.setup {
+            Setup::Stack(boxes) => builder.stack(boxes, |_| 1.0),
+            Setup::Press { ratio } => {
+                builder.stack(4, |layer| if layer == 3 { ratio } else { 1.0 })
+            }
+            Setup::Chain { ratio } => builder.chain(ratio),
+            Setup::Spin { speed } => builder.spinning(speed),
+            Setup::Shots { speed, has_ccd } => builder.shots(speed, has_ccd),
+            Setup::Burst { speed } => builder.burst(speed),
         }
-        Setup::Press { ratio } => {
-            builder.floor();
-            builder.stack(4, |layer| if layer == 3 { ratio } else { 1.0 });
-        }
-        Setup::Chain { links, ratio } => builder.chain(links, ratio),
-        Setup::Spin { speed } => builder.spinning(speed),
-        Setup::Shots { speed, has_ccd } => builder.shots(speed, has_ccd),
-        Setup::Burst { speed } => builder.burst(speed),
+        builder.stage
     }
-    builder.stage
 }
 
 /// A stage in the making. All arguments are in metres.
@@ -118,14 +120,10 @@ impl<'a> Builder<'a> {
         self.stage.world.colliders.insert(collider);
     }
 
-    /// A floor whose surface is on height zero.
-    fn floor(&mut self) {
-        let of = |wide, high| std::array::from_fn(|axis| if axis == UP { high } else { wide });
-        self.insert_fixed(of(0.0, -0.5), of(50.0, 0.5));
-    }
-
-    /// Boxes upon each other, each of a mass by its layer.
+    /// Boxes upon each other, each of a mass by its layer, on a floor whose surface is on height zero.
     fn stack(&mut self, boxes: usize, mass: impl Fn(usize) -> f64) {
+        let floor = place(|axis| if axis == UP { 0.5 } else { 50.0 });
+        self.insert_fixed(along(UP, -0.5), floor);
         for layer in 0..boxes {
             let center = self.near(along(UP, layer as f64 + 0.5));
             let collider = self.cuboid([0.5; DIM]).mass(mass(layer) as Real);
@@ -137,11 +135,11 @@ impl<'a> Builder<'a> {
     }
 
     /// A chain that lies along the first axis at first, each link with a little velocity of its own.
-    fn chain(&mut self, links: usize, ratio: f64) {
+    fn chain(&mut self, ratio: f64) {
         let hook = RigidBodyBuilder::fixed().translation(self.place([0.0; DIM]));
         let mut last = self.stage.world.bodies.insert(hook);
         let mut anchor = self.vector([0.0; DIM]);
-        for link in 0..links {
+        for link in 0..LINKS {
             let center = along(0, (link as f64 + 0.5) * LINK);
             let velocity = place(|_| self.range(-0.5, 0.5));
             let body = RigidBodyBuilder::dynamic()
@@ -149,17 +147,15 @@ impl<'a> Builder<'a> {
                 .rotation(flavour::spin(FRAC_PI_2 as Real, [0.0, 0.0, 1.0]))
                 .linvel(self.vector(velocity));
             let [half, radius] = [LINK / 2.0, LINK_RADIUS].map(|x| self.length(x));
-            let body = self
-                .stage
-                .world
-                .insert(body, ColliderBuilder::capsule_y(half, radius).mass(1.0));
+            let capsule = ColliderBuilder::capsule_y(half, radius).mass(1.0);
+            let body = self.stage.world.insert(body, capsule);
             // Lying turns the upper end of a capsule to the negative side of the first axis.
             let upper = vector(along(UP, half.into()));
             self.join(last, anchor, body, upper);
             (last, anchor) = (body, -upper);
         }
         let radius = self.length(LINK / 2.0);
-        let center = along(0, (links as f64 + 0.5) * LINK);
+        let center = along(0, (LINKS as f64 + 0.5) * LINK);
         let body = RigidBodyBuilder::dynamic().translation(self.place(center));
         let ball = ColliderBuilder::ball(radius).mass(ratio as Real);
         let body = self.stage.world.insert(body, ball);
@@ -167,7 +163,7 @@ impl<'a> Builder<'a> {
     }
 
     fn join(&mut self, a: RigidBodyHandle, on_a: Vector, b: RigidBodyHandle, on_b: Vector) {
-        let pin = GenericJointBuilder::new(flavour::PIN)
+        let pin = GenericJointBuilder::new(JointAxesMask::LIN_AXES)
             .local_anchor1(Point::from(on_a))
             .local_anchor2(Point::from(on_b))
             .contacts_enabled(false);
@@ -208,7 +204,7 @@ impl<'a> Builder<'a> {
     /// Inserts a box that flies and spins.
     fn fly(&mut self, center: Place, velocity: Place, spin: f64, has_ccd: bool) {
         // Some direction, the same for all flavours: its length is 1 but for rounding.
-        let [a, b] = [0, 1].map(|_| self.range(0.0, core::f64::consts::TAU));
+        let [a, b] = [0, 1].map(|_| self.range(0.0, TAU));
         let share = [a.cos() * b.cos(), a.sin() * b.cos(), b.sin()].map(|x| x as Real);
         let body = RigidBodyBuilder::dynamic()
             .translation(self.place(center))
@@ -243,16 +239,16 @@ impl<'a> Builder<'a> {
     /// of impact of a fast spin does not come to an end, whatever the broad phase is.
     fn burst(&mut self, speed: f64) {
         self.stage.is_lawless = true;
-        self.floor();
         self.stack(5, |_| 1.0);
         for (index, has_ccd) in [false, true, false, true].into_iter().enumerate() {
-            let mut place = [0.0; DIM];
+            let mut place = along(UP, 0.75 + 1.5 * (index % 2) as f64);
             place[0] = if index < 2 { -5.0 } else { 5.0 };
-            place[UP] = 0.75 + 1.5 * (index % 2) as f64;
             let place = self.near(place);
-            let mut velocity = [0.0; DIM];
-            velocity[0] = if index < 2 { speed } else { 0.0 };
-            velocity[UP] = if index == 2 { -speed } else { 0.0 };
+            let velocity = match index {
+                0 | 1 => along(0, speed),
+                2 => along(UP, -speed),
+                _ => [0.0; DIM],
+            };
             let spin = if has_ccd { 0.0 } else { speed };
             self.fly(place, velocity, spin, has_ccd);
         }

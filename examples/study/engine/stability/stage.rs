@@ -3,7 +3,6 @@
 use super::scenes::World;
 use super::scenes::rapier::prelude::*;
 use super::space::{Place, distance, gap, is_finite, motion, place_of};
-use crate::stability::case::Case;
 
 /// So far from its place, in metres, or apart, in links, has something failed: half a box, and half a link.
 const HALF: f64 = 0.5;
@@ -25,11 +24,6 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// Builds the world of a case with the start of this seed.
-    pub(super) fn build(case: &Case, seed: u64) -> Self {
-        super::build::build(case, seed)
-    }
-
     /// Whether something is not finite, has left its place, its joint or its bounds.
     pub(super) fn has_failed(&self) -> bool {
         if self.is_lawless {

@@ -1,0 +1,197 @@
+//! What a sample says of what it was taken from: middles, bounds of shares, tests of two methods on the same starts, and the correction
+//! for many tests.
+
+use oorandom::Rand64;
+use statrs::distribution::{Binomial, DiscreteCDF};
+use statrs::statistics::{Data, OrderStatistics, Statistics};
+
+/// How sure a [bound](rarer_than) is.
+const CONFIDENCE: f64 = 0.95;
+
+/// How often outcomes are exchanged at random.
+const EXCHANGES: u32 = 100_000;
+
+/// The median; NaN of an empty sample.
+pub(crate) fn median(sample: impl IntoIterator<Item = f64>) -> f64 {
+    Data::new(sample.into_iter().collect::<Vec<_>>()).median()
+}
+
+/// The geometric mean of ratios.
+pub(crate) fn geometric_mean(ratios: &[f64]) -> f64 {
+    ratios.geometric_mean()
+}
+
+/// The most that the share of failures may be after so many trials without one: about 3 / n, the rule of three. Clopper and Pearson's
+/// exact bound.
+pub(crate) fn rarer_than(trials: usize) -> f64 {
+    1.0 - (1.0 - CONFIDENCE).powf(1.0 / trials as f64)
+}
+
+/// The exact sign test: how probable it is that so many or more fall on one side, of those that fall on either, if each is as probable
+/// as the other.
+pub(crate) fn sign_test(one: usize, other: usize) -> f64 {
+    match (Binomial::new(0.5, (one + other) as u64), one.checked_sub(1)) {
+        (Ok(on_one), Some(fewer)) => on_one.sf(fewer as u64),
+        _ => 1.0,
+    }
+}
+
+/// Holm's correction, as with many tests some p-values are small by chance. The adjusted ones, in the order of the given ones: if all
+/// below a level are taken for real, the chance that any of them is not is at most that level. They count as so many tests at least.
+///
+/// Holm, "A simple sequentially rejective multiple test procedure", 1979. Tests may depend on each other in any way.
+pub(crate) fn holm(p_values: &[f64], tests: usize) -> Vec<f64> {
+    let mut order: Vec<_> = (0..p_values.len()).collect();
+    order.sort_by(|&a, &b| p_values[a].total_cmp(&p_values[b]));
+    let mut adjusted = vec![0.0; p_values.len()];
+    let mut largest = 0.0_f64;
+    for (rank, index) in order.into_iter().enumerate() {
+        let left = (p_values.len().max(tests) - rank) as f64;
+        largest = largest.max((p_values[index] * left).min(1.0));
+        adjusted[index] = largest;
+    }
+    adjusted
+}
+
+/// Whether two methods differ in accuracy: the chance that two alike differ by so much, in either direction. The errors are by time
+/// step, then by seed; they may be infinite, but must be numbers. The smallest possible value is one in 100,001.
+///
+/// Each seed is simulated with both methods and all time steps. If it makes no difference which of two methods is which, their
+/// outcomes of a seed can be exchanged. So the test exchanges them at random, very often, and counts how often the two then seem
+/// to differ as much as they do. What is compared are signed ranks, as in the test of Wilcoxon: one error that is a thousand times
+/// as large as all others must not decide alone. Ranks are within a time step, and a seed is exchanged with all its time steps at
+/// once, since they have the start in common.
+///
+/// The test sees that one is worse on the whole, over all time steps. It does **not** see an effect that changes its sign with the
+/// time step, as ranks of opposite signs cancel, nor a change of the spread alone, with as many runs better as worse.
+pub(crate) fn paired_test(first: &[Vec<f64>], second: &[Vec<f64>]) -> f64 {
+    let scores = scores(first, second);
+    let all: f64 = scores.iter().sum();
+    let mut random = Rand64::new(1);
+    let mut as_far = 0;
+    for _ in 0..EXCHANGES {
+        let mut sum = 0.0;
+        for scores in scores.chunks(64) {
+            let mut signs = random.rand_u64();
+            for score in scores {
+                sum += if signs & 1 == 0 { *score } else { -score };
+                signs >>= 1;
+            }
+        }
+        // Ranks are halves, so that sums are exact.
+        as_far += u32::from(f64::abs(sum) >= all.abs());
+    }
+    f64::from(as_far + 1) / f64::from(EXCHANGES + 1)
+}
+
+/// By how much the second is worse, for each seed: the sum of its signed ranks over all time steps.
+fn scores(first: &[Vec<f64>], second: &[Vec<f64>]) -> Vec<f64> {
+    let seeds = first.first().map_or(0, Vec::len);
+    let mut scores = vec![0.0; seeds];
+    for (first, second) in first.iter().zip(second) {
+        let differences: Vec<_> = first
+            .iter()
+            .zip(second)
+            .map(|(a, b)| difference(*a, *b))
+            .collect();
+        for (score, difference) in scores.iter_mut().zip(&differences) {
+            let below = |x: &&f64| **x != 0.0 && x.abs() < difference.abs();
+            let equal = |x: &&f64| x.abs() == difference.abs();
+            let below = differences.iter().filter(below).count();
+            let equal = differences.iter().filter(equal).count();
+            if *difference != 0.0 {
+                // The mean rank of those that are equal.
+                let rank = below as f64 + (equal + 1) as f64 / 2.0;
+                *score += rank * difference.signum();
+            }
+        }
+    }
+    scores
+}
+
+/// The difference of two errors that may both be infinite.
+fn difference(first: f64, second: f64) -> f64 {
+    if first == second { 0.0 } else { second - first }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oorandom::Rand32;
+
+    /// Errors of 20 seeds with 2 time steps, the second of which halves them; seeds differ by a factor of ten.
+    fn ensemble(random: &mut Rand32, factor: f64) -> Vec<Vec<f64>> {
+        let mut error = |scale: f64, seed: u32| {
+            let noise = 1.0 + 0.2 * f64::from(random.rand_float());
+            factor * scale * noise * f64::from(seed) / 2.0
+        };
+        let of_step = [1.0, 0.5].map(|scale| (1..=20).map(|seed| error(scale, seed)).collect());
+        of_step.into()
+    }
+
+    #[test]
+    fn adjusted_as_in_the_textbook() {
+        assert!(holm(&[], 3).is_empty());
+        let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
+        // 0.005 x 4; 0.01 x 3; 0.03 x 2; 0.04 x 1, which may not be less than the one before.
+        let adjusted = holm(&[0.01, 0.04, 0.03, 0.005], 0);
+        assert!(close(&adjusted, &[0.03, 0.06, 0.06, 0.02]), "{adjusted:?}");
+        assert!(close(&holm(&[0.5, 0.9], 1), &[1.0, 1.0]));
+        assert!(close(&holm(&[0.01, 0.02], 10), &[0.1, 0.18]));
+    }
+
+    #[test]
+    fn bounds_and_probabilities_are_those_of_the_tables() {
+        for (trials, bound) in [(0, 1.0), (30, 0.0950), (300, 0.00994)] {
+            assert!((rarer_than(trials) - bound).abs() < 1e-4, "{trials}");
+        }
+        let coins = [(0, 0, 1.0), (0, 5, 1.0), (1, 0, 0.5), (1, 1, 0.75)];
+        let tens = [(10, 0, 1.0 / 1024.0), (9, 1, 11.0 / 1024.0)];
+        for (one, other, expected) in coins.into_iter().chain(tens) {
+            let p = sign_test(one, other);
+            assert!((p - expected).abs() < 1e-9, "{one} {other}: {p}");
+        }
+    }
+
+    #[test]
+    fn infinite_errors_have_a_median() {
+        assert!(median([]).is_nan());
+        assert_eq!(median([4.0, 1.0, 2.0, f64::INFINITY]), 3.0);
+        assert_eq!(median([1.0, f64::INFINITY, f64::INFINITY]), f64::INFINITY);
+    }
+
+    #[test]
+    fn ranks_are_signed_and_shared_by_equals() {
+        let ranks = scores(&[vec![1.0, 2.0, 3.0, 4.0]], &[vec![2.0, 1.0, 3.0, 9.0]]);
+        assert_eq!(ranks, [1.5, -1.5, 0.0, 3.0]);
+        let infinite = f64::INFINITY;
+        let none = scores(&[vec![infinite, 1.0]], &[vec![infinite, infinite]]);
+        assert_eq!(none, [0.0, 1.0]);
+    }
+
+    #[test]
+    fn what_differs_is_told_apart_and_what_is_equal_is_not() {
+        let p = paired_test(&[vec![0.0; 5]], &[vec![1.0, 2.0, 3.0, 4.0, 5.0]]);
+        assert!((p - 1.0 / 16.0).abs() < 0.004, "five of five: {p}");
+        // A third is noticed, though seeds differ by a factor.
+        let mut random = Rand32::new(2);
+        let first = ensemble(&mut random, 1.0);
+        assert_eq!(paired_test(&first, &first), 1.0);
+        let worse = ensemble(&mut random, 1.3);
+        let p = paired_test(&first, &worse);
+        assert!(p < 10.0 / f64::from(EXCHANGES), "{p}");
+        assert_eq!(p, paired_test(&worse, &first));
+    }
+
+    #[test]
+    fn alike_ones_are_told_apart_as_seldom_as_the_level_says() {
+        let mut random = Rand32::new(3);
+        let told_apart = (0..200).filter(|_| {
+            let first = ensemble(&mut random, 1.0);
+            paired_test(&first, &ensemble(&mut random, 1.0)) < 0.1
+        });
+        // Twenty are expected; three standard errors are 13.
+        let count = told_apart.count();
+        assert!((7..=33).contains(&count), "{count}");
+    }
+}
