@@ -13,7 +13,6 @@ mod candidates;
 mod chunk;
 mod fat_boxes;
 mod foresight;
-mod horizon;
 mod layers;
 mod policy;
 mod proxies;
@@ -122,7 +121,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.array.held_count;
         stats.candidates = self.candidates.array.len();
-        stats.foresight = u32::from(self.foresight.moves());
+        stats.foresight = u32::from(self.foresight.moves);
         stats.work = self.work;
         stats.full_runs = self.full_runs;
         self.layers.describe(stats);

@@ -225,7 +225,7 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
         check(&mut world);
     }
     // Not by those that rest either, whose fat boxes may be from a time when there was foresight.
-    while world.tracker.foresight.is_any() {
+    while world.tracker.foresight.moves > 0 {
         world.tracker.foresight.shorten();
     }
     for fat in &mut world.tracker.proxies.fat_boxes[..100] {

@@ -15,8 +15,7 @@
 //!
 //! The fat boxes that were not left stay as they are, and with them the candidates: that is what the next updates live on.
 
-use super::foresight::Foresight;
-use super::horizon::mean_speed;
+use super::foresight::{Foresight, mean_speed};
 use super::layers::retain_from;
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
 use super::{FilterKey, PairChange, PairTracker};
@@ -87,7 +86,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Inflates the leavers anew and looks them up among all others.
     fn look_up(&mut self) {
-        self.proxies.inflate_leavers(self.foresight.horizon());
+        self.proxies.inflate_leavers(self.foresight);
         self.found.clear();
         self.work = self.layers.find_leavers(
             &self.proxies.fat_boxes,
@@ -118,7 +117,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             ..self.work
         };
         candidates.extend(&self.found, proxies, report);
-        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.array.len()) {
+        if !self.foresight.is_fixed && self.are_too_many(self.candidates.array.len()) {
             self.foresight.shorten();
             self.layers.forget();
         }
@@ -130,18 +129,18 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.full_runs = self.full_runs.wrapping_add(1);
         self.foresight = foresight;
         self.work = Work::default();
-        self.proxies.inflate_touched(self.foresight.horizon());
+        self.proxies.inflate_touched(self.foresight);
         self.found.clear();
         let count = self.candidates.array.len();
         self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
         self.search();
-        while !self.foresight.is_fixed() && self.are_too_many_found() {
+        while !self.foresight.is_fixed && self.are_too_many_found() {
             self.foresight.shorten();
-            self.proxies.inflate_all(self.foresight.horizon());
+            self.proxies.inflate_all(self.foresight);
             self.found = Vec::new();
             self.search();
             // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
-            if !self.foresight.is_any() {
+            if self.foresight.moves == 0 {
                 break;
             }
         }

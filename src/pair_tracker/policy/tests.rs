@@ -146,7 +146,7 @@ fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
     for (fixed, moves) in [(Some(7), 7), (None, 5)] {
         let mut inputs = left(1000);
         inputs.foresight = Foresight::new(fixed);
-        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves() == moves));
+        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves == moves));
     }
 }
 
