@@ -208,7 +208,7 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
     let check = |world: &mut World| {
         world.finish();
         let most = 9 * (600 + world.held.len());
-        assert!(world.tracker.candidates.array.len() <= most);
+        assert!(world.tracker.candidates.len() <= most);
     };
     for update in 0..12 {
         for slot in 0..600 {
