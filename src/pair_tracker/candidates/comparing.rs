@@ -78,6 +78,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         let states = &mut self.candidates.states;
         let first = states.len();
         states.resize(first + found.len(), PairState::Apart);
+        self.candidates.retired.index();
         for i in overlapping.iter() {
             let pair = found[i];
             // Most pairs that are held were held before.
