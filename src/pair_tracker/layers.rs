@@ -104,16 +104,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Whether leavers may be looked up.
-    pub(super) fn are_used(&self) -> bool {
-        self.are_used
-    }
-
-    /// What is above the base layer, if the base layer is sorted.
+    /// What is above the base layer, if layers are used and the base layer is sorted, so that leavers may be looked up.
     pub(super) fn above_base(&self) -> Option<AboveBase> {
         let Self { base, delta, .. } = self;
         let newest = if delta.is_sorted { delta } else { base };
-        base.is_sorted.then_some(AboveBase {
+        (self.are_used && base.is_sorted).then_some(AboveBase {
             cost: base.cost,
             recent: newest.outdated.len(),
         })

@@ -78,7 +78,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             candidates: self.candidates.len(),
             rows: self.candidates.rows(),
             lists: self.candidates.lists.state(),
-            are_layers_used: self.layers.are_used(),
             above_base: self.layers.above_base(),
             foresight: self.foresight,
             cost: self.cost,
