@@ -52,21 +52,6 @@ pub(crate) struct Notes {
     pub(super) revolumed: Vec<u32>,
 }
 
-impl Notes {
-    /// Moves all notes of another one here.
-    fn append(&mut self, other: &mut Self) {
-        self.touched.append(&mut other.touched);
-        self.left.append(&mut other.left);
-        self.revolumed.append(&mut other.revolumed);
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.touched.clear();
-        self.left.clear();
-        self.revolumed.clear();
-    }
-}
-
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// No slots yet. `volumes` says whether volumes are in use.
     pub(super) fn new(volumes: bool) -> Self {
@@ -174,7 +159,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Takes in the notes of a chunk.
     pub(crate) fn note(&mut self, notes: &mut Notes) {
-        self.notes.append(notes);
+        self.notes.touched.append(&mut notes.touched);
+        self.notes.left.append(&mut notes.left);
+        self.notes.revolumed.append(&mut notes.revolumed);
     }
 
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
@@ -284,8 +271,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if self.volumes.are_used() {
             self.renewed.clear_around(touched);
         }
-        std::mem::swap(&mut self.notes.touched, last_touched);
-        self.notes.clear();
+        let notes = &mut self.notes;
+        std::mem::swap(&mut notes.touched, last_touched);
+        for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
+            noted.clear();
+        }
         self.leavers.clear();
         self.former_keys.clear();
     }
