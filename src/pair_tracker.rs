@@ -11,7 +11,6 @@
 mod box_update;
 mod candidates;
 mod chunk;
-mod fat_boxes;
 mod foresight;
 mod layers;
 mod policy;

@@ -6,6 +6,7 @@
 
 use super::FilterKey;
 use super::chunk::ProxyChunk;
+use super::foresight::Foresight;
 use super::policy::are_most_touched;
 use super::volumes::Volumes;
 use crate::aabb::Aabb;
@@ -252,6 +253,51 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
+    /// Inflates the boxes that have left their fat boxes anew.
+    pub(super) fn inflate_leavers(&mut self, foresight: Foresight) {
+        for &slot in self.leavers.slots() {
+            let i = slot as usize;
+            self.fat_boxes[i] = foresight.fat_box(&self.boxes[i], &self.previous[i]);
+        }
+    }
+
+    /// Inflates the boxes that were touched.
+    pub(super) fn inflate_touched(&mut self, foresight: Foresight) {
+        if are_most_touched(self.notes.touched.len(), self.boxes.len()) {
+            // The rest has not moved, or is back inside its fat box.
+            return self.inflate(foresight, |fat, now, before| {
+                now != before || !fat.contains(now)
+            });
+        }
+        for &slot in &self.notes.touched {
+            let i = slot as usize;
+            self.fat_boxes[i] = foresight.fat_box(&self.boxes[i], &self.previous[i]);
+        }
+    }
+
+    /// Inflates all boxes.
+    pub(super) fn inflate_all(&mut self, foresight: Foresight) {
+        self.inflate(foresight, |_, _, _| true);
+    }
+
+    /// Inflates the boxes for which it is due, going by their fat boxes, their boxes, and those before.
+    fn inflate(
+        &mut self,
+        foresight: Foresight,
+        is_due: impl Fn(&Aabb<R, D>, &Aabb<R, D>, &Aabb<R, D>) -> bool + Send + Sync,
+    ) {
+        let slots = slots_a_task(self.boxes.len());
+        let boxes = self.boxes.chunks(slots).zip(self.previous.chunks(slots));
+        let mut parts: Vec<_> = self.fat_boxes.chunks_mut(slots).zip(boxes).collect();
+        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
+            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
+                if is_due(fat, now, before) {
+                    *fat = foresight.fat_box(now, before);
+                }
+            }
+        });
+    }
+
     /// Makes the present boxes the previous ones, and forgets the notes, except that it swaps what was touched with
     /// `last_touched`.
     pub(super) fn commit(&mut self, last_touched: &mut Vec<u32>) {
@@ -282,7 +328,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 }
 
 /// How many of so many slots each of the threads is given at a time: all, if they are not worth a second thread.
-pub(super) fn slots_a_task(slots: usize) -> usize {
+fn slots_a_task(slots: usize) -> usize {
     if slots < THREADS_FROM {
         THREADS_FROM
     } else {
