@@ -126,11 +126,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if !(snapshot.revolumed.is_empty() || proxies.volumes.are_used()) {
             return Err("snapshot: a volume has changed where none is in use");
         }
-        if snapshot
-            .revolumed
-            .iter()
-            .any(|&slot| slot as usize >= slots)
-        {
+        let mut revolumed = snapshot.revolumed.iter();
+        if revolumed.any(|&slot| slot as usize >= slots) {
             return Err("snapshot: a volume has changed whose slot is out of range");
         }
         proxies.notes.revolumed = snapshot.revolumed;

@@ -32,7 +32,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
             held_count,
             ..
         } = &mut **candidates;
-        if proxies.has_volumes() {
+        if proxies.volumes.are_used() {
             retired.reserve(*held_count);
             let rows = pairs.iter().zip(states.iter());
             let held = rows.filter(|(_, state)| state.is_held());
@@ -81,8 +81,8 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         self.candidates.retired.index();
         for i in overlapping.iter() {
             let pair = found[i];
-            // Most pairs that are held were held before.
-            let was_held = match proxies.has_volumes() {
+            // Most pairs that are held were held before. With volumes, boxes cannot tell which.
+            let was_held = match proxies.volumes.are_used() {
                 true => self.candidates.retired.take(pair),
                 false => proxies.was_held(pair),
             };
@@ -279,7 +279,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         if !former.is_held() {
             return;
         }
-        if proxies.has_volumes() {
+        if proxies.volumes.are_used() {
             if proxies.are_left(pair) {
                 candidates.retired.insert(pair);
             }

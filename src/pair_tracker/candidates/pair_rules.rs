@@ -16,16 +16,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         overlap(&self.boxes, pair)
     }
 
-    /// Whether held pairs cannot be told by what there was at the end of the last update.
-    #[inline(always)]
-    pub(super) fn has_volumes(&self) -> bool {
-        self.volumes.are_used()
-    }
-
     /// The state of a pair whose boxes overlap: held, unless volumes are in use and say otherwise.
     #[inline(always)]
     pub(super) fn state_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> PairState {
-        match !self.has_volumes() || self.is_held(pair, was_held) {
+        match !self.volumes.are_used() || self.is_held(pair, was_held) {
             true => PairState::Held,
             false => PairState::Near,
         }
@@ -72,7 +66,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     pub(super) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
-        if !self.has_volumes() {
+        if !self.volumes.are_used() {
             return overlap ^ held;
         }
         let is_held = |i: usize| self.is_held(pairs[i], held >> i & 1 == 1);
