@@ -67,7 +67,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     /// The slots that were touched before the last `finish`; may repeat.
-    last_touched: Vec<u32>,
+    pub(crate) last_touched: Vec<u32>,
     foresight: Foresight,
     /// What the last update took.
     work: Work,
@@ -97,11 +97,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             found: Vec::new(),
             stopwatch: Stopwatch::default(),
         }
-    }
-
-    /// The slots that were touched before the last `finish`; may repeat.
-    pub(crate) fn last_touched(&self) -> &[u32] {
-        &self.last_touched
     }
 
     /// The held pairs, by slots, smaller first.

@@ -21,11 +21,11 @@ use crate::volume::Volume;
 #[derive(Clone, Debug)]
 pub(crate) struct Proxies<R, const D: usize, K> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
-    pub(super) boxes: Vec<Aabb<R, D>>,
+    pub(crate) boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     pub(super) previous: Vec<Aabb<R, D>>,
     /// The fat box of each proxy; all NaN where there is none, or none yet.
-    pub(super) fat_boxes: Vec<Aabb<R, D>>,
+    pub(crate) fat_boxes: Vec<Aabb<R, D>>,
     pub(super) keys: Vec<K>,
     /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then. In a `finish`, ascending.
     pub(super) former_keys: Vec<(u32, K)>,
@@ -74,16 +74,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// The number of slots that there is room for.
     pub(crate) fn len(&self) -> usize {
         self.boxes.len()
-    }
-
-    /// The boxes by slot; all NaN where there is no proxy.
-    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
-        &self.boxes
-    }
-
-    /// The fat boxes by slot; all NaN where there is none.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        &self.fat_boxes
     }
 
     /// The box under this slot, if there is a proxy.

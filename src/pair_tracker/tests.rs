@@ -38,7 +38,7 @@ impl World {
         tracker.proxies.make_room(slots as usize);
         Self {
             random: Rand32::new(u64::from(slots)),
-            before: tracker.proxies.boxes().to_vec(),
+            before: tracker.proxies.boxes.clone(),
             tracker,
             held: BTreeSet::new(),
         }
@@ -65,7 +65,7 @@ impl World {
         let proxies = &self.tracker.proxies;
         if proxies.volumes().are_used() {
             let is_renewed = |slot: u32| {
-                let [now, before] = [proxies.boxes(), &self.before].map(|b| b[slot as usize]);
+                let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
                 now != before && now.is_valid()
             };
             for &pair in before.union(&self.held) {
@@ -77,7 +77,7 @@ impl World {
                 assert_eq!(self.held.contains(&pair), should_be_held, "{pair:?}");
             }
         }
-        self.before = proxies.boxes().to_vec();
+        self.before = proxies.boxes.clone();
     }
 
     /// A volume in a box, or near it: of every kind, at times one that meets all.
