@@ -77,7 +77,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             leavers: self.proxies.leavers.len(),
             candidates: self.candidates.len(),
             rows: self.candidates.rows(),
-            lists: self.candidates.lists.state(),
+            lists: self.candidates.lists.state,
             above_base: self.layers.above_base(),
             foresight: self.foresight,
             cost: self.cost,

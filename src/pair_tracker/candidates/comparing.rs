@@ -112,19 +112,19 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
                 work.picked = self.candidates.rows();
                 work.compared = self.compare_picked(touched);
                 if lists_are_missed {
-                    self.candidates.lists.miss();
+                    self.candidates.lists.state.missed += 1;
                 }
             }
             CompareMode::Listed => {
                 work.walked = touched.len();
-                if !self.candidates.lists.state().are_made {
+                if !self.candidates.lists.state.are_made {
                     self.candidates.compact();
                     let Candidates { pairs, lists, .. } = &mut *self.candidates;
                     lists.make(pairs, self.proxies.len());
                 }
                 let mut lists = std::mem::take(&mut self.candidates.lists);
                 for &slot in self.proxies.leavers.slots() {
-                    lists.take(slot, |row| self.retire(row));
+                    lists.walk(slot, |row| self.retire(row));
                 }
                 for &slot in touched {
                     lists.walk(slot, |row| self.compare_row(row));
@@ -138,7 +138,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
     pub(in crate::pair_tracker) fn compare_volumes(&mut self) {
         let proxies = self.proxies;
         let revolumed = &proxies.notes.revolumed;
-        let are_listed = self.candidates.lists.state().are_made;
+        let are_listed = self.candidates.lists.state.are_made;
         if are_listed && policy::is_walking_cheaper(revolumed.len(), self.candidates.rows()) {
             let mut lists = std::mem::take(&mut self.candidates.lists);
             for &slot in revolumed {
@@ -266,25 +266,26 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         }
     }
 
-    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
+    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone. Returns false: there is no
+    /// candidate in the row.
     #[inline(always)]
-    fn retire(&mut self, row: usize) {
+    fn retire(&mut self, row: usize) -> bool {
         let (candidates, proxies) = (&mut *self.candidates, self.proxies);
         let Some(pair) = candidates.get(row) else {
-            return;
+            return false;
         };
         let former = candidates.set_state(row, PairState::Apart);
         candidates.pairs[row] = [TOMBSTONE; 2];
         candidates.tombstones += 1;
-        if !former.is_held() {
-            return;
-        }
-        if proxies.volumes.are_used() {
-            if proxies.are_left(pair) {
-                candidates.retired.insert(pair);
+        if former.is_held() {
+            if proxies.volumes.are_used() {
+                if proxies.are_left(pair) {
+                    candidates.retired.insert(pair);
+                }
+            } else if proxies.has_ended(pair) {
+                (self.report)(PairChange::Deleted(pair));
             }
-        } else if proxies.has_ended(pair) {
-            (self.report)(PairChange::Deleted(pair));
         }
+        false
     }
 }

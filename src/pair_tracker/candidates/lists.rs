@@ -13,7 +13,7 @@ const END: u32 = u32::MAX;
 /// each walk takes those out of its own list.
 #[derive(Clone, Debug, Default)]
 pub(in crate::pair_tracker) struct CandidateLists {
-    state: ListState,
+    pub(in crate::pair_tracker) state: ListState,
     /// By slot, the first link.
     heads: Vec<u32>,
     /// By row, the link that follows for each of its two slots.
@@ -21,15 +21,6 @@ pub(in crate::pair_tracker) struct CandidateLists {
 }
 
 impl CandidateLists {
-    pub(in crate::pair_tracker) fn state(&self) -> ListState {
-        self.state
-    }
-
-    /// Takes note that there were no lists where they would have been useful.
-    pub(super) fn miss(&mut self) {
-        self.state.missed += 1;
-    }
-
     /// Lets them go out of date, until they are made again.
     pub(super) fn forget(&mut self) {
         self.state = ListState::default();
@@ -67,20 +58,8 @@ impl CandidateLists {
         }
     }
 
-    /// Calls `visit` with each row in the list of a slot, tombstones included, and empties the list.
-    pub(super) fn take(&mut self, slot: u32, mut visit: impl FnMut(usize)) {
-        let Some(head) = self.heads.get_mut(slot as usize) else {
-            return;
-        };
-        let mut link = std::mem::replace(head, END);
-        while link != END {
-            let (row, side) = (link as usize / 2, link as usize % 2);
-            visit(row);
-            link = self.next[row][side];
-        }
-    }
-
-    /// Calls `visit` with each row in the list of a slot, and takes a row out of the list if `visit` returns false.
+    /// Calls `visit` with each row in the list of a slot, tombstones included, and takes a row out of the list if
+    /// `visit` returns false.
     pub(super) fn walk(&mut self, slot: u32, mut visit: impl FnMut(usize) -> bool) {
         let Some(&head) = self.heads.get(slot as usize) else {
             return;
