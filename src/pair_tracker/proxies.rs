@@ -18,7 +18,7 @@ use crate::tuning::update::{MOST_NOTES_A_SLOT, SLOTS_A_TASK, THREADS_FROM};
 use crate::volume::Volume;
 
 /// What is known of each slot, and what has changed since the last `finish`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Proxies<R, const D: usize, K> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
     pub(crate) boxes: Vec<Aabb<R, D>>,
@@ -57,17 +57,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// No slots yet. `volumes` says whether volumes are in use.
     pub(super) fn new(volumes: bool) -> Self {
         Self {
-            boxes: Vec::new(),
-            previous: Vec::new(),
-            fat_boxes: Vec::new(),
-            keys: Vec::new(),
-            former_keys: Vec::new(),
-            are_filtered: false,
             volumes: Volumes::new(volumes),
-            notes: Notes::default(),
-            leavers: SlotSet::default(),
-            renewed: BitSet::default(),
-            slack: R::ZERO,
+            ..Self::default()
         }
     }
 

@@ -15,7 +15,7 @@ use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
 /// Volumes by slot; none unless they are in use.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Volumes<R, const D: usize> {
     are_used: bool,
     kinds: Vec<VolumeKind>,
@@ -51,11 +51,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     pub(super) fn new(are_used: bool) -> Self {
         Self {
             are_used,
-            kinds: Vec::new(),
-            balls: Vec::new(),
-            half_axes: Vec::new(),
-            are_slow: Vec::new(),
-            margin: R::ZERO,
+            ..Self::default()
         }
     }
 
