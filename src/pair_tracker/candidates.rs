@@ -10,9 +10,6 @@ mod pair_rules;
 mod retired;
 mod state;
 
-use super::FilterKey;
-use super::policy::{self, CompareMode};
-use super::proxies::Proxies;
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
 use crate::real::Real;

@@ -3,9 +3,10 @@
 use core::ops::Range;
 
 use super::state::PairState;
-use super::{Candidates, FilterKey, Proxies, TOMBSTONE, gather};
-use super::{CompareMode, policy};
-use crate::pair_tracker::PairChange;
+use super::{Candidates, TOMBSTONE, gather};
+use crate::pair_tracker::policy::{self, CompareMode};
+use crate::pair_tracker::proxies::Proxies;
+use crate::pair_tracker::{FilterKey, PairChange};
 use crate::real::Real;
 use crate::stats::Work;
 
