@@ -88,7 +88,9 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
                 false => proxies.was_held(pair),
             };
             let state = proxies.state_of_overlapping(pair, was_held);
-            self.candidates.set_state(first + i, state);
+            self.candidates.states[first + i] = state;
+            self.candidates.held_count += usize::from(state.is_held());
+            self.candidates.overlapping_count += 1;
             self.report_change(pair, was_held, state.is_held());
         }
         self.candidates.answers = overlapping;
@@ -125,7 +127,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
                 }
                 let mut lists = std::mem::take(&mut self.candidates.lists);
                 for &slot in self.proxies.leavers.slots() {
-                    lists.walk(slot, |row| self.retire(row));
+                    lists.take(slot, |row| self.retire(row));
                 }
                 for &slot in touched {
                     lists.walk(slot, |row| self.compare_row(row));
@@ -267,26 +269,25 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         }
     }
 
-    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone. Returns false: there is no
-    /// candidate in the row.
+    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
     #[inline(always)]
-    fn retire(&mut self, row: usize) -> bool {
+    fn retire(&mut self, row: usize) {
         let (candidates, proxies) = (&mut *self.candidates, self.proxies);
         let Some(pair) = candidates.get(row) else {
-            return false;
+            return;
         };
         let former = candidates.set_state(row, PairState::Apart);
         candidates.pairs[row] = [TOMBSTONE; 2];
         candidates.tombstones += 1;
-        if former.is_held() {
-            if proxies.volumes.are_used() {
-                if proxies.are_left(pair) {
-                    candidates.retired.insert(pair);
-                }
-            } else if proxies.has_ended(pair) {
-                (self.report)(PairChange::Deleted(pair));
-            }
+        if !former.is_held() {
+            return;
         }
-        false
+        if proxies.volumes.are_used() {
+            if proxies.are_left(pair) {
+                candidates.retired.insert(pair);
+            }
+        } else if proxies.has_ended(pair) {
+            (self.report)(PairChange::Deleted(pair));
+        }
     }
 }

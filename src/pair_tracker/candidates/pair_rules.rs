@@ -16,25 +16,18 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         overlap(&self.boxes, pair)
     }
 
-    /// The state of a pair whose boxes overlap: held, unless volumes are in use and say otherwise.
+    /// The state of a pair whose boxes overlap: held, unless volumes are in use. Then a pair is held as soon as its volumes meet,
+    /// until one of its boxes is renewed and they are farther apart than the slack.
     #[inline(always)]
     pub(super) fn state_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> PairState {
-        match !self.volumes.are_used() || self.is_held(pair, was_held) {
+        let is_held = !self.volumes.are_used()
+            || match was_held {
+                false => self.volumes.meet(pair, R::ZERO),
+                true => !self.is_renewed(pair) || self.volumes.meet(pair, self.slack),
+            };
+        match is_held {
             true => PairState::Held,
             false => PairState::Near,
-        }
-    }
-
-    /// Whether a pair whose boxes overlap is held by its volumes: as soon as they meet, until one of its boxes is renewed and they are
-    /// farther apart than the slack.
-    #[inline(always)]
-    fn is_held(&self, pair: [u32; 2], was_held: bool) -> bool {
-        let stays = was_held & !self.is_renewed(pair);
-        let slack = if was_held { self.slack } else { R::ZERO };
-        // Which balls meet is practically random, so there is no branch on it.
-        match self.volumes.meet_as_balls(pair, slack) {
-            Some(meet) => stays | meet,
-            None => stays || self.volumes.meet(pair, slack),
         }
     }
 
@@ -69,10 +62,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !self.volumes.are_used() {
             return overlap ^ held;
         }
-        let is_held = |i: usize| self.is_held(pairs[i], held >> i & 1 == 1);
-        let now_held = ones(overlap).fold(0, |word, i| word | u64::from(is_held(i)) << i);
+        let has_toggled = |i: usize| self.has_toggled(pairs[i], held >> i & 1 == 1);
+        let toggled = ones(overlap).fold(0, |word, i| word | u64::from(has_toggled(i)) << i);
         // What overlaps only now has toggled in any case.
-        (overlap ^ (near | held)) | (now_held ^ held)
+        (overlap ^ (near | held)) | toggled
     }
 
     /// Of up to 64 pairs that are near, and have one of these slots, those whose volumes have met now.
@@ -86,6 +79,20 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         let [near, _] = near_and_held(states);
         let has_toggled = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
         ones(near).fold(0, |word, i| word | u64::from(has_toggled(i)) << i)
+    }
+
+    /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.
+    #[inline(always)]
+    fn has_toggled(&self, pair: [u32; 2], was_held: bool) -> bool {
+        // Which balls meet is practically random, so there is no branch on it.
+        let slack = if was_held { self.slack } else { R::ZERO };
+        if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
+            return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
+        }
+        match was_held {
+            true => self.is_renewed(pair) && !self.volumes.meet(pair, slack),
+            false => self.volumes.meet(pair, slack),
+        }
     }
 
     /// Whether neither proxy of a pair was removed since the last update.
