@@ -11,9 +11,7 @@
 mod box_update;
 mod candidates;
 mod chunk;
-mod fat_boxes;
 mod foresight;
-mod horizon;
 mod layers;
 mod policy;
 mod proxies;
@@ -69,7 +67,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     /// The slots that were touched before the last `finish`; may repeat.
-    last_touched: Vec<u32>,
+    pub(crate) last_touched: Vec<u32>,
     foresight: Foresight,
     /// What the last update took.
     work: Work,
@@ -101,28 +99,23 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// The slots that were touched before the last `finish`; may repeat.
-    pub(crate) fn last_touched(&self) -> &[u32] {
-        &self.last_touched
-    }
-
     /// The held pairs, by slots, smaller first.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.candidates.array.held()
+        self.candidates.held()
     }
 
     /// The pairs whose boxes overlapped at the end of the last update, and that are not held, by their volumes alone.
     pub(crate) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let keys = &self.proxies.keys;
-        let near = self.candidates.array.near();
+        let near = self.candidates.near();
         near.filter(|&[a, b]| keys[a as usize].may_touch(keys[b as usize]))
     }
 
     /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs.
     pub(crate) fn describe(&self, stats: &mut Stats) {
-        stats.pairs = self.candidates.array.held_count;
-        stats.candidates = self.candidates.array.len();
-        stats.foresight = u32::from(self.foresight.moves());
+        stats.pairs = self.candidates.held_count;
+        stats.candidates = self.candidates.len();
+        stats.foresight = u32::from(self.foresight.moves);
         stats.work = self.work;
         stats.full_runs = self.full_runs;
         self.layers.describe(stats);

@@ -103,12 +103,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// The boxes by slot; invalid where there is none.
     pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
-        self.tracker.proxies.boxes()
+        &self.tracker.proxies.boxes
     }
 
     /// The fat boxes of all proxies.
     pub(crate) fn fat_boxes(&self) -> impl Iterator<Item = &Aabb<R, D>> {
-        let fat_boxes = self.tracker.proxies.fat_boxes();
+        let fat_boxes = &self.tracker.proxies.fat_boxes;
         fat_boxes.iter().filter(|fat| fat.is_valid())
     }
 
@@ -119,7 +119,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// The slots whose boxes the last update has renewed or taken away; may repeat.
     pub(crate) fn last_touched(&self) -> &[u32] {
-        self.tracker.last_touched()
+        &self.tracker.last_touched
     }
 
     /// The held pairs, the collider in the smaller slot first.
@@ -257,7 +257,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let proxies = &mut self.tracker.proxies;
         let renews_box = key.renews_box(proxies.key(slot));
         proxies.set_key(slot, key);
-        let update = BoxUpdate::of(&proxies.boxes()[slot as usize], &aabb, margin);
+        let update = BoxUpdate::of(&proxies.boxes[slot as usize], &aabb, margin);
         let renewed = match update {
             BoxUpdate::Keep if !renews_box => None,
             BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),

@@ -32,9 +32,6 @@ pub(super) struct Layers<R: Real, const D: usize> {
     /// Scratch: the members of a run.
     members: Vec<u32>,
     rank_sweep: RankSweep<R, D>,
-    /// Scratch of `rank_sweep`, which takes only slices of valid boxes: these, and their pairs.
-    valid: Vec<Aabb<R, D>>,
-    pairs: Vec<[u32; 2]>,
 }
 
 /// The layers above the base, which the last full run has sorted.
@@ -104,16 +101,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Whether leavers may be looked up.
-    pub(super) fn are_used(&self) -> bool {
-        self.are_used
-    }
-
-    /// What is above the base layer, if the base layer is sorted.
+    /// What is above the base layer, if layers are used and the base layer is sorted, so that leavers may be looked up.
     pub(super) fn above_base(&self) -> Option<AboveBase> {
         let Self { base, delta, .. } = self;
         let newest = if delta.is_sorted { delta } else { base };
-        base.is_sorted.then_some(AboveBase {
+        (self.are_used && base.is_sorted).then_some(AboveBase {
             cost: base.cost,
             recent: newest.outdated.len(),
         })
@@ -162,16 +154,15 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 stopwatch.enter(Phase::Sweep);
                 collect_valid(boxes, &mut self.members);
                 let slots = &self.members;
-                let valid = slots.iter().map(|&slot| boxes[slot as usize]);
-                self.valid.clear();
-                self.valid.extend(valid);
-                if let Err(error) = self.rank_sweep.find_pairs(&self.valid, &mut self.pairs) {
+                // It takes only slices of valid boxes.
+                let valid: Vec<_> = slots.iter().map(|&slot| boxes[slot as usize]).collect();
+                let mut pairs = Vec::new();
+                if let Err(error) = self.rank_sweep.find_pairs(&valid, &mut pairs) {
                     // All are valid, so there are too many.
                     log::error!("no pairs are found: {error}");
                 }
                 // The slots ascend, so the smaller of a pair stays the smaller.
-                let pairs = self.pairs.iter();
-                found.extend(pairs.map(|pair| pair.map(|i| slots[i as usize])));
+                found.extend(pairs.iter().map(|pair| pair.map(|i| slots[i as usize])));
             }
         }
     }

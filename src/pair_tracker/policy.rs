@@ -27,9 +27,7 @@ pub(super) struct PlanInputs {
     /// Rows of the candidates, tombstones included.
     pub(super) rows: usize,
     pub(super) lists: ListState,
-    /// Whether leavers may be looked up.
-    pub(super) are_layers_used: bool,
-    /// What is above the base layer, if the base layer is sorted.
+    /// What is above the base layer, if leavers may be looked up in it.
     pub(super) above_base: Option<AboveBase>,
     /// How far ahead the present fat boxes reach.
     pub(super) foresight: Foresight,
@@ -93,12 +91,12 @@ impl Plan {
 
 impl PlanInputs {
     fn is_full_run_due(&self) -> bool {
-        let Some(above_base) = self.above_base.filter(|_| self.are_layers_used) else {
-            return self.leavers > 0;
-        };
         if self.leavers == 0 {
             return false;
         }
+        let Some(above_base) = self.above_base else {
+            return true;
+        };
         let [leavers, slots, found] = [self.leavers, self.slots, self.candidates].map(to_u64);
         let full_run = SEARCHED * slots + FOUND * found;
         // Each finds all candidates of its own, which are those of another as well.

@@ -6,6 +6,7 @@
 
 use super::FilterKey;
 use super::chunk::ProxyChunk;
+use super::foresight::Foresight;
 use super::policy::are_most_touched;
 use super::volumes::Volumes;
 use crate::aabb::Aabb;
@@ -17,14 +18,14 @@ use crate::tuning::update::{MOST_NOTES_A_SLOT, SLOTS_A_TASK, THREADS_FROM};
 use crate::volume::Volume;
 
 /// What is known of each slot, and what has changed since the last `finish`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Proxies<R, const D: usize, K> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
-    pub(super) boxes: Vec<Aabb<R, D>>,
+    pub(crate) boxes: Vec<Aabb<R, D>>,
     /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
     pub(super) previous: Vec<Aabb<R, D>>,
     /// The fat box of each proxy; all NaN where there is none, or none yet.
-    pub(super) fat_boxes: Vec<Aabb<R, D>>,
+    pub(crate) fat_boxes: Vec<Aabb<R, D>>,
     pub(super) keys: Vec<K>,
     /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then. In a `finish`, ascending.
     pub(super) former_keys: Vec<(u32, K)>,
@@ -52,52 +53,18 @@ pub(crate) struct Notes {
     pub(super) revolumed: Vec<u32>,
 }
 
-impl Notes {
-    /// Moves all notes of another one here.
-    fn append(&mut self, other: &mut Self) {
-        self.touched.append(&mut other.touched);
-        self.left.append(&mut other.left);
-        self.revolumed.append(&mut other.revolumed);
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.touched.clear();
-        self.left.clear();
-        self.revolumed.clear();
-    }
-}
-
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// No slots yet. `volumes` says whether volumes are in use.
     pub(super) fn new(volumes: bool) -> Self {
         Self {
-            boxes: Vec::new(),
-            previous: Vec::new(),
-            fat_boxes: Vec::new(),
-            keys: Vec::new(),
-            former_keys: Vec::new(),
-            are_filtered: false,
             volumes: Volumes::new(volumes),
-            notes: Notes::default(),
-            leavers: SlotSet::default(),
-            renewed: BitSet::default(),
-            slack: R::ZERO,
+            ..Self::default()
         }
     }
 
     /// The number of slots that there is room for.
     pub(crate) fn len(&self) -> usize {
         self.boxes.len()
-    }
-
-    /// The boxes by slot; all NaN where there is no proxy.
-    pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
-        &self.boxes
-    }
-
-    /// The fat boxes by slot; all NaN where there is none.
-    pub(crate) fn fat_boxes(&self) -> &[Aabb<R, D>] {
-        &self.fat_boxes
     }
 
     /// The box under this slot, if there is a proxy.
@@ -174,7 +141,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Takes in the notes of a chunk.
     pub(crate) fn note(&mut self, notes: &mut Notes) {
-        self.notes.append(notes);
+        self.notes.touched.append(&mut notes.touched);
+        self.notes.left.append(&mut notes.left);
+        self.notes.revolumed.append(&mut notes.revolumed);
     }
 
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
@@ -265,6 +234,51 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
+    /// Inflates the boxes that have left their fat boxes anew.
+    pub(super) fn inflate_leavers(&mut self, foresight: Foresight) {
+        for &slot in self.leavers.slots() {
+            let i = slot as usize;
+            self.fat_boxes[i] = foresight.fat_box(&self.boxes[i], &self.previous[i]);
+        }
+    }
+
+    /// Inflates the boxes that were touched.
+    pub(super) fn inflate_touched(&mut self, foresight: Foresight) {
+        if are_most_touched(self.notes.touched.len(), self.boxes.len()) {
+            // The rest has not moved, or is back inside its fat box.
+            return self.inflate(foresight, |fat, now, before| {
+                now != before || !fat.contains(now)
+            });
+        }
+        for &slot in &self.notes.touched {
+            let i = slot as usize;
+            self.fat_boxes[i] = foresight.fat_box(&self.boxes[i], &self.previous[i]);
+        }
+    }
+
+    /// Inflates all boxes.
+    pub(super) fn inflate_all(&mut self, foresight: Foresight) {
+        self.inflate(foresight, |_, _, _| true);
+    }
+
+    /// Inflates the boxes for which it is due, going by their fat boxes, their boxes, and those before.
+    fn inflate(
+        &mut self,
+        foresight: Foresight,
+        is_due: impl Fn(&Aabb<R, D>, &Aabb<R, D>, &Aabb<R, D>) -> bool + Send + Sync,
+    ) {
+        let slots = slots_a_task(self.boxes.len());
+        let boxes = self.boxes.chunks(slots).zip(self.previous.chunks(slots));
+        let mut parts: Vec<_> = self.fat_boxes.chunks_mut(slots).zip(boxes).collect();
+        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
+            for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
+                if is_due(fat, now, before) {
+                    *fat = foresight.fat_box(now, before);
+                }
+            }
+        });
+    }
+
     /// Makes the present boxes the previous ones, and forgets the notes, except that it swaps what was touched with
     /// `last_touched`.
     pub(super) fn commit(&mut self, last_touched: &mut Vec<u32>) {
@@ -284,15 +298,18 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if self.volumes.are_used() {
             self.renewed.clear_around(touched);
         }
-        std::mem::swap(&mut self.notes.touched, last_touched);
-        self.notes.clear();
+        let notes = &mut self.notes;
+        std::mem::swap(&mut notes.touched, last_touched);
+        for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
+            noted.clear();
+        }
         self.leavers.clear();
         self.former_keys.clear();
     }
 }
 
 /// How many of so many slots each of the threads is given at a time: all, if they are not worth a second thread.
-pub(super) fn slots_a_task(slots: usize) -> usize {
+fn slots_a_task(slots: usize) -> usize {
     if slots < THREADS_FROM {
         THREADS_FROM
     } else {

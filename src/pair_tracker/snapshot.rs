@@ -61,7 +61,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
             .map(|(slot, (_, &key))| (slot, key));
         let touched = proxies.touched().iter();
-        let mut near: Vec<_> = self.candidates.array.near().collect();
+        let mut near: Vec<_> = self.candidates.near().collect();
         near.sort_unstable();
         TrackerSnapshot {
             proxies: by_slot().map(proxy).collect(),
@@ -126,20 +126,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if !(snapshot.revolumed.is_empty() || proxies.volumes.are_used()) {
             return Err("snapshot: a volume has changed where none is in use");
         }
-        if snapshot
-            .revolumed
-            .iter()
-            .any(|&slot| slot as usize >= slots)
-        {
+        let mut revolumed = snapshot.revolumed.iter();
+        if revolumed.any(|&slot| slot as usize >= slots) {
             return Err("snapshot: a volume has changed whose slot is out of range");
         }
         proxies.notes.revolumed = snapshot.revolumed;
         let found = overlapping(Kernel::GridSweep, &proxies.fat_boxes, &proxies.keys);
-        self.candidates = Candidates::restored(found, snapshot.near)?;
+        self.candidates = Candidates::restored(found, &snapshot.near)?;
         let notes = &proxies.notes;
         let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
         let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
-        let mut near = self.candidates.array.near();
+        let mut near = self.candidates.near();
         match near.all(|pair| is_noted(pair) || !proxies.volumes.meet(pair, R::ZERO)) {
             true => Ok(()),
             false => Err("snapshot: a pair is not held although its volumes meet"),

@@ -38,7 +38,7 @@ impl World {
         tracker.proxies.make_room(slots as usize);
         Self {
             random: Rand32::new(u64::from(slots)),
-            before: tracker.proxies.boxes().to_vec(),
+            before: tracker.proxies.boxes.clone(),
             tracker,
             held: BTreeSet::new(),
         }
@@ -65,7 +65,7 @@ impl World {
         let proxies = &self.tracker.proxies;
         if proxies.volumes().are_used() {
             let is_renewed = |slot: u32| {
-                let [now, before] = [proxies.boxes(), &self.before].map(|b| b[slot as usize]);
+                let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
                 now != before && now.is_valid()
             };
             for &pair in before.union(&self.held) {
@@ -77,7 +77,7 @@ impl World {
                 assert_eq!(self.held.contains(&pair), should_be_held, "{pair:?}");
             }
         }
-        self.before = proxies.boxes().to_vec();
+        self.before = proxies.boxes.clone();
     }
 
     /// A volume in a box, or near it: of every kind, at times one that meets all.
@@ -208,7 +208,7 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
     let check = |world: &mut World| {
         world.finish();
         let most = 9 * (600 + world.held.len());
-        assert!(world.tracker.candidates.array.len() <= most);
+        assert!(world.tracker.candidates.len() <= most);
     };
     for update in 0..12 {
         for slot in 0..600 {
@@ -225,7 +225,7 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
         check(&mut world);
     }
     // Not by those that rest either, whose fat boxes may be from a time when there was foresight.
-    while world.tracker.foresight.is_any() {
+    while world.tracker.foresight.moves > 0 {
         world.tracker.foresight.shorten();
     }
     for fat in &mut world.tracker.proxies.fat_boxes[..100] {

@@ -15,8 +15,8 @@
 //!
 //! The fat boxes that were not left stay as they are, and with them the candidates: that is what the next updates live on.
 
-use super::foresight::Foresight;
-use super::horizon::mean_speed;
+use super::candidates::Comparing;
+use super::foresight::{Foresight, mean_speed};
 use super::layers::retain_from;
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
 use super::{FilterKey, PairChange, PairTracker};
@@ -75,10 +75,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             touched: self.proxies.notes.touched.len(),
             revolumed: self.proxies.notes.revolumed.len(),
             leavers: self.proxies.leavers.len(),
-            candidates: self.candidates.array.len(),
-            rows: self.candidates.array.rows(),
-            lists: self.candidates.lists.state(),
-            are_layers_used: self.layers.are_used(),
+            candidates: self.candidates.len(),
+            rows: self.candidates.rows(),
+            lists: self.candidates.lists.state,
             above_base: self.layers.above_base(),
             foresight: self.foresight,
             cost: self.cost,
@@ -87,7 +86,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Inflates the leavers anew and looks them up among all others.
     fn look_up(&mut self) {
-        self.proxies.inflate_leavers(self.foresight.horizon());
+        self.proxies.inflate_leavers(self.foresight);
         self.found.clear();
         self.work = self.layers.find_leavers(
             &self.proxies.fat_boxes,
@@ -101,24 +100,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Compares candidates, retires those of the leavers, and takes in what was found for these.
     fn compare(&mut self, mode: CompareMode, report: &mut impl FnMut(PairChange)) {
-        let (candidates, proxies) = (&mut self.candidates, &self.proxies);
-        let mut comparing = Work::default();
-        let is_any_touched = !proxies.notes.touched.is_empty();
+        let notes = &self.proxies.notes;
+        let mut comparing = Comparing {
+            candidates: &mut self.candidates,
+            proxies: &self.proxies,
+            report,
+        };
+        let is_any_touched = !notes.touched.is_empty();
         if is_any_touched {
-            comparing = candidates.compare(mode, proxies, report);
+            comparing.compare(mode, &mut self.work);
         }
         let are_all_compared = is_any_touched && mode == CompareMode::All;
-        if !(proxies.notes.revolumed.is_empty() || are_all_compared) {
-            candidates.compare_volumes(proxies, report);
+        if !(notes.revolumed.is_empty() || are_all_compared) {
+            comparing.compare_volumes();
         }
-        self.work = Work {
-            compared: comparing.compared,
-            picked: comparing.picked,
-            walked: comparing.walked,
-            ..self.work
-        };
-        candidates.extend(&self.found, proxies, report);
-        if !self.foresight.is_fixed() && self.are_too_many(self.candidates.array.len()) {
+        comparing.extend(&self.found);
+        if !self.foresight.is_fixed && self.are_too_many(self.candidates.len()) {
             self.foresight.shorten();
             self.layers.forget();
         }
@@ -130,23 +127,27 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.full_runs = self.full_runs.wrapping_add(1);
         self.foresight = foresight;
         self.work = Work::default();
-        self.proxies.inflate_touched(self.foresight.horizon());
+        self.proxies.inflate_touched(self.foresight);
         self.found.clear();
-        let count = self.candidates.array.len();
+        let count = self.candidates.len();
         self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
         self.search();
-        while !self.foresight.is_fixed() && self.are_too_many_found() {
+        while !self.foresight.is_fixed && self.are_too_many_found() {
             self.foresight.shorten();
-            self.proxies.inflate_all(self.foresight.horizon());
+            self.proxies.inflate_all(self.foresight);
             self.found = Vec::new();
             self.search();
             // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
-            if !self.foresight.is_any() {
+            if self.foresight.moves == 0 {
                 break;
             }
         }
-        self.candidates
-            .replace(&mut self.found, &self.proxies, report);
+        let mut comparing = Comparing {
+            candidates: &mut self.candidates,
+            proxies: &self.proxies,
+            report,
+        };
+        comparing.replace(&mut self.found);
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {
             self.found = Vec::new();
         }
@@ -175,7 +176,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Whether this number of candidates is more than foresight can be worth.
     fn are_too_many(&self, candidates: usize) -> bool {
-        let overlapping = self.candidates.array.overlapping_count;
+        let overlapping = self.candidates.overlapping_count;
         policy::are_too_many(candidates, self.proxies.len(), overlapping)
     }
 

@@ -63,11 +63,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         expected.retain(|pair| should_be_held(*pair, held.contains(pair)));
         check(self.pairs().collect(), expected, "the held pairs");
         let expected = overlapping(kernel, &proxies.fat_boxes, &proxies.keys);
-        check(
-            self.candidates.array.iter().collect(),
-            expected,
-            "the candidates",
-        );
+        check(self.candidates.iter().collect(), expected, "the candidates");
     }
 }
 

@@ -15,7 +15,7 @@ use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
 /// Volumes by slot; none unless they are in use.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Volumes<R, const D: usize> {
     are_used: bool,
     kinds: Vec<VolumeKind>,
@@ -51,11 +51,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     pub(super) fn new(are_used: bool) -> Self {
         Self {
             are_used,
-            kinds: Vec::new(),
-            balls: Vec::new(),
-            half_axes: Vec::new(),
-            are_slow: Vec::new(),
-            margin: R::ZERO,
+            ..Self::default()
         }
     }
 
@@ -275,13 +271,13 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         }
         let former = volume_of(self.kinds, self.balls, self.half_axes, i);
         let change = former.change_to(volume.as_ref());
-        if self.stays(change, is_renewed) {
-            return Some(self.stay(i, change));
+        if let Some(is_slow_now) = self.stay(i, change, is_renewed) {
+            return Some(is_slow_now);
         }
         if kind.axes::<D>() > 0 {
             self.half_axes[i] = volume.half_axes;
         }
-        self.set_ball(i, volume.ball, is_renewed);
+        self.balls[i] = volume.ball;
         Some(true)
     }
 
@@ -298,31 +294,25 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
             VolumeKind::Ball => {
                 let ball = self.balls[i].in_box(aabb);
                 let change = self.balls[i].change_to(&ball);
-                if self.stays(change, is_renewed) {
-                    return Some(self.stay(i, change));
+                if let Some(is_slow_now) = self.stay(i, change, is_renewed) {
+                    return Some(is_slow_now);
                 }
-                self.set_ball(i, ball, is_renewed);
+                self.balls[i] = ball;
                 Some(true)
             }
             _ => None,
         }
     }
 
+    /// Lets the volume of the slot `i` stay, if its collider has changed by no more than the margin, and its box is not renewed.
+    /// Returns whether it was exact until now; `None` if it is to be another one.
     #[inline(always)]
-    fn stays(&self, change: R, is_renewed: bool) -> bool {
-        change <= self.margin && !is_renewed
-    }
-
-    /// Lets the volume of the slot `i` stay, whose collider has changed by this. Returns whether it was exact until now.
-    #[inline(always)]
-    fn stay(&mut self, i: usize, change: R) -> bool {
-        let is_slow = self.are_slow[i] | (change > R::ZERO);
-        is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow)
-    }
-
-    #[inline(always)]
-    fn set_ball(&mut self, i: usize, ball: Ball<R, D>, is_renewed: bool) {
-        self.balls[i] = ball;
+    fn stay(&mut self, i: usize, change: R, is_renewed: bool) -> Option<bool> {
+        if change <= self.margin && !is_renewed {
+            let is_slow = self.are_slow[i] | (change > R::ZERO);
+            return Some(is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow));
+        }
         self.are_slow[i] &= !is_renewed;
+        None
     }
 }

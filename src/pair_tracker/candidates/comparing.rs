@@ -1,36 +1,39 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
-use super::array::{CandidateArray, TOMBSTONE, gather};
+use core::ops::Range;
+
 use super::state::PairState;
-use crate::bit_set::BitSet;
+use super::{Candidates, TOMBSTONE, gather};
+use crate::pair_tracker::policy::{self, CompareMode};
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{FilterKey, PairChange};
 use crate::real::Real;
+use crate::stats::Work;
 
 /// The candidates of an update, what decides which of them are held, and whom changes are reported to.
-pub(super) struct Comparing<'a, R, const D: usize, K, F> {
-    pub(super) array: &'a mut CandidateArray,
-    pub(super) proxies: &'a Proxies<R, D, K>,
-    pub(super) report: &'a mut F,
+pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, F> {
+    pub(in crate::pair_tracker) candidates: &'a mut Candidates,
+    pub(in crate::pair_tracker) proxies: &'a Proxies<R, D, K>,
+    pub(in crate::pair_tracker) report: &'a mut F,
 }
 
 impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, R, D, K, F> {
     /// Makes `found` the candidates, and leaves the memory of the former ones there.
-    pub(super) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
+    pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
         let Self {
-            array,
+            candidates,
             proxies,
             report,
         } = self;
-        let CandidateArray {
+        let Candidates {
             pairs,
             states,
             retired,
             answers,
             held_count,
             ..
-        } = &mut **array;
-        if proxies.has_volumes() {
+        } = &mut **candidates;
+        if proxies.volumes.are_used() {
             retired.reserve(*held_count);
             let rows = pairs.iter().zip(states.iter());
             let held = rows.filter(|(_, state)| state.is_held());
@@ -47,134 +50,202 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
             let ended = answers.iter();
             ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
         }
-        std::mem::swap(pairs, found);
         states.clear();
-        let pairs = std::mem::take(pairs);
-        array.held_count = 0;
-        array.overlapping_count = 0;
-        array.tombstones = 0;
-        self.hold_new(&pairs);
-        self.array.retired.free_if_large();
-        self.array.pairs = pairs;
+        candidates.held_count = 0;
+        candidates.overlapping_count = 0;
+        candidates.tombstones = 0;
+        candidates.lists.forget();
+        self.hold_new(found);
+        self.candidates.retired.free_if_large();
+        std::mem::swap(&mut self.candidates.pairs, found);
     }
 
     /// Adds candidates.
-    pub(super) fn extend(&mut self, found: &[[u32; 2]]) {
+    pub(in crate::pair_tracker) fn extend(&mut self, found: &[[u32; 2]]) {
         self.hold_new(found);
-        self.array.pairs.extend_from_slice(found);
+        let Candidates { pairs, lists, .. } = &mut *self.candidates;
+        let first = pairs.len();
+        pairs.extend_from_slice(found);
+        lists.extend(pairs, first, self.proxies.len());
     }
 
+    /// Appends the states of candidates that were found.
     fn hold_new(&mut self, found: &[[u32; 2]]) {
-        let Self {
-            array,
-            proxies,
-            report,
-        } = self;
-        let CandidateArray {
-            states,
-            retired,
-            held_count,
-            overlapping_count,
-            answers,
-            ..
-        } = &mut **array;
-        answers.ask(found.len(), |rows| {
+        let proxies = self.proxies;
+        let mut overlapping = std::mem::take(&mut self.candidates.answers);
+        overlapping.ask(found.len(), |rows| {
             gather(&found[rows], |&pair| proxies.overlap(pair))
         });
+        let states = &mut self.candidates.states;
         let first = states.len();
         states.resize(first + found.len(), PairState::Apart);
-        for i in answers.iter() {
+        self.candidates.retired.index();
+        for i in overlapping.iter() {
             let pair = found[i];
-            // Most pairs that are held were held before.
-            let was_held = match proxies.has_volumes() {
-                true => retired.take(pair),
+            // Most pairs that are held were held before. With volumes, boxes cannot tell which.
+            let was_held = match proxies.volumes.are_used() {
+                true => self.candidates.retired.take(pair),
                 false => proxies.was_held(pair),
             };
             let state = proxies.state_of_overlapping(pair, was_held);
-            states[first + i] = state;
-            *held_count += usize::from(state.is_held());
-            *overlapping_count += 1;
-            match (was_held, state.is_held()) {
-                (false, true) => report(PairChange::Added(pair)),
-                (true, false) => report(PairChange::Deleted(pair)),
-                _ => {}
-            }
+            self.candidates.states[first + i] = state;
+            self.candidates.held_count += usize::from(state.is_held());
+            self.candidates.overlapping_count += 1;
+            self.report_change(pair, was_held, state.is_held());
         }
-        retired.drain(|pair| report(PairChange::Deleted(pair)));
+        self.candidates.answers = overlapping;
+        let retired = &mut self.candidates.retired;
+        retired.drain(|pair| (self.report)(PairChange::Deleted(pair)));
     }
 
-    /// Compares all rows, and removes those of what has left its fat box. No row may be a tombstone. Returns whether rows have
-    /// moved.
-    pub(super) fn compare_all(&mut self, toggled: &mut BitSet) -> bool {
-        debug_assert_eq!(self.array.tombstones, 0);
-        let CandidateArray { pairs, states, .. } = &*self.array;
-        let (proxies, leavers) = (self.proxies, &self.proxies.leavers);
-        // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-        if leavers.len() == 0 {
-            toggled.ask(pairs.len(), |rows| {
-                proxies.toggled(&pairs[rows.clone()], &states[rows])
-            });
-            for row in toggled.iter() {
-                self.compare(row);
+    /// Brings the candidates of what was touched up to date with the present boxes, and retires those of the leavers. Looks at all
+    /// candidates, or only at these. Adds what it took to `work`.
+    ///
+    /// Picking a few candidates out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are
+    /// for very few.
+    pub(in crate::pair_tracker) fn compare(&mut self, mode: CompareMode, work: &mut Work) {
+        let touched = self.proxies.touched();
+        match mode {
+            CompareMode::All => {
+                self.candidates.compact();
+                self.compare_all();
+                work.compared = self.candidates.rows();
             }
-            return false;
-        }
-        let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
-        toggled.ask(pairs.len(), |rows| {
-            let (pairs, states) = (&pairs[rows.clone()], &states[rows]);
-            proxies.toggled(pairs, states) | gather(pairs, has_left)
-        });
-        let rows = pairs.len();
-        for row in toggled.iter() {
-            self.compare_or_retire(row);
-        }
-        // Backwards, so that the row `swap_remove` moves in has already been checked.
-        for row in toggled.iter_backwards() {
-            if self.array.pairs[row][0] == TOMBSTONE {
-                self.array.pairs.swap_remove(row);
-                self.array.states.swap_remove(row);
+            CompareMode::Picked { lists_are_missed } => {
+                work.picked = self.candidates.rows();
+                work.compared = self.compare_picked(touched);
+                if lists_are_missed {
+                    self.candidates.lists.state.missed += 1;
+                }
+            }
+            CompareMode::Listed => {
+                work.walked = touched.len();
+                if !self.candidates.lists.state.are_made {
+                    self.candidates.compact();
+                    let Candidates { pairs, lists, .. } = &mut *self.candidates;
+                    lists.make(pairs, self.proxies.len());
+                }
+                let mut lists = std::mem::take(&mut self.candidates.lists);
+                for &slot in self.proxies.leavers.slots() {
+                    lists.take(slot, |row| self.retire(row));
+                }
+                for &slot in touched {
+                    lists.walk(slot, |row| self.compare_row(row));
+                }
+                self.candidates.lists = lists;
             }
         }
-        self.array.tombstones = 0;
-        self.array.pairs.len() < rows
     }
 
-    /// Compares the rows that are near, and that have one of these slots, by their volumes alone.
-    pub(super) fn compare_near(
-        &mut self,
-        toggled: &mut BitSet,
-        is_one: impl Fn(usize) -> bool + Sync + Send,
-    ) {
-        let CandidateArray { pairs, states, .. } = &*self.array;
+    /// Brings the candidates of what has another volume in the same box up to date.
+    pub(in crate::pair_tracker) fn compare_volumes(&mut self) {
         let proxies = self.proxies;
+        let revolumed = &proxies.notes.revolumed;
+        let are_listed = self.candidates.lists.state.are_made;
+        if are_listed && policy::is_walking_cheaper(revolumed.len(), self.candidates.rows()) {
+            let mut lists = std::mem::take(&mut self.candidates.lists);
+            for &slot in revolumed {
+                lists.walk(slot, |row| self.compare_row(row));
+            }
+            self.candidates.lists = lists;
+            return;
+        }
+        let mut toggled = std::mem::take(&mut self.candidates.answers);
+        let Candidates {
+            pairs,
+            states,
+            slots,
+            ..
+        } = &mut *self.candidates;
+        slots.insert_all(revolumed, proxies.len());
+        let is_one = slots.lookup();
         let has_one = |[a, b]: [u32; 2]| is_one(a as usize) | is_one(b as usize);
         toggled.ask(pairs.len(), |rows| {
             proxies.toggled_near(&pairs[rows.clone()], &states[rows], has_one)
         });
+        drop(is_one);
+        slots.clear_around(revolumed);
         for row in toggled.iter() {
             self.set_state(row, PairState::Held);
         }
+        self.candidates.answers = toggled;
+    }
+
+    /// Compares all rows, and removes those of what has left its fat box. No row may be a tombstone.
+    fn compare_all(&mut self) {
+        debug_assert_eq!(self.candidates.tombstones, 0);
+        let mut toggled = std::mem::take(&mut self.candidates.answers);
+        let Candidates { pairs, states, .. } = &*self.candidates;
+        let (proxies, leavers) = (self.proxies, &self.proxies.leavers);
+        let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+        // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
+        let ask_toggled = |rows: Range<usize>| proxies.toggled(&pairs[rows.clone()], &states[rows]);
+        match leavers.len() {
+            0 => toggled.ask(pairs.len(), ask_toggled),
+            _ => toggled.ask(pairs.len(), |rows| {
+                ask_toggled(rows.clone()) | gather(&pairs[rows], has_left)
+            }),
+        }
+        for row in toggled.iter() {
+            self.compare_or_retire(row);
+        }
+        let candidates = &mut *self.candidates;
+        if candidates.tombstones > 0 {
+            // Backwards, so that the row `swap_remove` moves in has already been checked.
+            for row in toggled.iter_backwards() {
+                if candidates.pairs[row][0] == TOMBSTONE {
+                    candidates.pairs.swap_remove(row);
+                    candidates.states.swap_remove(row);
+                }
+            }
+            candidates.tombstones = 0;
+            // Rows have moved.
+            candidates.lists.forget();
+        }
+        candidates.answers = toggled;
+    }
+
+    /// Compares the rows that have one of these slots, or retires them. Returns how many there are, with some tombstones.
+    fn compare_picked(&mut self, touched: &[u32]) -> usize {
+        let mut picked = std::mem::take(&mut self.candidates.answers);
+        let Candidates { pairs, slots, .. } = &mut *self.candidates;
+        slots.insert_all(touched, self.proxies.len());
+        let is_touched = slots.lookup();
+        picked.ask(pairs.len(), |rows| {
+            gather(&pairs[rows], |&[a, b]| {
+                is_touched(a as usize) | is_touched(b as usize)
+            })
+        });
+        drop(is_touched);
+        slots.clear_around(touched);
+        let mut count = 0;
+        for row in picked.iter() {
+            count += 1;
+            self.compare_or_retire(row);
+        }
+        self.candidates.answers = picked;
+        count
     }
 
     /// Compares a row, or retires it if one of its proxies has left its fat box.
     #[inline(always)]
-    pub(super) fn compare_or_retire(&mut self, row: usize) {
-        let pair = self.array.get(row);
+    fn compare_or_retire(&mut self, row: usize) {
+        let pair = self.candidates.get(row);
         let leavers = &self.proxies.leavers;
         if pair.is_some_and(|pair| pair.iter().any(|&slot| leavers.contains(slot))) {
             self.retire(row);
         } else {
-            self.compare(row);
+            self.compare_row(row);
         }
     }
 
     /// Brings a row up to date. Returns whether there is a candidate in it.
     #[inline(always)]
-    pub(super) fn compare(&mut self, row: usize) -> bool {
-        let Some(pair) = self.array.get(row) else {
+    fn compare_row(&mut self, row: usize) -> bool {
+        let Some(pair) = self.candidates.get(row) else {
             return false;
         };
-        let former = self.array.states[row];
+        let former = self.candidates.states[row];
         let state = self.proxies.state_of(pair, former);
         if state != former {
             self.set_state(row, state);
@@ -184,43 +255,39 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
 
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) {
-        let array = &mut *self.array;
-        let former = std::mem::replace(&mut array.states[row], state);
-        array.overlapping_count += usize::from(state.overlaps());
-        array.overlapping_count -= usize::from(former.overlaps());
-        match (former.is_held(), state.is_held()) {
-            (false, true) => {
-                (self.report)(PairChange::Added(array.pairs[row]));
-                array.held_count += 1;
-            }
-            (true, false) => {
-                (self.report)(PairChange::Deleted(array.pairs[row]));
-                array.held_count -= 1;
-            }
+        let former = self.candidates.set_state(row, state);
+        let pair = self.candidates.pairs[row];
+        self.report_change(pair, former.is_held(), state.is_held());
+    }
+
+    #[inline(always)]
+    fn report_change(&mut self, pair: [u32; 2], was_held: bool, is_held: bool) {
+        match (was_held, is_held) {
+            (false, true) => (self.report)(PairChange::Added(pair)),
+            (true, false) => (self.report)(PairChange::Deleted(pair)),
             _ => {}
         }
     }
 
     /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
     #[inline(always)]
-    pub(super) fn retire(&mut self, row: usize) {
-        let (array, proxies) = (&mut *self.array, self.proxies);
-        let Some(pair) = array.get(row) else {
+    fn retire(&mut self, row: usize) {
+        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+        let Some(pair) = candidates.get(row) else {
             return;
         };
-        array.pairs[row] = [TOMBSTONE; 2];
-        array.tombstones += 1;
-        let state = std::mem::take(&mut array.states[row]);
-        array.overlapping_count -= usize::from(state.overlaps());
-        if state.is_held() {
-            array.held_count -= 1;
-            if proxies.has_volumes() {
-                if proxies.are_left(pair) {
-                    array.retired.insert(pair);
-                }
-            } else if proxies.has_ended(pair) {
-                (self.report)(PairChange::Deleted(pair));
+        let former = candidates.set_state(row, PairState::Apart);
+        candidates.pairs[row] = [TOMBSTONE; 2];
+        candidates.tombstones += 1;
+        if !former.is_held() {
+            return;
+        }
+        if proxies.volumes.are_used() {
+            if proxies.are_left(pair) {
+                candidates.retired.insert(pair);
             }
+        } else if proxies.has_ended(pair) {
+            (self.report)(PairChange::Deleted(pair));
         }
     }
 }

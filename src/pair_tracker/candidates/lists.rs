@@ -1,6 +1,6 @@
 //! Lists through the array of candidates: for each slot, the rows in which it occurs.
 
-use super::array::CandidateArray;
+use super::TOMBSTONE;
 use crate::pair_tracker::policy::ListState;
 
 /// The end of a list.
@@ -13,7 +13,7 @@ const END: u32 = u32::MAX;
 /// each walk takes those out of its own list.
 #[derive(Clone, Debug, Default)]
 pub(in crate::pair_tracker) struct CandidateLists {
-    state: ListState,
+    pub(in crate::pair_tracker) state: ListState,
     /// By slot, the first link.
     heads: Vec<u32>,
     /// By row, the link that follows for each of its two slots.
@@ -21,42 +21,33 @@ pub(in crate::pair_tracker) struct CandidateLists {
 }
 
 impl CandidateLists {
-    pub(in crate::pair_tracker) fn state(&self) -> ListState {
-        self.state
-    }
-
-    /// Takes note that there were no lists where they would have been useful.
-    pub(super) fn miss(&mut self) {
-        self.state.missed += 1;
-    }
-
     /// Lets them go out of date, until they are made again.
     pub(super) fn forget(&mut self) {
         self.state = ListState::default();
     }
 
     /// Makes the lists of this many slots.
-    pub(super) fn make(&mut self, array: &CandidateArray, slots: usize) {
+    pub(super) fn make(&mut self, pairs: &[[u32; 2]], slots: usize) {
         self.heads.clear();
         self.next.clear();
         self.state.are_made = true;
-        self.extend(array, 0, slots);
+        self.extend(pairs, 0, slots);
     }
 
     /// Takes in the rows from `first` on, if there are lists.
-    pub(super) fn extend(&mut self, array: &CandidateArray, first: usize, slots: usize) {
-        if array.rows() > ListState::MOST_ROWS {
+    pub(super) fn extend(&mut self, pairs: &[[u32; 2]], first: usize, slots: usize) {
+        if pairs.len() > ListState::MOST_ROWS {
             self.forget();
         }
         if !self.state.are_made {
             return;
         }
         self.heads.resize(slots, END);
-        for row in first..array.rows() {
+        for (row, &pair) in pairs.iter().enumerate().skip(first) {
             let link = 2 * row as u32;
-            self.next.push(match array.get(row) {
-                None => [END; 2],
-                Some(pair) => {
+            self.next.push(match pair {
+                [TOMBSTONE, _] => [END; 2],
+                pair => {
                     let [a, b] = pair.map(|slot| slot as usize);
                     let next = [self.heads[a], self.heads[b]];
                     self.heads[a] = link;
@@ -103,7 +94,7 @@ impl CandidateLists {
     }
 
     /// Panics unless each candidate is in the lists of its two slots, if there are lists.
-    pub(super) fn validate(&self, array: &CandidateArray) {
+    pub(super) fn validate(&self, pairs: &[[u32; 2]]) {
         if !self.state.are_made {
             return;
         }
@@ -112,13 +103,14 @@ impl CandidateLists {
             let mut link = head;
             while link != END {
                 let (row, side) = (link as usize / 2, link as usize % 2);
-                if let Some(pair) = array.get(row) {
-                    assert_eq!(pair[side], slot, "a row in the wrong list");
+                if pairs[row][0] != TOMBSTONE {
+                    assert_eq!(pairs[row][side], slot, "a row in the wrong list");
                     count += 1;
                 }
                 link = self.next[row][side];
             }
         }
-        assert_eq!(count, 2 * array.len(), "a candidate is in no list");
+        let candidates = pairs.iter().filter(|pair| pair[0] != TOMBSTONE);
+        assert_eq!(count, 2 * candidates.count(), "a candidate is in no list");
     }
 }

@@ -1,7 +1,7 @@
 //! Which pairs of proxies are held, by their boxes, filter keys and volumes as they are now, and as they were at the end of the last
 //! update.
 
-use super::array::gather;
+use super::gather;
 use super::state::{PairState, near_and_held};
 use crate::aabb::Aabb;
 use crate::bit_set::ones;
@@ -16,17 +16,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         overlap(&self.boxes, pair)
     }
 
-    /// Whether held pairs cannot be told by what there was at the end of the last update.
-    #[inline(always)]
-    pub(super) fn has_volumes(&self) -> bool {
-        self.volumes.are_used()
-    }
-
     /// The state of a pair whose boxes overlap: held, unless volumes are in use. Then a pair is held as soon as its volumes meet,
     /// until one of its boxes is renewed and they are farther apart than the slack.
     #[inline(always)]
     pub(super) fn state_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> PairState {
-        let is_held = !self.has_volumes()
+        let is_held = !self.volumes.are_used()
             || match was_held {
                 false => self.volumes.meet(pair, R::ZERO),
                 true => !self.is_renewed(pair) || self.volumes.meet(pair, self.slack),
@@ -65,7 +59,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     pub(super) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
-        if !self.has_volumes() {
+        if !self.volumes.are_used() {
             return overlap ^ held;
         }
         let has_toggled = |i: usize| self.has_toggled(pairs[i], held >> i & 1 == 1);

@@ -5,7 +5,7 @@ use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 /// The end of a list.
 const END: u32 = u32::MAX;
 
-/// A hash set of pairs that is filled, then emptied, in each update.
+/// A set of pairs that is filled, then indexed and asked, then emptied, in each update.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RetiredPairs {
     /// By hash, the first entry of a list. As many as a power of two, and at least as many as entries.
@@ -23,20 +23,28 @@ struct Entry {
 const TAKEN: [u32; 2] = [u32::MAX; 2];
 
 impl RetiredPairs {
-    /// Adds a pair that is not in the set.
-    pub(super) fn insert(&mut self, pair: [u32; 2]) {
-        if self.entries.len() >= self.heads.len() {
-            self.reserve(2 * self.entries.len().max(32));
-        }
-        let link = self.entries.len() as u32;
-        let head = hash(pair, self.heads.len());
-        self.entries.push(Entry {
-            pair,
-            next: std::mem::replace(&mut self.heads[head], link),
-        });
+    /// Makes room for this number of pairs in an empty set.
+    pub(super) fn reserve(&mut self, pairs: usize) {
+        self.entries.reserve_exact(pairs);
     }
 
-    /// Takes a pair out. Returns whether it was in the set.
+    /// Adds a pair that is not in the set.
+    pub(super) fn insert(&mut self, pair: [u32; 2]) {
+        self.entries.push(Entry { pair, next: END });
+    }
+
+    /// Prepares for taking pairs out.
+    pub(super) fn index(&mut self) {
+        let count = self.entries.len().next_power_of_two().max(2);
+        self.heads.clear();
+        self.heads.resize(count, END);
+        for (link, entry) in (0..).zip(&mut self.entries) {
+            let head = &mut self.heads[hash(entry.pair, count)];
+            entry.next = std::mem::replace(head, link);
+        }
+    }
+
+    /// Takes a pair out of the set, which must be indexed. Returns whether it was in the set.
     pub(super) fn take(&mut self, pair: [u32; 2]) -> bool {
         if self.entries.is_empty() {
             return false;
@@ -54,31 +62,15 @@ impl RetiredPairs {
     }
 
     /// Empties the set, and calls `visit` with each pair that was left.
-    pub(super) fn drain(&mut self, mut visit: impl FnMut([u32; 2])) {
-        let left = self.entries.iter().filter(|entry| entry.pair != TAKEN);
-        left.for_each(|entry| visit(entry.pair));
-        if !self.entries.is_empty() {
-            self.entries.clear();
-            self.heads.fill(END);
-        }
+    pub(super) fn drain(&mut self, visit: impl FnMut([u32; 2])) {
+        let left = self.entries.drain(..).map(|entry| entry.pair);
+        left.filter(|&pair| pair != TAKEN).for_each(visit);
     }
 
     /// Frees the memory of an empty set, if it is much.
     pub(super) fn free_if_large(&mut self) {
         if self.entries.capacity() > KEEP_SCRATCH_UP_TO {
             *self = Self::default();
-        }
-    }
-
-    /// Makes room for this number of pairs in all.
-    pub(super) fn reserve(&mut self, pairs: usize) {
-        self.entries
-            .reserve_exact(pairs.saturating_sub(self.entries.len()));
-        let heads = pairs.next_power_of_two().max(64);
-        self.heads.clear();
-        self.heads.resize(heads, END);
-        for (link, entry) in (0..).zip(&mut self.entries) {
-            entry.next = std::mem::replace(&mut self.heads[hash(entry.pair, heads)], link);
         }
     }
 }

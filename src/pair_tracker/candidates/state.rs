@@ -1,11 +1,10 @@
 //! What is known of a candidate.
 
 /// Whether a candidate is a pair. By a byte, so that many are asked at once.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(in crate::pair_tracker) enum PairState {
     /// Its boxes do not overlap.
-    #[default]
     Apart = 0,
     /// Its boxes overlap, but it is not held, because its volumes have not met yet, or no longer do.
     Near = NEAR,

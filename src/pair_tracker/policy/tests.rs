@@ -12,7 +12,6 @@ fn world() -> PlanInputs {
         candidates: 4000,
         rows: 5000,
         lists: ListState::default(),
-        are_layers_used: true,
         above_base: Some(AboveBase::default()),
         foresight: Foresight::new(None),
         cost: Cost {
@@ -132,12 +131,11 @@ fn a_full_run_is_due_once_the_layers_have_cost_as_much() {
 }
 
 #[test]
-fn without_a_sorted_base_layer_every_search_is_a_full_run() {
+fn without_a_base_layer_every_search_is_a_full_run() {
     for leavers in [0, 1] {
-        let [mut unsorted, mut unused] = [left(leavers), left(leavers)];
-        unsorted.above_base = None;
-        unused.are_layers_used = false;
-        assert_eq!([unsorted, unused].map(is_full_run), [leavers > 0; 2]);
+        let mut inputs = left(leavers);
+        inputs.above_base = None;
+        assert_eq!(is_full_run(inputs), leavers > 0);
     }
 }
 
@@ -146,7 +144,7 @@ fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
     for (fixed, moves) in [(Some(7), 7), (None, 5)] {
         let mut inputs = left(1000);
         inputs.foresight = Foresight::new(fixed);
-        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves() == moves));
+        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves == moves));
     }
 }
 
