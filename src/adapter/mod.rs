@@ -11,7 +11,6 @@ mod collider_box;
 mod collider_key;
 mod conversions;
 mod outline;
-mod queries;
 mod query_tree;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
