@@ -9,7 +9,6 @@ use super::{rapier, version};
 mod broad_phase;
 mod collider_box;
 mod collider_key;
-mod conversions;
 mod outline;
 mod query_tree;
 #[cfg(feature = "serde-serialize")]
