@@ -107,13 +107,14 @@ mod versions {
     mod seam;
 }
 
-/// The broad phase for one flavour of Rapier, in a module of its own. All include the same source, and name the engine `rapier`.
+/// The broad phases for the flavours of one version of Rapier, each in a module of its own. All include the same source, and name the
+/// engine `rapier`.
 #[cfg(feature = "_adapter")]
-macro_rules! flavour {
-    (
-        $title:literal: $name:ident, ::$engine:ident $(, seam in $opened:ident)?;
-        $version:literal, $doc:literal
-    ) => {
+macro_rules! flavours {
+    ($version:literal; $(
+        $feature:literal $title:literal: $name:ident, ::$engine:ident, $doc:literal $(, seam in $opened:ident)?;
+    )*) => { $(
+        #[cfg(feature = $feature)]
         #[path = "."]
         pub mod $name {
             #![doc = concat!("The broad phase for ", $title, ".\n\n", include_str!($doc))]
@@ -132,71 +133,47 @@ macro_rules! flavour {
                 mod seam;
             )?
 
-            pub use crate::kernel::Kernel;
-            pub use crate::pair_filter::PairFilter;
-            pub use crate::stats::{Stats, Work};
+            pub use crate::{kernel::Kernel, pair_filter::PairFilter, stats::{Stats, Work}};
             pub use adapter::{Difference, Measured, Settings, Trial, TrialReport, UnisizeBroadPhase};
         }
-    };
+    )* };
 }
 
-#[cfg(feature = "rapier2d-027")]
-flavour! {
-    "rapier2d 0.27": rapier2d_027, ::rapier2d;
-    "adapter/rapier_027/mod.rs", "adapter/rapier_027/dim2.md"
+#[cfg(feature = "_adapter")]
+flavours! { "adapter/rapier_027/mod.rs";
+    "rapier2d-027" "rapier2d 0.27": rapier2d_027, ::rapier2d, "adapter/rapier_027/dim2.md";
+    "rapier2d-f64-027" "rapier2d-f64 0.27": rapier2d_f64_027, ::rapier2d_f64, "adapter/rapier_027/module.md";
+    "rapier3d-027" "rapier3d 0.27": rapier3d_027, ::rapier3d, "adapter/rapier_027/dim3.md";
+    "rapier3d-f64-027" "rapier3d-f64 0.27": rapier3d_f64_027, ::rapier3d_f64, "adapter/rapier_027/module.md";
 }
-#[cfg(feature = "rapier2d-f64-027")]
-flavour! {
-    "rapier2d-f64 0.27": rapier2d_f64_027, ::rapier2d_f64;
-    "adapter/rapier_027/mod.rs", "adapter/rapier_027/module.md"
-}
-#[cfg(feature = "rapier3d-027")]
-flavour! {
-    "rapier3d 0.27": rapier3d_027, ::rapier3d;
-    "adapter/rapier_027/mod.rs", "adapter/rapier_027/dim3.md"
-}
-#[cfg(feature = "rapier3d-f64-027")]
-flavour! {
-    "rapier3d-f64 0.27": rapier3d_f64_027, ::rapier3d_f64;
-    "adapter/rapier_027/mod.rs", "adapter/rapier_027/module.md"
-}
-#[cfg(feature = "rapier2d-036")]
-flavour! {
-    "rapier2d 0.36": rapier2d_036, ::rapier2d_036, seam in opened_rapier2d;
-    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
-}
-#[cfg(feature = "rapier2d-f64-036")]
-flavour! {
-    "rapier2d-f64 0.36": rapier2d_f64_036, ::rapier2d_f64_036, seam in opened_rapier2d_f64;
-    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
-}
-#[cfg(feature = "rapier3d-036")]
-flavour! {
-    "rapier3d 0.36": rapier3d_036, ::rapier3d_036, seam in opened_rapier3d;
-    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
-}
-#[cfg(feature = "rapier3d-f64-036")]
-flavour! {
-    "rapier3d-f64 0.36": rapier3d_f64_036, ::rapier3d_f64_036, seam in opened_rapier3d_f64;
-    "adapter/rapier_036/mod.rs", "adapter/rapier_036/module.md"
+
+#[cfg(feature = "_adapter")]
+flavours! { "adapter/rapier_036/mod.rs";
+    "rapier2d-036" "rapier2d 0.36":
+        rapier2d_036, ::rapier2d_036, "adapter/rapier_036/module.md", seam in opened_rapier2d;
+    "rapier2d-f64-036" "rapier2d-f64 0.36":
+        rapier2d_f64_036, ::rapier2d_f64_036, "adapter/rapier_036/module.md", seam in opened_rapier2d_f64;
+    "rapier3d-036" "rapier3d 0.36":
+        rapier3d_036, ::rapier3d_036, "adapter/rapier_036/module.md", seam in opened_rapier3d;
+    "rapier3d-f64-036" "rapier3d-f64 0.36":
+        rapier3d_f64_036, ::rapier3d_f64_036, "adapter/rapier_036/module.md", seam in opened_rapier3d_f64;
 }
 
 pub use aabb::Aabb;
 pub use brute_force::BruteForce;
 pub use grid_sweep::GridSweep;
 pub use invalid_input::{InvalidInput, InvalidInputReason};
-#[cfg(feature = "_adapter")]
-pub use kernel::Kernel;
-#[cfg(feature = "_adapter")]
-pub use pair_filter::PairFilter;
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
-#[cfg(feature = "_adapter")]
-pub use settings::Settings;
-#[cfg(feature = "_adapter")]
-pub use stats::{Stats, Work};
 pub use stopwatch::PhaseTimes;
+#[cfg(feature = "_adapter")]
+pub use {
+    kernel::Kernel,
+    pair_filter::PairFilter,
+    settings::Settings,
+    stats::{Stats, Work},
+};
 
 /// The example of the README, compiled and run.
 #[cfg(all(doctest, feature = "rapier3d-027"))]

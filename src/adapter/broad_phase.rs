@@ -15,7 +15,6 @@ use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
 use crate::proxy_table::{Changes, Lists, ProxyTable};
 use crate::stats::Stats;
-use crate::volume::Volume;
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
@@ -230,9 +229,9 @@ impl UnisizeBroadPhase {
         let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
         let touched = self.table.touched().len();
         self.table
-            .hand_over(aabbs, margin, |handle, outline, aabb| match colliders {
-                Some(colliders) => volume(params, colliders, handle, outline, aabb),
-                None => Volume::BOX,
+            .hand_over(aabbs, margin, |handle, outline, aabb| {
+                let collider = colliders.and_then(|colliders| colliders.get(handle));
+                volume(collider, params, outline, aabb)
             });
         if self.table.touched().len() > touched {
             self.query_tree.unsettle();
@@ -249,7 +248,11 @@ impl UnisizeBroadPhase {
             return;
         }
         let margin = self.margin(input.params);
-        let boxes = ColliderBoxes::new(input, self.filter());
+        let boxes = ColliderBoxes {
+            input: *input,
+            half_distance: input.params.prediction_distance() / 2.0,
+            filter: self.filter(),
+        };
         self.table.update(&input.lists, &boxes, margin);
         let event = |is_added, [first, second]: [_; 2]| match is_added {
             true => BroadPhasePairEvent::AddPair(ColliderPair::new(first, second)),

@@ -3,34 +3,49 @@
 use super::broad_phase::Input;
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
-use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-use super::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
+use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet};
+use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::BoxSource;
+use crate::proxy_table::{BoxSource, Handle};
 use crate::volume::Volume;
+
+impl From<RapierAabb> for Aabb<Real, DIM> {
+    fn from(aabb: RapierAabb) -> Self {
+        Self::new(aabb.mins.into(), aabb.maxs.into())
+    }
+}
+
+impl From<Aabb<Real, DIM>> for RapierAabb {
+    fn from(aabb: Aabb<Real, DIM>) -> Self {
+        Self::new(aabb.mins.into(), aabb.maxs.into())
+    }
+}
+
+impl Handle for ColliderHandle {
+    fn from_raw_parts(slot: u32, generation: u32) -> Self {
+        Self::from_raw_parts(slot, generation)
+    }
+
+    fn into_raw_parts(self) -> (u32, u32) {
+        self.into_raw_parts()
+    }
+}
 
 /// Where boxes are read: the engine's sets, in one update.
 pub(super) struct ColliderBoxes<'a> {
-    colliders: &'a ColliderSet,
-    bodies: &'a RigidBodySet,
-    params: &'a IntegrationParameters,
-    half_distance: Real,
-    filter: PairFilter,
+    pub(super) input: Input<'a>,
+    /// Half the prediction distance.
+    pub(super) half_distance: Real,
+    pub(super) filter: PairFilter,
 }
 
-impl<'a> ColliderBoxes<'a> {
-    pub(super) fn new(input: &Input<'a>, filter: PairFilter) -> Self {
-        Self {
-            colliders: input.colliders,
-            bodies: input.bodies,
-            params: input.params,
-            half_distance: input.params.prediction_distance() / 2.0,
-            filter,
-        }
-    }
+/// The body of a collider, if it has one.
+#[inline(always)]
+pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
+    bodies.get(collider.parent()?)
 }
 
 /// The volume of a collider with this box, as far as it has one.
@@ -38,13 +53,12 @@ impl<'a> ColliderBoxes<'a> {
 /// One with hooks has none: a hook may count the pairs that it is asked about, or remember something of them.
 #[inline(always)]
 pub(super) fn volume(
+    collider: Option<&Collider>,
     params: &IntegrationParameters,
-    colliders: &ColliderSet,
-    handle: ColliderHandle,
     outline: &mut Outline,
     aabb: &Aabb<Real, DIM>,
 ) -> Volume<Real, DIM> {
-    match colliders.get(handle) {
+    match collider {
         Some(collider) if collider.active_hooks().is_empty() => {
             let distance = distance(collider, params.prediction_distance() / 2.0);
             outline.volume(collider, distance).in_box(aabb)
@@ -79,12 +93,12 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         outline: &mut Outline,
         aabb: &Aabb<Real, DIM>,
     ) -> Volume<Real, DIM> {
-        let parent = self.colliders.get(handle).and_then(Collider::parent);
-        let body = parent.and_then(|parent| self.bodies.get(parent));
+        let collider = self.input.colliders.get(handle);
+        let body = collider.and_then(|collider| body_of(collider, self.input.bodies));
         if body.is_some_and(|body| body.colliders().len() > MOST_WITH_VOLUMES) {
             return Volume::PART;
         }
-        volume(self.params, self.colliders, handle, outline, aabb)
+        volume(collider, self.input.params, outline, aabb)
     }
 
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
@@ -98,19 +112,25 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         handle: ColliderHandle,
         outline: &mut Outline,
     ) -> Option<(Aabb<Real, DIM>, ColliderKey)> {
-        let collider = self.colliders.get(handle)?;
+        let Input {
+            params,
+            colliders,
+            bodies,
+            ..
+        } = self.input;
+        let collider = colliders.get(handle)?;
         if !collider.is_enabled() {
             return None;
         }
         let mut distance = distance(collider, self.half_distance);
         let outlined = outline.aabb(collider);
-        let body = collider.parent().and_then(|parent| self.bodies.get(parent));
+        let body = body_of(collider, bodies);
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
         // Both branches join before the box is loosened; otherwise the compiler does not vectorize the common one.
         let aabb = match outlined {
             Some(aabb) if !is_swept => aabb,
             _ => {
-                let aabb = version::unusual_box(collider, self.bodies, self.params, distance);
+                let aabb = version::unusual_box(collider, bodies, params, distance);
                 distance = 0.0;
                 aabb
             }

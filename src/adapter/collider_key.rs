@@ -103,13 +103,6 @@ impl ColliderKey {
                 | flag(GROUPS_DECIDE, filter >= PairFilter::Groups),
         }
     }
-
-    /// Whether it meets bodies of the other's type.
-    #[inline(always)]
-    fn meets_type_of(self, other: Self) -> bool {
-        let index = other.bits >> TYPE & 3;
-        self.bits >> index & 1 == 1
-    }
 }
 
 impl FilterKey for ColliderKey {
@@ -117,9 +110,10 @@ impl FilterKey for ColliderKey {
     fn may_meet(self, other: Self) -> bool {
         let has = |flag: u32| self.bits & flag != 0;
         let is_of_one_body = (self.body == other.body) & (self.body != NOBODY);
-        let types_meet = self.meets_type_of(other) | other.meets_type_of(self);
-        let groups = [self, other].map(|key| (key.memberships, key.filter));
-        let [a, b] = [[0, 1], [1, 0]].map(|[i, j]: [usize; 2]| groups[i].0 & groups[j].1 != 0);
+        let meets_type = |a: Self, b: Self| a.bits >> (b.bits >> TYPE & 3) & 1 == 1;
+        let types_meet = meets_type(self, other) | meets_type(other, self);
+        let a = self.memberships & other.filter != 0;
+        let b = other.memberships & self.filter != 0;
         let is_either_enough = self.bits & other.bits & IS_EITHER_ENOUGH != 0;
         let groups_meet = (a & b) | (is_either_enough & (a | b));
         (!is_of_one_body & types_meet | !has(BODIES_DECIDE)) & (groups_meet | !has(GROUPS_DECIDE))
@@ -132,12 +126,8 @@ impl FilterKey for ColliderKey {
 
     /// Whatever the filter, because the box without a margin shows in the pairs.
     fn renews_box(self, former: Self) -> bool {
-        let type_of = |key: Self| key.bits >> EXACT_TYPE & 0xff;
-        let is_either_enough = |key: Self| key.bits & IS_EITHER_ENOUGH;
-        let decisive = |key: Self| {
-            let groups = (key.memberships, key.filter, is_either_enough(key));
-            (key.body, type_of(key), groups)
-        };
+        let bits = 0xff << EXACT_TYPE | IS_EITHER_ENOUGH;
+        let decisive = |key: Self| (key.body, key.memberships, key.filter, key.bits & bits);
         version::REINSERTS && decisive(self) != decisive(former)
     }
 }

@@ -9,9 +9,7 @@ use super::{rapier, version};
 mod broad_phase;
 mod collider_box;
 mod collider_key;
-mod conversions;
 mod outline;
-mod queries;
 mod query_tree;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;

@@ -1,15 +1,19 @@
-//! The tree that answers queries, kept between updates.
+//! Scene queries: rays, points and shapes against the colliders, and the tree that answers them, kept between updates.
 //!
-//! It costs nothing until it is asked for: it is built at the first query, and brought up to date when the next one
+//! The tree costs nothing until it is asked for: it is built at the first query, and brought up to date when the next one
 //! comes. Its leaves are the boxes of the table, the same that Rapier's own broad phase has as its leaves, because some
 //! answers depend on them: a query for boxes returns what its leaves are, and Parry's tests of shapes have a tolerance. Only
 //! the boxes that were renewed are written, each in its place.
 
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
-use super::rapier::geometry::Aabb as RapierAabb;
+use super::UnisizeBroadPhase;
+use super::rapier::dynamics::RigidBodySet;
+use super::rapier::geometry::{Aabb as RapierAabb, ColliderSet};
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
+use super::rapier::parry::query::QueryDispatcher;
+use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use crate::tuning::queries::{
     BUILD_FROM_GIRTH, FEW_UP_TO_ONE_IN, JUDGE_FROM_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
     TIGHTEN_FROM_ONE_IN,
@@ -20,22 +24,60 @@ type Aabb = crate::aabb::Aabb<Real, DIM>;
 /// The boxes by slot; invalid where there is none.
 type Boxes<'a> = &'a [Aabb];
 
+impl UnisizeBroadPhase {
+    /// The scene as of the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
+    ///
+    /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first call after an
+    /// update brings it up to date, in well under a tenth of that time; further calls are free.
+    ///
+    /// Its boxes are those of Rapier's own broad phase, and so are the answers.
+    pub fn as_query_pipeline<'a>(
+        &'a self,
+        dispatcher: &'a dyn QueryDispatcher,
+        bodies: &'a RigidBodySet,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryPipeline<'a> {
+        QueryPipeline {
+            dispatcher,
+            bvh: self.tree(),
+            bodies,
+            colliders,
+            filter,
+        }
+    }
+
+    /// The same with the sets borrowed mutably. The counterpart of `BroadPhaseBvh::as_query_pipeline_mut`.
+    pub fn as_query_pipeline_mut<'a>(
+        &'a self,
+        dispatcher: &'a dyn QueryDispatcher,
+        bodies: &'a mut RigidBodySet,
+        colliders: &'a mut ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryPipelineMut<'a> {
+        QueryPipelineMut {
+            dispatcher,
+            bvh: self.tree(),
+            bodies,
+            colliders,
+            filter,
+        }
+    }
+
+    pub(crate) fn tree(&self) -> &Bvh {
+        self.query_tree.of(self.table.boxes(), self.table.touched())
+    }
+}
+
 /// The tree, if it was asked for recently.
 #[derive(Default)]
 pub(super) struct QueryTree {
     /// As of the last update.
     current: OnceLock<Tree>,
     /// As of an earlier update.
-    outdated: Mutex<Option<Outdated>>,
+    outdated: Mutex<Option<Tree>>,
     /// Updates since it was last asked for.
     unasked: u32,
-}
-
-/// A tree, and the slots whose boxes have changed since; some may occur more than once.
-#[derive(Clone)]
-struct Outdated {
-    tree: Tree,
-    renewed: Vec<u32>,
 }
 
 #[derive(Clone)]
@@ -50,6 +92,8 @@ struct Tree {
     loose: usize,
     /// How many of the boxes handed over since the last update it has.
     seen: usize,
+    /// If it is outdated, the slots whose boxes have changed since; some may occur more than once.
+    renewed: Vec<u32>,
 }
 
 /// Scratch memory of Parry's, which cannot be cloned.
@@ -86,11 +130,11 @@ impl QueryTree {
         }
         self.unsettle();
         self.unasked = self.unasked.saturating_add(1);
-        let is_given_up = self.unasked > KEEP_UNASKED;
-        let outdated = self.outdated_mut();
-        if is_given_up {
+        let mut outdated = self.lock();
+        if self.unasked > KEEP_UNASKED {
             *outdated = None;
-        } else if let Some(Outdated { tree, renewed: all }) = outdated {
+        } else if let Some(tree) = &mut *outdated {
+            let all = &mut tree.renewed;
             all.extend_from_slice(&renewed[std::mem::take(&mut tree.seen).min(renewed.len())..]);
             if all.len() > slots {
                 // The list has repeats; list each slot once instead.
@@ -104,10 +148,7 @@ impl QueryTree {
     pub(super) fn unsettle(&mut self) {
         if let Some(tree) = self.current.take() {
             self.unasked = 0;
-            *self.outdated_mut() = Some(Outdated {
-                tree,
-                renewed: Vec::new(),
-            });
+            *self.lock() = Some(tree);
         }
     }
 
@@ -116,7 +157,8 @@ impl QueryTree {
     pub(super) fn of(&self, boxes: Boxes, touched: &[u32]) -> &Bvh {
         let tree = self.current.get_or_init(|| {
             let mut tree = match self.lock().take() {
-                Some(Outdated { tree, mut renewed }) => {
+                Some(mut tree) => {
+                    let mut renewed = std::mem::take(&mut tree.renewed);
                     renewed.extend_from_slice(&touched[tree.seen.min(touched.len())..]);
                     tree.refreshed(boxes, &renewed)
                 }
@@ -128,14 +170,8 @@ impl QueryTree {
         &tree.bvh
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Option<Outdated>> {
+    fn lock(&self) -> MutexGuard<'_, Option<Tree>> {
         self.outdated.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn outdated_mut(&mut self) -> &mut Option<Outdated> {
-        self.outdated
-            .get_mut()
-            .unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -161,6 +197,7 @@ impl Tree {
             placed: boxes.to_vec(),
             loose: 0,
             seen: 0,
+            renewed: Vec::new(),
         }
     }
 

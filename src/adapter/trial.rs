@@ -1,18 +1,16 @@
 //! Both broad phases at once, to find out what unisize gains in a scene before it is used.
 
 mod cost;
-mod pairs;
 mod report;
-#[cfg(test)]
-mod tests;
 
 pub use report::{Difference, Measured, TrialReport};
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::time::Duration;
 
 use super::Settings;
 use super::broad_phase::{Input, UnisizeBroadPhase};
+use super::collider_box::body_of;
 use super::collider_key::ColliderKey;
 use super::rapier::dynamics::RigidBodySet;
 // With it comes the trait of which `update` is a method in Rapier 0.27.
@@ -23,7 +21,6 @@ use crate::pair_tracker::FilterKey;
 use crate::proxy_table::Lists;
 use crate::stopwatch;
 use cost::Cost;
-use pairs::HeldPairs;
 
 /// The levels of the filter, from the one that leaves out nothing.
 const LEVELS: [PairFilter; 4] = [
@@ -71,8 +68,7 @@ pub struct Trial {
 
 /// What decides whom a collider may meet, whatever the level of the filter.
 pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
-    let body = collider.parent().and_then(|body| bodies.get(body));
-    ColliderKey::new(PairFilter::Groups, collider, body)
+    ColliderKey::new(PairFilter::Groups, collider, body_of(collider, bodies))
 }
 
 impl Default for Trial {
@@ -177,8 +173,7 @@ impl Trial {
             self.own
                 .update(params, colliders, bodies, modified, removed, events);
         });
-        self.own_pairs.forget(removed);
-        self.own_pairs.note(&events[earlier..]);
+        self.own_pairs.update(removed, &events[earlier..]);
         self.own_cost.end_update(update, self.own_pairs.0.len());
 
         let tried = self.tried.iter_mut().zip(&mut self.costs);
@@ -189,8 +184,7 @@ impl Trial {
             });
             cost.end_update(update, broad_phase.stats().pairs);
             if level == version::FILTER_OF_OWN {
-                self.pairs.forget(removed);
-                self.pairs.note(&events);
+                self.pairs.update(removed, &events);
             }
         }
         if self.first_difference.is_none() {
@@ -216,6 +210,34 @@ impl Trial {
             colliders: handles(*pair),
             is_missing: own.contains(pair),
         })
+    }
+}
+
+/// The pairs that a broad phase holds, by its events: index and generation of two colliders, in order.
+#[derive(Clone, Default)]
+struct HeldPairs(BTreeSet<[(u32, u32); 2]>);
+
+impl HeldPairs {
+    /// Ends the pairs of what was removed, of which no event tells, and takes events. A pair may begin that is held already, as with
+    /// Rapier's own.
+    fn update(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
+        if !removed.is_empty() {
+            let removed = removed.iter().map(|handle| handle.into_raw_parts());
+            let removed: HashSet<_> = removed.collect();
+            self.0
+                .retain(|pair| pair.iter().all(|collider| !removed.contains(collider)));
+        }
+        let raw = |pair: &ColliderPair| {
+            let mut pair = [pair.collider1, pair.collider2].map(|handle| handle.into_raw_parts());
+            pair.sort_unstable();
+            pair
+        };
+        for event in events {
+            match event {
+                BroadPhasePairEvent::AddPair(pair) => self.0.insert(raw(pair)),
+                BroadPhasePairEvent::DeletePair(pair) => self.0.remove(&raw(pair)),
+            };
+        }
     }
 }
 
