@@ -3,30 +3,20 @@
 //!
 //! Soft CCD enlarges the boxes that a broad phase sees, along the way of the bullet.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cube, cuboid, falling,
-    jitter, vector,
-};
+use super::*;
 
 /// The radius of a bullet.
 const RADIUS: Real = 0.15;
-
 /// The speed of a bullet with CCD, in length units per second: ten of its sizes in a step.
 const HARD_SPEED: Real = 180.0;
-
 /// The speed of a bullet with soft CCD.
 const SOFT_SPEED: Real = 60.0;
-
 /// The distance ahead at which soft CCD looks for obstacles: more than a step.
 const SOFT_DISTANCE: Real = 2.0;
-
 /// Half the thickness of the wall.
 const HALF_WALL: Real = 0.05;
-
 /// How far bullets fly before they hit.
 const RANGE: Real = 12.0;
-
 /// The room around the volleys.
 const MARGIN: Real = 10.0;
 
@@ -38,7 +28,6 @@ const LEAK: usize = 33;
 
 /// The number of steps between two volleys.
 const INTERVAL: usize = 15;
-
 /// The number of volleys after which bullets are used again.
 const VOLLEYS: usize = 8;
 

@@ -1,29 +1,19 @@
 //! A crowd: walkers of one size on a plane, each steering to a goal and bumping into others.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Random, Script, Stage, UP, Vector, World, cosine, cuboid, flavour, floating,
-    length, own, sine, vector,
-};
+use super::*;
 
 /// Half the width of a walker.
 const HALF_WIDTH: Real = 0.3;
-
 /// Half the height of a walker.
 const HALF_HEIGHT: Real = 0.6;
-
 /// The distance between walkers at the start.
 const SPACING: Real = 2.5;
-
 /// The speed at which walkers like to walk.
 const SPEED: Real = 2.0;
-
 /// The share of the difference to the wanted velocity that is made up for in a step.
 const EAGERNESS: Real = 0.2;
-
 /// The speed below which a walker takes itself to be stuck, and steps to its right.
 const STUCK: Real = 0.5 * SPEED;
-
 /// The distance at which a goal counts as reached.
 const REACHED: Real = 1.5;
 

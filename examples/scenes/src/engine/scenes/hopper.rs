@@ -1,21 +1,14 @@
 //! A hopper: grains that are poured through a funnel in batches, so that the number of bodies grows.
 
 use super::grains::{SPACING, grain};
-use super::rapier::prelude::*;
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cosine, cuboid, flavour,
-    horizontal, sine, vector,
-};
+use super::*;
 
 /// The number of steps between two batches, in which the last one moves out of the way.
 const INTERVAL: usize = 6;
-
 /// The speed at which a batch starts to fall.
 const SPEED: Real = 14.0;
-
 /// Half the width of the outlet.
 const HALF_OUTLET: Real = 2.5;
-
 /// The slope of the funnel, in radians.
 const SLOPE: Real = 0.8;
 

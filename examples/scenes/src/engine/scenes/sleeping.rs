@@ -1,26 +1,17 @@
 //! A world at rest: boxes that are created asleep, among which one ball to a hundred boxes moves.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, cube, cuboid,
-    flavour, own, power, sine, vector, wide_high,
-};
+use super::*;
 
 /// Half the size of a box.
 const HALF: Real = 0.5;
-
 /// The distance between boxes.
 const SPACING: Real = 1.8;
-
 /// The height of a storey. In the plane, boxes would else lie in a single row of great length.
 const STOREY: Real = 4.0;
-
 /// The radius of a mover, which is a little less than what fits between two boxes.
 const MOVER: Real = 0.38;
-
 /// The speed of a mover along its way.
 const SPEED: Real = 6.0;
-
 /// How far a mover sways across its way, far enough to brush the boxes now and then.
 const SWAY: Real = 0.06;
 

@@ -3,21 +3,14 @@
 //! Rapier ignores pairs of kinematic bodies unless a collider asks for them. Every fourth is a sensor that
 //! does, so that there are intersections.
 
-use super::rapier::prelude::*;
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, Vector, World, cube, floating, jitter, sine,
-    vector,
-};
+use super::*;
 
 /// Half the size of a body.
 const HALF: Real = 0.5;
-
 /// The distance between bodies at the start. They overlap later.
 const SPACING: Real = 1.6;
-
 /// The largest drift along each axis, in length units per second.
 const DRIFT: Real = 3.0;
-
 /// The radius of the circles that are flown on top of the drift.
 const CIRCLE: Real = 0.5;
 
