@@ -46,7 +46,7 @@ impl Stage {
     /// A world in which things fall, in a room with a floor and walls, which bodies may leave through its top.
     pub(super) fn walled(walls: Container) -> Self {
         let mut stage = Self::new(falling(), walls.open());
-        walls.wall_in(&mut stage.world, |side| side.build());
+        walls.wall_in(&mut stage.world, false, |side| side.build());
         stage
     }
 

@@ -132,8 +132,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         }),
     };
     let mut stage = Stage::new(falling(), room);
-    room.wall_in(&mut stage.world, |side| side.build());
-    room.close(&mut stage.world, |side| side.build());
+    room.wall_in(&mut stage.world, true, |side| side.build());
     // The wall parts the room in two, and what is on one side is meant to stay there.
     stage.containers = vec![room; 2];
     stage.containers[0].hi[0] = 0.0;

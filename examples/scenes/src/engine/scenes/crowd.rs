@@ -87,10 +87,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     };
     let slippery = |builder: ColliderBuilder| builder.friction(0.0).build();
     let mut world = floating();
-    container.wall_in(&mut world, slippery);
-    if flavour::PLANE.contains(&UP) {
-        container.close(&mut world, slippery);
-    }
+    container.wall_in(&mut world, flavour::PLANE.contains(&UP), slippery);
 
     let walkers = (0..bodies)
         .map(|index| {

@@ -60,8 +60,7 @@ impl Filling {
         );
         let elastic = |collider: ColliderBuilder| collider.restitution(1.0).friction(0.0).build();
         let mut world = floating();
-        container.wall_in(&mut world, elastic);
-        container.close(&mut world, elastic);
+        container.wall_in(&mut world, true, elastic);
         for index in 0..bodies {
             let mut center = lattice.center(index) + jitter(random, self.offset);
             center[UP] += self.margin;
