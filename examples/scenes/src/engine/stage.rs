@@ -3,7 +3,7 @@
 use super::container::Container;
 use super::flavour;
 use super::rapier::prelude::*;
-use super::script::Script;
+use super::script::{Cue, Script};
 use super::space::{GRAVITY, Point, UP, Vector, along, cuboid, wide_high};
 use super::world::World;
 
@@ -36,7 +36,7 @@ impl Stage {
     pub(super) fn new(world: World, container: Container) -> Self {
         Self {
             world,
-            script: Box::new(()),
+            script: Box::new(|_: &mut World, _: &mut Cue| {}),
             containers: vec![container],
             links: Vec::new(),
             may_fall_through: 0,

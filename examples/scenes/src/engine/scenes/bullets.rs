@@ -31,20 +31,7 @@ const INTERVAL: usize = 15;
 /// The number of volleys after which bullets are used again.
 const VOLLEYS: usize = 8;
 
-/// Shoots volleys at a fixed interval: new bullets first, then those that have lain about for longest.
-struct Volleys([Gun; 2]);
-
-impl Script for Volleys {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        if cue.step % INTERVAL == 0 {
-            for gun in &mut self.0 {
-                gun.shoot(world, cue);
-            }
-        }
-    }
-}
-
-/// Shoots bullets of one kind along the first axis.
+/// Shoots bullets of one kind along the first axis: new ones first, then those that have lain about for longest.
 struct Gun {
     bullets: Vec<RigidBodyHandle>,
     magazine: usize,
@@ -154,5 +141,10 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         );
     }
     stage.may_fall_through = bodies.div_ceil(LEAK) + 1;
-    stage.with_script(Volleys([hard, soft]))
+    let mut guns = [hard, soft];
+    stage.with_script(move |world: &mut World, cue: &mut Cue| {
+        if cue.step % INTERVAL == 0 {
+            guns.iter_mut().for_each(|gun| gun.shoot(world, cue));
+        }
+    })
 }

@@ -17,32 +17,6 @@ const STUCK: Real = 0.5 * SPEED;
 /// The distance at which a goal counts as reached.
 const REACHED: Real = 1.5;
 
-/// Steers each walker to its goal, and finds it another one when it is there.
-struct Steering {
-    walkers: Vec<(RigidBodyHandle, Vector)>,
-    half_width: Real,
-}
-
-impl Script for Steering {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        for (walker, goal) in &mut self.walkers {
-            let body = &world.bodies[*walker];
-            let velocity = own(body.linvel());
-            let mut way = planar(*goal - own(body.translation()));
-            let distance = length(way);
-            if distance < REACHED {
-                *goal = somewhere(self.half_width, &mut cue.random);
-            }
-            if length(velocity) < STUCK {
-                way = aside(way);
-            }
-            let wanted = way * (SPEED / distance.max(REACHED));
-            let velocity = velocity + (wanted - velocity) * EAGERNESS;
-            cue.push(world, *walker, velocity);
-        }
-    }
-}
-
 /// A place on the plane.
 fn somewhere(half_width: Real, random: &mut Random) -> Vector {
     planar(vector(|_| random.range(-half_width, half_width)))
@@ -89,7 +63,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let mut world = floating();
     container.wall_in(&mut world, flavour::PLANE.contains(&UP), slippery);
 
-    let walkers = (0..bodies)
+    let mut walkers: Vec<_> = (0..bodies)
         .map(|index| {
             let mut place = Vector::default();
             for (axis, cell) in flavour::PLANE.into_iter().zip([index % side, index / side]) {
@@ -106,9 +80,23 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             (walker, somewhere(half_width, random))
         })
         .collect();
-    Stage::new(world, container).with_script(Steering {
-        walkers,
-        half_width,
+    // Steers each walker to its goal, and finds it another one when it is there.
+    Stage::new(world, container).with_script(move |world: &mut World, cue: &mut Cue| {
+        for (walker, goal) in &mut walkers {
+            let body = &world.bodies[*walker];
+            let velocity = own(body.linvel());
+            let mut way = planar(*goal - own(body.translation()));
+            let distance = length(way);
+            if distance < REACHED {
+                *goal = somewhere(half_width, &mut cue.random);
+            }
+            if length(velocity) < STUCK {
+                way = aside(way);
+            }
+            let wanted = way * (SPEED / distance.max(REACHED));
+            let velocity = velocity + (wanted - velocity) * EAGERNESS;
+            cue.push(world, *walker, velocity);
+        }
     })
 }
 
