@@ -28,10 +28,11 @@ fn compare_all(options: &Options) -> Result<usize, Box<dyn Error>> {
     threads.build_global()?;
     let count = options.dims().count() * options.cases().count();
     let bar = progress_bar(count as u64);
+    let print = |text: String| bar.suspend(|| println!("{text}"));
     let mut differing = 0;
     for dim in options.dims() {
         let mut rows = Vec::new();
-        table::print_header(&bar, dim);
+        print(table::header(dim));
         for case in options.cases() {
             bar.set_message(format!("{} {dim}D", case.name()));
             let row = match dim {
@@ -39,12 +40,12 @@ fn compare_all(options: &Options) -> Result<usize, Box<dyn Error>> {
                 _ => dim3::compare(case, options),
             };
             bar.inc(1);
-            table::print_row(&bar, &row);
+            print(table::row(&row));
             json.write(&row)?;
             differing += usize::from(!row.equal);
             rows.push(row);
         }
-        table::print_footer(&bar, &rows);
+        print(table::footer(&rows));
     }
     bar.finish_and_clear();
     match differing {

@@ -17,10 +17,8 @@ named! {
 
 /// The most that a cube moves between two frames, along each axis.
 const SPEED: f32 = 0.1;
-
 /// The share of the way to or from the centre that cubes cover in a frame.
 const PULL: f32 = 0.02;
-
 /// Overlapping pairs per cube, where they are uniform.
 const PAIRS: f64 = 0.8;
 

@@ -55,16 +55,3 @@ impl SceneKind {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::SceneKind;
-
-    #[test]
-    fn names_lead_back_to_their_scenes() {
-        for kind in SceneKind::ALL {
-            assert_eq!(SceneKind::from_name(kind.name()), Some(kind));
-        }
-        assert_eq!(SceneKind::from_name("no such scene"), None);
-    }
-}

@@ -16,7 +16,7 @@
 //! for _ in 0..10 {
 //!     scene.step(&mut broad_phase, &(), &());
 //! }
-//! assert_eq!(scene.sanity_verdict(&initial), Ok(()));
+//! assert_eq!(scene.sanity().verdict(&initial), Ok(()));
 //! # }
 //! ```
 //!
@@ -46,10 +46,11 @@ pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Spread, Tally, WholeS
 pub use stampede::Stampede;
 pub use timing::{Times, Timing, milliseconds};
 
-/// The scenes for one engine, from the source for all of them and from the modules that differ by dimension.
+/// The scenes for one engine, from the source for all of them, from the modules that differ by dimension, of which only later
+/// versions have `soft`, and from the one that differs by version.
 #[allow(unused_macros)] // Without engines.
 macro_rules! flavour {
-    ($name:ident, $engine:ident, $folder:literal, $version:literal, [$($by_dimension:ident),*]) => {
+    ($name:ident = $engine:ident in $folder:literal, $version:literal $(, $soft:ident)?) => {
         #[path = $folder]
         pub mod $name {
             //! The scenes for one engine.
@@ -58,7 +59,9 @@ macro_rules! flavour {
 
             #[path = "../engine/mod.rs"]
             mod engine;
-            $(mod $by_dimension;)*
+            mod flavour;
+            $(mod $soft;)?
+            mod vehicle;
             #[path = $version]
             mod version;
 
@@ -68,48 +71,22 @@ macro_rules! flavour {
     };
 }
 
-#[allow(unused_macros)] // Without an engine of this version.
-macro_rules! flavour_027 {
-    ($name:ident, $engine:ident, $folder:literal) => {
-        flavour!(
-            $name,
-            $engine,
-            $folder,
-            "../version/rapier_027.rs",
-            [flavour, vehicle]
-        );
-    };
-}
-
-#[allow(unused_macros)] // Without an opened copy.
-macro_rules! flavour_036 {
-    ($name:ident, $engine:ident, $folder:literal) => {
-        flavour!(
-            $name,
-            $engine,
-            $folder,
-            "../version/rapier_036.rs",
-            [flavour, soft, vehicle]
-        );
-    };
-}
-
 #[cfg(feature = "rapier2d-027")]
-flavour_027!(dim2, rapier2d, "dim2");
+flavour!(dim2 = rapier2d in "dim2", "../version/rapier_027.rs");
 #[cfg(feature = "rapier3d-027")]
-flavour_027!(dim3, rapier3d, "dim3");
+flavour!(dim3 = rapier3d in "dim3", "../version/rapier_027.rs");
 #[cfg(feature = "rapier2d-f64-027")]
-flavour_027!(dim2_f64, rapier2d_f64, "dim2");
+flavour!(dim2_f64 = rapier2d_f64 in "dim2", "../version/rapier_027.rs");
 #[cfg(feature = "rapier3d-f64-027")]
-flavour_027!(dim3_f64, rapier3d_f64, "dim3");
+flavour!(dim3_f64 = rapier3d_f64 in "dim3", "../version/rapier_027.rs");
 #[cfg(all(feature = "rapier2d-036", opened_rapier2d))]
-flavour_036!(dim2_036, rapier2d_036, "dim2");
+flavour!(dim2_036 = rapier2d_036 in "dim2", "../version/rapier_036.rs", soft);
 #[cfg(all(feature = "rapier3d-036", opened_rapier3d))]
-flavour_036!(dim3_036, rapier3d_036, "dim3");
+flavour!(dim3_036 = rapier3d_036 in "dim3", "../version/rapier_036.rs", soft);
 #[cfg(all(feature = "rapier2d-f64-036", opened_rapier2d_f64))]
-flavour_036!(dim2_f64_036, rapier2d_f64_036, "dim2");
+flavour!(dim2_f64_036 = rapier2d_f64_036 in "dim2", "../version/rapier_036.rs", soft);
 #[cfg(all(feature = "rapier3d-f64-036", opened_rapier3d_f64))]
-flavour_036!(dim3_f64_036, rapier3d_f64_036, "dim3");
+flavour!(dim3_f64_036 = rapier3d_f64_036 in "dim3", "../version/rapier_036.rs", soft);
 
 // rustfmt does not look into macros.
 #[cfg(rustfmt)]

@@ -24,13 +24,6 @@ impl<T> Both<T> {
     }
 }
 
-impl Both<f64> {
-    /// How many times as large the default's figure is.
-    pub fn ratio(&self) -> f64 {
-        self.default / self.candidate
-    }
-}
-
 /// The result of a comparison.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Outcome {

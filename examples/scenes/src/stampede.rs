@@ -24,16 +24,12 @@ pub struct Stampede {
 
 /// Animals per square metre.
 const DENSITY: f32 = 0.3;
-
 /// The width of the ring as a share of its middle radius.
 const WIDTH: f32 = 0.4;
-
 /// The seconds that an animal takes to reach its pace if nothing is in its way.
 const EAGERNESS: f32 = 0.5;
-
 /// The acceleration of two animals that are nearly in one place, in metres per second squared.
 const SHYNESS: f32 = 60.0;
-
 /// The greatest acceleration of an animal, in metres per second squared.
 const STRENGTH: f32 = 25.0;
 

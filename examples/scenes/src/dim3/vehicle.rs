@@ -8,16 +8,12 @@ use super::rapier::prelude::*;
 
 /// Half the length, height and width of the chassis.
 const HALF: [Real; 3] = [0.8, 0.2, 0.4];
-
 /// The density of the chassis, enough to push balls aside.
 const DENSITY: Real = 5.0;
-
 /// The force of each of the two driven wheels.
 const FORCE: Real = 6.0;
-
 /// The angle at which the front wheels stand.
 const STEERING: Real = 0.1;
-
 /// The number of steps after which the vehicle changes its direction.
 const LEG: usize = 100;
 

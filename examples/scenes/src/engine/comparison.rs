@@ -179,7 +179,8 @@ impl Comparison {
             default: both.heard.timing(),
             candidate: both.unheard.timing(),
         };
-        outcome.ratio = timing.map(|timing| timing.total.as_secs_f64()).ratio();
+        let seconds = timing.map(|timing| timing.total.as_secs_f64());
+        outcome.ratio = seconds.default / seconds.candidate;
         outcome.broad_phase = timing.map(|timing| timing.over(self.steps));
         outcome
     }

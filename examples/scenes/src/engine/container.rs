@@ -42,18 +42,27 @@ impl Container {
             .any(|axis| center[axis] < self.lo[axis] - size || center[axis] > self.hi[axis] + size)
     }
 
-    /// Inserts a floor and walls of cuboids, which have no bodies. All extents must be finite.
-    pub(super) fn wall_in(&self, world: &mut World, cover: impl Fn(ColliderBuilder) -> Collider) {
-        self.insert_side(world, UP, false, &cover);
-        for axis in horizontal() {
-            self.insert_side(world, axis, false, &cover);
-            self.insert_side(world, axis, true, &cover);
+    /// Inserts a floor, walls and perhaps a lid of cuboids, which have no bodies. All extents must be finite.
+    pub(super) fn wall_in(
+        &self,
+        world: &mut World,
+        has_lid: bool,
+        cover: impl Fn(ColliderBuilder) -> Collider,
+    ) {
+        let walls = horizontal().flat_map(|axis| [(axis, false), (axis, true)]);
+        let lid = has_lid.then_some((UP, true));
+        for (axis, is_upper) in std::iter::once((UP, false)).chain(walls).chain(lid) {
+            let mut center = (self.lo + self.hi) / 2.0;
+            // The sides overlap at the edges, so that nothing slips out between them.
+            let mut half = (self.hi - self.lo) / 2.0 + vector(|_| THICKNESS);
+            center[axis] = match is_upper {
+                true => self.hi[axis] + THICKNESS / 2.0,
+                false => self.lo[axis] - THICKNESS / 2.0,
+            };
+            half[axis] = THICKNESS / 2.0;
+            let side = cuboid(half).translation(center);
+            world.colliders.insert(cover(side));
         }
-    }
-
-    /// Inserts a lid.
-    pub(super) fn close(&self, world: &mut World, cover: impl Fn(ColliderBuilder) -> Collider) {
-        self.insert_side(world, UP, true, &cover);
     }
 
     /// Inserts a floor and walls of half-spaces, which have no bodies.
@@ -69,25 +78,5 @@ impl Container {
             insert(along(axis, 1.0), along(axis, self.lo[axis]));
             insert(along(axis, -1.0), along(axis, self.hi[axis]));
         }
-    }
-
-    fn insert_side(
-        &self,
-        world: &mut World,
-        axis: usize,
-        upper: bool,
-        cover: &impl Fn(ColliderBuilder) -> Collider,
-    ) {
-        let mut center = (self.lo + self.hi) / 2.0;
-        // The sides overlap at the edges, so that nothing slips out between them.
-        let mut half = (self.hi - self.lo) / 2.0 + vector(|_| THICKNESS);
-        center[axis] = match upper {
-            true => self.hi[axis] + THICKNESS / 2.0,
-            false => self.lo[axis] - THICKNESS / 2.0,
-        };
-        half[axis] = THICKNESS / 2.0;
-        world
-            .colliders
-            .insert(cover(cuboid(half).translation(center)));
     }
 }

@@ -1,6 +1,7 @@
 //! A broad phase that loses pairs: what a measurement of accuracy has to notice.
 
-use super::observed::{Observed, PairEvent};
+use super::observed::Observed;
+use super::pairs::PairEvent;
 use super::version::BroadPhase;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};

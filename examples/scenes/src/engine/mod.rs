@@ -19,7 +19,8 @@ mod world;
 
 pub use comparison::{Candidate, Comparison};
 pub use lossy::{Losses, lossy};
-pub use observed::{Observed, PairEvent, Tee, Update};
+pub use observed::{Observed, Tee, Update};
+pub use pairs::PairEvent;
 pub use queries::AsQueryPipeline;
 pub use sanity::Sanity;
 pub use scene::Scene;

@@ -3,17 +3,15 @@
 //! It stands in the place of the one it wraps, and takes down what was asked for: the time, the lists, the events,
 //! the set of pairs that these amount to. What was not asked for costs nothing.
 
-use super::pairs::{Pairs, in_order};
+use super::pairs::{PairEvent, Pairs, in_order};
 use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
 use crate::Timing;
 use std::collections::HashSet;
 use std::time::Instant;
 
-mod event;
 mod tee;
 
-pub use event::PairEvent;
 pub use tee::Tee;
 
 /// A broad phase under observation.

@@ -127,15 +127,6 @@ impl Scene {
         sanity
     }
 
-    /// Measures the scene, and checks the numbers against those that it had when it was built.
-    ///
-    /// # Errors
-    ///
-    /// A sentence on the first bound that is broken; see [`Sanity::verdict`].
-    pub fn sanity_verdict(&self, initial: &Sanity) -> Result<(), String> {
-        self.sanity().verdict(initial)
-    }
-
     /// The largest extent of the colliders of a body.
     fn size(&self, body: &RigidBody) -> Real {
         body.colliders()

@@ -64,15 +64,8 @@ impl Scene {
         self.kind
     }
 
-    /// Runs the script for one step. [`World::step`] has to follow.
-    ///
-    /// A script with questions gets a tree of its own, so that its answers do not depend on the broad phase.
-    pub fn prepare(&mut self) {
-        let tree = self.script.asks().then(|| self.world.tree());
-        self.run_script(tree.as_ref());
-    }
-
-    /// The same with the tree of a broad phase for the script's questions, of which there may be none.
+    /// Runs the script for one step, with the tree of a broad phase for its questions, of which there may be none.
+    /// [`World::step`] has to follow.
     pub fn prepare_asking<'t>(&mut self, tree: impl FnOnce() -> &'t Bvh) {
         let tree = self.script.asks().then(tree);
         self.run_script(tree);
@@ -92,13 +85,16 @@ impl Scene {
     }
 
     /// Runs the script, then advances the world by one time step.
+    ///
+    /// A script with questions gets a tree of its own, so that its answers do not depend on the broad phase.
     pub fn step(
         &mut self,
         broad_phase: &mut AnyBroadPhase,
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) {
-        self.prepare();
+        let tree = self.script.asks().then(|| self.world.tree());
+        self.run_script(tree.as_ref());
         self.world.step(broad_phase, hooks, events);
     }
 }

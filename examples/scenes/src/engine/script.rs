@@ -25,8 +25,12 @@ pub(super) trait Script: Send {
     }
 }
 
-/// The script of a scene that is left to itself.
-impl Script for () {}
+/// A script without questions.
+impl<F: FnMut(&mut World, &mut Cue) + Send> Script for F {
+    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
+        self(world, cue);
+    }
+}
 
 /// What a script works with, and a record of the energy that it adds to the world.
 pub(super) struct Cue {

@@ -3,7 +3,7 @@
 use super::container::Container;
 use super::flavour;
 use super::rapier::prelude::*;
-use super::script::Script;
+use super::script::{Cue, Script};
 use super::space::{GRAVITY, Point, UP, Vector, along, cuboid, wide_high};
 use super::world::World;
 
@@ -36,7 +36,7 @@ impl Stage {
     pub(super) fn new(world: World, container: Container) -> Self {
         Self {
             world,
-            script: Box::new(()),
+            script: Box::new(|_: &mut World, _: &mut Cue| {}),
             containers: vec![container],
             links: Vec::new(),
             may_fall_through: 0,
@@ -46,7 +46,7 @@ impl Stage {
     /// A world in which things fall, in a room with a floor and walls, which bodies may leave through its top.
     pub(super) fn walled(walls: Container) -> Self {
         let mut stage = Self::new(falling(), walls.open());
-        walls.wall_in(&mut stage.world, |side| side.build());
+        walls.wall_in(&mut stage.world, false, |side| side.build());
         stage
     }
 

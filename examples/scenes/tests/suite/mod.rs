@@ -47,7 +47,7 @@ macro_rules! scene_tests {
                 for kind in SceneKind::ALL {
                     for bodies in [0, 1, 2, 3, 120] {
                         let (scene, initial) = run(kind, bodies, 1, STEPS);
-                        let verdict = scene.sanity_verdict(&initial);
+                        let verdict = scene.sanity().verdict(&initial);
                         assert_eq!(verdict, Ok(()), "{} of {bodies}", kind.name());
                     }
                 }

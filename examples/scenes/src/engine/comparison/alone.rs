@@ -48,11 +48,7 @@ impl Comparison {
             default: default.end(self.steps),
             candidate: other.end(self.steps),
         };
-        let ms_per_step = Both {
-            default: end.default.ms_per_step,
-            candidate: end.candidate.ms_per_step,
-        };
-        let ratio = ms_per_step.ratio();
+        let ratio = end.default.ms_per_step / end.candidate.ms_per_step;
         Repeat { seed, ratio, end }
     }
 
@@ -63,9 +59,9 @@ impl Comparison {
             self,
             self.seed,
             own,
-            |clocked, dispatcher, bodies, colliders, filter| {
+            |clocked, of, bodies, colliders, filter| {
                 let own = &clocked.inner;
-                own.as_query_pipeline(dispatcher, bodies, colliders, filter)
+                own.as_query_pipeline(of, bodies, colliders, filter)
             },
         );
         for _ in 0..self.steps {
@@ -145,14 +141,9 @@ impl<B: Steppable> Run<B> {
 
 /// Says so if the candidate's run went wrong where the default's did not.
 pub(super) fn difference(repeat: &Repeat) -> Option<String> {
-    match (
-        &repeat.end.default.complaint,
-        &repeat.end.candidate.complaint,
-    ) {
-        (None, Some(complaint)) => Some(format!(
-            "simulated on the candidate alone, with the seed {}: {complaint}, which does not happen on the default",
-            repeat.seed
-        )),
-        _ => None,
-    }
+    let Repeat { seed, end, .. } = repeat;
+    let complaint = end.candidate.complaint.as_ref()?;
+    end.default.complaint.is_none().then(|| {
+        format!("simulated on the candidate alone, with the seed {seed}: {complaint}, which does not happen on the default")
+    })
 }

@@ -3,8 +3,8 @@
 //! Each gets the events of its broad phase and is then run by Rapier's [`CollisionPipeline`] on a copy of the same
 //! world, so that nothing but the pairs can make a difference, not even the order in which the solver works.
 
-use super::super::observed::{PairEvent, Update};
-use super::super::pairs::{self, Pairs, in_order};
+use super::super::observed::Update;
+use super::super::pairs::{self, PairEvent, Pairs, in_order};
 use super::super::rapier::prelude::*;
 use super::super::version::{self, BroadPhase};
 use super::super::world::World;

@@ -1,7 +1,6 @@
 //! The comparison reports nothing where there is nothing, and every kind of fault where there is one.
 
-use super::super::observed::PairEvent;
-use super::super::pairs::{handles, in_order};
+use super::super::pairs::{PairEvent, handles, in_order};
 use super::super::rapier::parry::partitioning::Bvh;
 use super::super::rapier::prelude::*;
 use super::super::version::OwnBroadPhase;

@@ -3,30 +3,20 @@
 //!
 //! Soft CCD enlarges the boxes that a broad phase sees, along the way of the bullet.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cube, cuboid, falling,
-    jitter, vector,
-};
+use super::*;
 
 /// The radius of a bullet.
 const RADIUS: Real = 0.15;
-
 /// The speed of a bullet with CCD, in length units per second: ten of its sizes in a step.
 const HARD_SPEED: Real = 180.0;
-
 /// The speed of a bullet with soft CCD.
 const SOFT_SPEED: Real = 60.0;
-
 /// The distance ahead at which soft CCD looks for obstacles: more than a step.
 const SOFT_DISTANCE: Real = 2.0;
-
 /// Half the thickness of the wall.
 const HALF_WALL: Real = 0.05;
-
 /// How far bullets fly before they hit.
 const RANGE: Real = 12.0;
-
 /// The room around the volleys.
 const MARGIN: Real = 10.0;
 
@@ -38,24 +28,10 @@ const LEAK: usize = 33;
 
 /// The number of steps between two volleys.
 const INTERVAL: usize = 15;
-
 /// The number of volleys after which bullets are used again.
 const VOLLEYS: usize = 8;
 
-/// Shoots volleys at a fixed interval: new bullets first, then those that have lain about for longest.
-struct Volleys([Gun; 2]);
-
-impl Script for Volleys {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        if cue.step % INTERVAL == 0 {
-            for gun in &mut self.0 {
-                gun.shoot(world, cue);
-            }
-        }
-    }
-}
-
-/// Shoots bullets of one kind along the first axis.
+/// Shoots bullets of one kind along the first axis: new ones first, then those that have lain about for longest.
 struct Gun {
     bullets: Vec<RigidBodyHandle>,
     magazine: usize,
@@ -143,8 +119,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         }),
     };
     let mut stage = Stage::new(falling(), room);
-    room.wall_in(&mut stage.world, |side| side.build());
-    room.close(&mut stage.world, |side| side.build());
+    room.wall_in(&mut stage.world, true, |side| side.build());
     // The wall parts the room in two, and what is on one side is meant to stay there.
     stage.containers = vec![room; 2];
     stage.containers[0].hi[0] = 0.0;
@@ -166,5 +141,10 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         );
     }
     stage.may_fall_through = bodies.div_ceil(LEAK) + 1;
-    stage.with_script(Volleys([hard, soft]))
+    let mut guns = [hard, soft];
+    stage.with_script(move |world: &mut World, cue: &mut Cue| {
+        if cue.step % INTERVAL == 0 {
+            guns.iter_mut().for_each(|gun| gun.shoot(world, cue));
+        }
+    })
 }

@@ -3,26 +3,18 @@
 
 use super::gas::GHOSTS;
 use super::grains::{SPACING, grain};
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, jitter, own, power,
-};
+use super::*;
 
 /// One of this many bodies is replaced at every step.
 const REPLACED: usize = 50;
-
 /// The speed at which balls are dropped in.
 const SPEED: Real = 20.0;
-
 /// The number of steps after which a ball may be dropped in at the same place.
 const CYCLE: usize = 4;
-
 /// The number of steps between two changes of what is disabled, or in the other group.
 const INTERVAL: usize = 7;
-
 /// One of this many bodies is disabled, and one is in the other group.
 const CHANGED: usize = 200;
-
 /// The speed at which Rapier pushes balls apart that were put into each other.
 const PUSHED_APART: Real = 10.0;
 
@@ -83,17 +75,14 @@ impl Replacement {
 
     fn change_disabled(&mut self, world: &mut World, cue: &mut Cue) {
         for handle in self.disabled.drain(..) {
-            let Some(body) = world.bodies.get_mut(handle) else {
-                continue;
-            };
-            body.set_enabled(true);
-            let mass = body.mass();
-            allow_overlap(cue, mass);
+            if let Some(body) = world.bodies.get_mut(handle) {
+                body.set_enabled(true);
+                allow_overlap(cue, body.mass());
+            }
         }
-        for _ in 0..self.balls.len().div_ceil(CHANGED) {
-            let handle = self.balls[cue.random.index(self.balls.len())];
+        self.disabled = self.draw(&mut cue.random);
+        for &handle in &self.disabled {
             world.bodies[handle].set_enabled(false);
-            self.disabled.push(handle);
         }
     }
 
@@ -101,11 +90,18 @@ impl Replacement {
         for handle in self.ghosts.drain(..) {
             regroup(world, cue, handle, InteractionGroups::default());
         }
-        for _ in 0..self.balls.len().div_ceil(CHANGED) {
-            let handle = self.balls[cue.random.index(self.balls.len())];
+        self.ghosts = self.draw(&mut cue.random);
+        for &handle in &self.ghosts {
             regroup(world, cue, handle, GHOSTS);
-            self.ghosts.push(handle);
         }
+    }
+
+    /// Those that are changed this time, some perhaps twice.
+    fn draw(&self, random: &mut Random) -> Vec<RigidBodyHandle> {
+        let draws = 0..self.balls.len().div_ceil(CHANGED);
+        draws
+            .map(|_| self.balls[random.index(self.balls.len())])
+            .collect()
     }
 }
 

@@ -1,57 +1,21 @@
 //! A crowd: walkers of one size on a plane, each steering to a goal and bumping into others.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Random, Script, Stage, UP, Vector, World, cosine, cuboid, flavour, floating,
-    length, own, sine, vector,
-};
+use super::*;
 
 /// Half the width of a walker.
 const HALF_WIDTH: Real = 0.3;
-
 /// Half the height of a walker.
 const HALF_HEIGHT: Real = 0.6;
-
 /// The distance between walkers at the start.
 const SPACING: Real = 2.5;
-
 /// The speed at which walkers like to walk.
 const SPEED: Real = 2.0;
-
 /// The share of the difference to the wanted velocity that is made up for in a step.
 const EAGERNESS: Real = 0.2;
-
 /// The speed below which a walker takes itself to be stuck, and steps to its right.
 const STUCK: Real = 0.5 * SPEED;
-
 /// The distance at which a goal counts as reached.
 const REACHED: Real = 1.5;
-
-/// Steers each walker to its goal, and finds it another one when it is there.
-struct Steering {
-    walkers: Vec<(RigidBodyHandle, Vector)>,
-    half_width: Real,
-}
-
-impl Script for Steering {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        for (walker, goal) in &mut self.walkers {
-            let body = &world.bodies[*walker];
-            let velocity = own(body.linvel());
-            let mut way = planar(*goal - own(body.translation()));
-            let distance = length(way);
-            if distance < REACHED {
-                *goal = somewhere(self.half_width, &mut cue.random);
-            }
-            if length(velocity) < STUCK {
-                way = aside(way);
-            }
-            let wanted = way * (SPEED / distance.max(REACHED));
-            let velocity = velocity + (wanted - velocity) * EAGERNESS;
-            cue.push(world, *walker, velocity);
-        }
-    }
-}
 
 /// A place on the plane.
 fn somewhere(half_width: Real, random: &mut Random) -> Vector {
@@ -97,12 +61,9 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     };
     let slippery = |builder: ColliderBuilder| builder.friction(0.0).build();
     let mut world = floating();
-    container.wall_in(&mut world, slippery);
-    if flavour::PLANE.contains(&UP) {
-        container.close(&mut world, slippery);
-    }
+    container.wall_in(&mut world, flavour::PLANE.contains(&UP), slippery);
 
-    let walkers = (0..bodies)
+    let mut walkers: Vec<_> = (0..bodies)
         .map(|index| {
             let mut place = Vector::default();
             for (axis, cell) in flavour::PLANE.into_iter().zip([index % side, index / side]) {
@@ -119,9 +80,23 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             (walker, somewhere(half_width, random))
         })
         .collect();
-    Stage::new(world, container).with_script(Steering {
-        walkers,
-        half_width,
+    // Steers each walker to its goal, and finds it another one when it is there.
+    Stage::new(world, container).with_script(move |world: &mut World, cue: &mut Cue| {
+        for (walker, goal) in &mut walkers {
+            let body = &world.bodies[*walker];
+            let velocity = own(body.linvel());
+            let mut way = planar(*goal - own(body.translation()));
+            let distance = length(way);
+            if distance < REACHED {
+                *goal = somewhere(half_width, &mut cue.random);
+            }
+            if length(velocity) < STUCK {
+                way = aside(way);
+            }
+            let wanted = way * (SPEED / distance.max(REACHED));
+            let velocity = velocity + (wanted - velocity) * EAGERNESS;
+            cue.push(world, *walker, velocity);
+        }
     })
 }
 

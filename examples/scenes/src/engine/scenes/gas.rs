@@ -1,12 +1,10 @@
 //! Elastic balls in a closed box without gravity. In a gas they are uniform, the case that the analysis of a sweep assumes. Ghosts
 //! overlap and do not meet each other, only the walls: pairs of which the narrow phase makes nothing, a dozen to a ghost.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Lattice, Random, Stage, UP, flavour, floating, jitter, power, version};
+use super::*;
 
 /// The radius of every ball.
 const RADIUS: Real = 0.5;
-
 /// The share of the box that is inside of balls of a gas.
 const DENSITY: Real = 0.2;
 
@@ -62,8 +60,7 @@ impl Filling {
         );
         let elastic = |collider: ColliderBuilder| collider.restitution(1.0).friction(0.0).build();
         let mut world = floating();
-        container.wall_in(&mut world, elastic);
-        container.close(&mut world, elastic);
+        container.wall_in(&mut world, true, elastic);
         for index in 0..bodies {
             let mut center = lattice.center(index) + jitter(random, self.offset);
             center[UP] += self.margin;

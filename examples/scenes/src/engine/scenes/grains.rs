@@ -1,12 +1,10 @@
 //! Grains: balls of about the same size, of which several scenes are made. The plainest of these is a heap that falls into a box, in
 //! which nearly everything touches.
 
-use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, Vector, jitter};
+use super::*;
 
 /// Radii differ by a tenth either way.
 const RADIUS: [Real; 2] = [0.45, 0.55];
-
 /// The distance between two grains at the start, wide enough for the largest with the jitter.
 pub(super) const SPACING: Real = 1.25;
 

@@ -1,46 +1,16 @@
 //! A hopper: grains that are poured through a funnel in batches, so that the number of bodies grows.
 
 use super::grains::{SPACING, grain};
-use super::rapier::prelude::*;
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, World, along, cosine, cuboid, flavour,
-    horizontal, sine, vector,
-};
+use super::*;
 
 /// The number of steps between two batches, in which the last one moves out of the way.
 const INTERVAL: usize = 6;
-
 /// The speed at which a batch starts to fall.
 const SPEED: Real = 14.0;
-
 /// Half the width of the outlet.
 const HALF_OUTLET: Real = 2.5;
-
 /// The slope of the funnel, in radians.
 const SLOPE: Real = 0.8;
-
-/// Pours a layer of grains every few steps until all are there.
-struct Pouring {
-    layer: Lattice,
-    height: Real,
-    left: usize,
-}
-
-impl Script for Pouring {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        if cue.step % INTERVAL != 0 {
-            return;
-        }
-        let batch = self.layer.per_layer().min(self.left);
-        self.left -= batch;
-        for index in 0..batch {
-            let place = self.layer.center(index) + along(UP, self.height);
-            let (center, ball) = grain(place, &mut cue.random);
-            let body = RigidBodyBuilder::dynamic().translation(center);
-            cue.insert(world, body.linvel(along(UP, -SPEED)), ball);
-        }
-    }
-}
 
 pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
     let lattice = Lattice::heap(bodies, SPACING, 1.0);
@@ -48,20 +18,30 @@ pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
     // All grains find room below the outlet, and would find room above it.
     let outlet = lattice.height() * 0.9 + 2.0;
     let rim = outlet + half_width * SLOPE.tan();
-    let pouring = Pouring {
-        height: rim + lattice.height() + 1.0,
-        layer: lattice,
-        left: bodies,
-    };
+    let height = rim + lattice.height() + 1.0;
 
-    let walls = Container::standing(half_width, pouring.height + 2.0 * SPACING);
+    let walls = Container::standing(half_width, height + 2.0 * SPACING);
     let mut stage = Stage::walled(walls);
     for axis in horizontal() {
         for side in [-1.0, 1.0] {
             insert_panel(&mut stage.world, axis, side, outlet, half_width);
         }
     }
-    stage.with_script(pouring)
+    // Pours a layer of grains every few steps until all are there.
+    let mut left = bodies;
+    stage.with_script(move |world: &mut World, cue: &mut Cue| {
+        if cue.step % INTERVAL != 0 {
+            return;
+        }
+        let batch = lattice.per_layer().min(left);
+        left -= batch;
+        for index in 0..batch {
+            let place = lattice.center(index) + along(UP, height);
+            let (center, ball) = grain(place, &mut cue.random);
+            let body = RigidBodyBuilder::dynamic().translation(center);
+            cue.insert(world, body.linvel(along(UP, -SPEED)), ball);
+        }
+    })
 }
 
 /// Inserts the panel of the funnel that leads from the outlet up to one of the walls.

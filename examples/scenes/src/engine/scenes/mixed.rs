@@ -3,20 +3,14 @@
 //! For a broad phase that is made for boxes of about the same size, a ratio of 1.5 is easy, 4 and 8 are work, and at
 //! 1,000 the few large ones need separate treatment.
 
-use super::rapier::prelude::*;
-use super::{
-    Container, Lattice, Random, Stage, UP, Vector, cube, falling, horizontal, jitter, log_range,
-};
+use super::*;
 
 /// The sizes of the last scene: most bodies are near the lower end.
 const GRAIN: [Real; 2] = [0.05, 0.5];
-
 /// The sizes of the hills of the last scene.
 const HILL: [Real; 2] = [2.0, 50.0];
-
 /// By how much a hill rises above the ground.
 const RISE: [Real; 2] = [0.3, 1.0];
-
 /// One hill to this many bodies.
 const BODIES_PER_HILL: usize = 100;
 

@@ -2,10 +2,10 @@
 
 use super::container::Container;
 use super::lattice::Lattice;
-use super::rapier::geometry::ColliderBuilder;
-use super::rapier::math::{DIM, Real};
+use super::rapier::{math::DIM, prelude::*};
 use super::script::{Cue, Script};
 use super::space::*;
+use super::space::{Point, Vector};
 use super::stage::{Stage, falling};
 use super::world::World;
 use super::{flavour, rapier, vehicle, version};
@@ -13,33 +13,30 @@ use crate::SceneKind;
 use crate::random::Random;
 
 mod bullets;
-mod chains;
 mod churn;
 mod crowd;
 mod gas;
 mod grains;
 mod hopper;
+mod masonry;
 mod mixed;
 mod net;
 mod player;
-mod pyramid;
 mod ropes;
 mod shapes;
 mod ships;
 mod sleeping;
 mod soft;
-mod stacks;
 mod swarm;
 mod tile_map;
-mod wall;
 
 /// Builds the stage of a scene.
 pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stage {
     match kind {
         SceneKind::FallingBalls => grains::build(bodies, random),
-        SceneKind::Pyramid => pyramid::build_one(bodies, random),
+        SceneKind::Pyramid => masonry::build_pyramid(bodies, random),
         SceneKind::Gas => gas::build(bodies, random),
-        SceneKind::Ropes => ropes::build(bodies, random),
+        SceneKind::Ropes => ropes::build_ropes(bodies, random),
         SceneKind::Net => net::build(bodies, random),
         SceneKind::Hopper => hopper::build(bodies, random),
         SceneKind::Crowd => crowd::build(bodies, random),
@@ -57,10 +54,10 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Ships => ships::build(bodies, random),
         SceneKind::Ghosts => gas::build_ghosts(bodies, random),
         SceneKind::Player => player::build(bodies, random),
-        SceneKind::Stacks => stacks::build(bodies, random),
-        SceneKind::Wall => wall::build(bodies, random),
-        SceneKind::Pyramids => pyramid::build_many(bodies, random),
-        SceneKind::Chains => chains::build(bodies, random),
+        SceneKind::Stacks => masonry::build_stacks(bodies, random),
+        SceneKind::Wall => masonry::build_wall(bodies, random),
+        SceneKind::Pyramids => masonry::build_pyramids(bodies, random),
+        SceneKind::Chains => ropes::build_chains(bodies, random),
     }
 }
 

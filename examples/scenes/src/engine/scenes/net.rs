@@ -2,21 +2,16 @@
 //!
 //! Everything moves together and little, and most pairs that a broad phase reports are of joined neighbours.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Point, Random, Stage, UP, flavour, insert_obstacles, jitter, vector};
+use super::*;
 
 /// The radius of a knot.
 const RADIUS: Real = 0.2;
-
 /// The distance between joined knots.
 const MESH: Real = 0.5;
-
 /// What share of its speed a knot loses in a second, about: the yarn gives.
 const DAMPING: Real = 0.5;
-
 /// In the plane, how many times as wide as high the net is, which hangs from its upper edge.
 const ASPECT: usize = 4;
-
 /// How far above the obstacles the net begins.
 const HEIGHT: Real = 2.0;
 

@@ -6,28 +6,19 @@
 use super::grains::{SPACING, grain};
 use super::rapier::control::KinematicCharacterController;
 use super::rapier::parry::partitioning::Bvh;
-use super::rapier::prelude::*;
 use super::vehicle::Vehicle;
-use super::{
-    Container, Cue, GRAVITY, Lattice, Point, Random, Script, Stage, UP, Vector, World, along,
-    cosine, direction, dot, flavour, length_squared, own, sine, vector,
-};
+use super::*;
 
 /// Half the height of the character, without its round ends.
 const HALF: Real = 0.5;
-
 /// The radius of the character.
 const GIRTH: Real = 0.3;
-
 /// The mass with which the character pushes.
 const MASS: Real = 1.0;
-
 /// The speed of the character.
 const SPEED: Real = 4.0;
-
 /// The share of its speed below which the character takes itself to be stuck, and turns.
 const STUCK: Real = 0.1;
-
 /// How many rays the character casts in a step.
 const RAYS: usize = 16;
 

@@ -1,21 +1,14 @@
 //! Every kind of collider in one heap: composed and convex ones, bodies with several colliders, with
 //! sensors and with contact skins, falling onto a height field with ridges.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Lattice, Point, Random, Stage, UP, along, cube, cuboid, flavour, jitter, vector,
-    version, wide_high,
-};
+use super::*;
 
 /// The distance between bodies at the start.
 const SPACING: Real = 2.2;
-
 /// The height of the hills of the height field.
 const HILLS: Real = 0.8;
-
 /// The thickness of the contact skins.
 const SKIN: Real = 0.05;
-
 /// The number of kinds of bodies.
 const KINDS: usize = 9;
 
@@ -115,16 +108,10 @@ fn compound() -> ColliderBuilder {
     ])
 }
 
-/// A cuboid with round edges.
+/// A cube with round edges.
 fn rounded() -> ColliderBuilder {
-    let points = cuboid_corners(0.35);
-    ColliderBuilder::round_convex_hull(&points, 0.1).expect("a cuboid is convex")
-}
-
-fn cuboid_corners(half: Real) -> Vec<Point> {
-    (0..1 << DIM)
-        .map(|corner: usize| {
-            vector(|axis| if corner >> axis & 1 == 0 { -half } else { half }).into()
-        })
-        .collect()
+    let coordinate = |corner: usize, axis: usize| [-0.35, 0.35][corner >> axis & 1];
+    let corners = (0..1 << DIM).map(|corner| vector(|axis| coordinate(corner, axis)).into());
+    let corners: Vec<Point> = corners.collect();
+    ColliderBuilder::round_convex_hull(&corners, 0.1).expect("a cube is convex")
 }

@@ -3,23 +3,16 @@
 //! All cubes of a ship move together, and the narrow phase drops their pairs. In the middle of each ship a cube is
 //! left out, where a ball lies as cargo, so that a few pairs are worth something.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Lattice, Random, Stage, UP, Vector, along, cube, flavour, floating, jitter,
-};
+use super::*;
 
 /// Half the size of a cube.
 const HALF: Real = 0.5;
-
 /// The radius of the cargo.
 const CARGO: Real = 0.45;
-
 /// The number of ships.
 const SHIPS: usize = 3;
-
 /// The largest speed along each axis, slow enough that ships stay apart.
 const SPEED: Real = 0.5;
-
 /// The largest rate of turning, in radians per second.
 const TURN: Real = 0.2;
 
@@ -52,7 +45,8 @@ pub(super) fn build(colliders: usize, random: &mut Random) -> Stage {
         );
         let hold = hold(&hull, cells);
         for index in 0..cells {
-            let center = hull.center(index) - middle(&hull);
+            // A hull turns around its middle.
+            let center = hull.center(index) - along(UP, hull.height() / 2.0);
             if index == hold {
                 world.insert(
                     RigidBodyBuilder::dynamic()
@@ -84,9 +78,4 @@ fn hold(hull: &Lattice, cells: usize) -> usize {
         .map(|axis| column * hull.columns.pow(axis))
         .sum();
     in_layer + (full_layers - 1) / 2 * hull.per_layer()
-}
-
-/// The middle of a hull, around which it turns.
-fn middle(hull: &Lattice) -> Vector {
-    along(UP, hull.height() / 2.0)
 }

@@ -1,26 +1,17 @@
 //! A world at rest: boxes that are created asleep, among which one ball to a hundred boxes moves.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, UP, Vector, World, along, cube, cuboid,
-    flavour, own, power, sine, vector, wide_high,
-};
+use super::*;
 
 /// Half the size of a box.
 const HALF: Real = 0.5;
-
 /// The distance between boxes.
 const SPACING: Real = 1.8;
-
 /// The height of a storey. In the plane, boxes would else lie in a single row of great length.
 const STOREY: Real = 4.0;
-
 /// The radius of a mover, which is a little less than what fits between two boxes.
 const MOVER: Real = 0.38;
-
 /// The speed of a mover along its way.
 const SPEED: Real = 6.0;
-
 /// How far a mover sways across its way, far enough to brush the boxes now and then.
 const SWAY: Real = 0.06;
 
@@ -32,31 +23,19 @@ struct Mover {
     forward: bool,
 }
 
-/// Drives each mover back and forth along the first axis.
-struct Errands {
-    movers: Vec<Mover>,
-    half_width: Real,
-}
-
-impl Script for Errands {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        let time = cue.step as Real * world.params.dt;
-        for mover in &mut self.movers {
-            let translation = own(world.bodies[mover.body].translation());
-            if translation[0].abs() > self.half_width {
-                mover.forward = translation[0] < 0.0;
-            }
-            let sway = SWAY * sine(3.0 * time + mover.phase);
-            let back = (mover.place[flavour::ACROSS] + sway - translation[flavour::ACROSS]) * 10.0;
-            let ahead = if mover.forward { SPEED } else { -SPEED };
-            let lift = (mover.place[UP] - translation[UP]) * 10.0;
-            let velocity = vector(|axis| match axis {
-                0 => ahead,
-                axis if axis == flavour::ACROSS => back,
-                _ => lift,
-            });
-            cue.push(world, mover.body, velocity);
+impl Mover {
+    /// The velocity that drives it back and forth along the first axis, from here.
+    fn velocity(&mut self, here: Vector, time: Real, half_width: Real) -> Vector {
+        if here[0].abs() > half_width {
+            self.forward = here[0] < 0.0;
         }
+        let sway = SWAY * sine(3.0 * time + self.phase);
+        vector(|axis| match axis {
+            0 if self.forward => SPEED,
+            0 => -SPEED,
+            flavour::ACROSS => (self.place[axis] + sway - here[axis]) * 10.0,
+            _ => (self.place[axis] - here[axis]) * 10.0,
+        })
     }
 }
 
@@ -93,7 +72,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         );
     }
 
-    let movers = (0..movers)
+    let mut movers: Vec<_> = (0..movers)
         .map(|index| {
             let place = lane(index, storeys, &lattice, random);
             let ball = RigidBodyBuilder::dynamic()
@@ -108,9 +87,13 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             }
         })
         .collect();
-    stage.with_script(Errands {
-        movers,
-        half_width: lattice.half_width(),
+    stage.with_script(move |world: &mut World, cue: &mut Cue| {
+        let time = cue.step as Real * world.params.dt;
+        for mover in &mut movers {
+            let here = own(world.bodies[mover.body].translation());
+            let velocity = mover.velocity(here, time, lattice.half_width());
+            cue.push(world, mover.body, velocity);
+        }
     })
 }
 

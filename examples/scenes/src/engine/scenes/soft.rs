@@ -1,17 +1,13 @@
 //! Soft bodies in a heap with balls: Rapier's own where it has them, and otherwise balls on springs.
 
-use super::rapier::prelude::*;
-use super::{Container, Lattice, Random, Stage, UP, along, jitter, version};
+use super::*;
 
 /// One body in this many is soft.
 const SOFT_ONE_IN: usize = 10;
-
 /// Half the size of a soft body.
 const HALF: Real = 0.8;
-
 /// The radius of a ball.
 const RADIUS: Real = 0.5;
-
 /// The distance between bodies at the start.
 const SPACING: Real = 2.0;
 

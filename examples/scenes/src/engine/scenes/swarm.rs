@@ -3,21 +3,14 @@
 //! Rapier ignores pairs of kinematic bodies unless a collider asks for them. Every fourth is a sensor that
 //! does, so that there are intersections.
 
-use super::rapier::prelude::*;
-use super::{
-    Container, Cue, Lattice, Random, Script, Stage, Vector, World, cube, floating, jitter, sine,
-    vector,
-};
+use super::*;
 
 /// Half the size of a body.
 const HALF: Real = 0.5;
-
 /// The distance between bodies at the start. They overlap later.
 const SPACING: Real = 1.6;
-
 /// The largest drift along each axis, in length units per second.
 const DRIFT: Real = 3.0;
-
 /// The radius of the circles that are flown on top of the drift.
 const CIRCLE: Real = 0.5;
 
@@ -29,24 +22,15 @@ struct Flyer {
     phase: Real,
 }
 
-/// Moves every body along its flight: a drift that is reflected by the box, and a circle on top of it.
-struct Flight {
-    flyers: Vec<Flyer>,
-    container: Container,
-}
-
-impl Script for Flight {
-    fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
-        let time = (cue.step + 1) as Real * world.params.dt;
-        for flyer in &self.flyers {
-            let place = vector(|axis| {
-                let drifted = flyer.home[axis] + flyer.drift[axis] * time;
-                let (lo, hi) = (self.container.lo[axis], self.container.hi[axis]);
-                let quarter = axis as Real * (core::f64::consts::FRAC_PI_2 as Real);
-                reflect(drifted, lo, hi) + CIRCLE * sine(2.0 * time + flyer.phase + quarter)
-            });
-            world.bodies[flyer.body].set_next_kinematic_translation(place);
-        }
+impl Flyer {
+    /// The place at this time: a drift that is reflected by the box, and a circle on top of it.
+    fn place(&self, time: Real, container: &Container) -> Vector {
+        vector(|axis| {
+            let drifted = self.home[axis] + self.drift[axis] * time;
+            let (lo, hi) = (container.lo[axis], container.hi[axis]);
+            let quarter = axis as Real * (core::f64::consts::FRAC_PI_2 as Real);
+            reflect(drifted, lo, hi) + CIRCLE * sine(2.0 * time + self.phase + quarter)
+        })
     }
 }
 
@@ -65,7 +49,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
     let lattice = Lattice::heap(bodies, SPACING, 1.0);
     let container = Container::standing(lattice.half_width(), lattice.height());
     let mut world = floating();
-    let flyers = (0..bodies)
+    let flyers: Vec<_> = (0..bodies)
         .map(|index| {
             let home = lattice.center(index) + jitter(random, 0.25);
             let shape = match index % 2 {
@@ -90,17 +74,11 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             }
         })
         .collect();
-    Stage::new(world, container).with_script(Flight { flyers, container })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::reflect;
-
-    #[test]
-    fn reflection_stays_inside() {
-        for (coordinate, folded) in [(0.5, 0.5), (2.5, 1.5), (-0.5, 0.5), (4.25, 0.25)] {
-            assert_eq!(reflect(coordinate, 0.0, 2.0), folded);
+    Stage::new(world, container).with_script(move |world: &mut World, cue: &mut Cue| {
+        let time = (cue.step + 1) as Real * world.params.dt;
+        for flyer in &flyers {
+            let place = flyer.place(time, &container);
+            world.bodies[flyer.body].set_next_kinematic_translation(place);
         }
-    }
+    })
 }

@@ -3,30 +3,22 @@
 //! The tiles are solid ground of which only the top is ever touched. They never move, but each one borders on its
 //! neighbours, and so nearly all pairs are of tiles, which the narrow phase drops.
 
-use super::rapier::{math::DIM, prelude::*};
-use super::{Container, Lattice, Random, Stage, UP, cube, falling, jitter, power};
+use super::*;
 
 /// Half the size of a tile.
 const HALF: Real = 0.5;
-
 /// How many tiles there are to a ball: with 500 balls 300 x 100, or 100 x 100 x 3.
 const TILES_PER_BALL: usize = 60;
-
 /// The radius of a ball.
 const RADIUS: Real = 0.45;
-
 /// The largest speed of a ball along each axis.
 const SPEED: Real = 0.4;
-
 /// The angular damping of a ball, so that none rolls off the map.
 const DAMPING: Real = 5.0;
-
 /// The share of the map's width above which balls fall.
 const SHARE: Real = 0.7;
-
 /// How many layers of balls there are, so that they land at different times.
 const LAYERS: usize = 4;
-
 /// The distance between layers, wide enough for their balls.
 const LAYER: Real = 2.0;
 
