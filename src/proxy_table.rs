@@ -29,7 +29,7 @@ use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-pub(crate) use changes::{Changes, Order};
+pub(crate) use changes::Changes;
 use hand_over::Pending;
 pub(crate) use lists::Lists;
 use reading::Reader;

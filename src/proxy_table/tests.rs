@@ -93,7 +93,7 @@ fn table(filter: PairFilter) -> Table {
 
 fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
     let mut events = Vec::new();
-    let changes = &mut Changes::default();
+    let changes = &mut Changes::new(1);
     table.finish(2.0 * MARGIN, changes, &mut events, |is_added, ids| {
         (is_added, ids)
     });
