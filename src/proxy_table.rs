@@ -12,7 +12,6 @@
 
 mod changes;
 mod hand_over;
-mod lists;
 mod reading;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
@@ -29,14 +28,13 @@ use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-pub(crate) use changes::{Changes, Order};
+pub(crate) use changes::Changes;
 use hand_over::Pending;
-pub(crate) use lists::Lists;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
 use source::Reading;
-pub(crate) use source::{BoxSource, Handle};
+pub(crate) use source::{BoxSource, Handle, Lists};
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
@@ -181,9 +179,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.remove(handle);
         }
         self.admit_pending(lists.removed, source, margin);
-        let mut reader = std::mem::take(&mut self.reader);
-        reader.read(self, lists.modified, source, margin);
-        self.reader = reader;
+        self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
         self.read_keys(lists.unmoved, source);
         self.tracker.stopwatch.leave();
@@ -223,37 +219,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let mut memo = slot.map_or_else(M::default, |slot| {
             std::mem::take(&mut self.memos[slot as usize])
         });
-        let Some(reading) = read(&mut memo) else {
+        let Some(Reading { aabb, key, volume }) = read(&mut memo) else {
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
         let slot = slot.unwrap_or_else(|| self.add(handle));
         self.memos[slot as usize] = memo;
-        self.renew(handle, reading, margin);
-    }
-
-    /// Adds a collider that is not known, without a box. Returns its slot.
-    #[inline(always)]
-    fn add<H: Handle>(&mut self, handle: H) -> u32 {
-        let (slot, generation) = handle.into_raw_parts();
-        let index = slot as usize;
-        // Needed even if the box is invalid: updates are planned by the number of slots.
-        self.make_room(index + 1);
-        if let Some(outdated) = self.generations[index] {
-            // Its removal was not reported.
-            self.remove(H::from_raw_parts(slot, outdated));
-        }
-        self.generations[index] = Some(generation);
-        self.known_slots = self.known_slots.max(index + 1);
-        self.known += 1;
-        slot
-    }
-
-    /// Brings the proxy of a known collider up to date with what was read.
-    #[inline(always)]
-    fn renew(&mut self, handle: impl Handle, reading: Reading<R, D, K>, margin: R) {
-        let Reading { aabb, key, volume } = reading;
-        let slot = handle.into_raw_parts().0;
         let proxies = &mut self.tracker.proxies;
         let renews_box = key.renews_box(proxies.key(slot));
         proxies.set_key(slot, key);
@@ -273,6 +244,23 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
             Some(_) => self.refuse(handle, aabb),
         }
+    }
+
+    /// Adds a collider that is not known, without a box. Returns its slot.
+    #[inline(always)]
+    fn add<H: Handle>(&mut self, handle: H) -> u32 {
+        let (slot, generation) = handle.into_raw_parts();
+        let index = slot as usize;
+        // Needed even if the box is invalid: updates are planned by the number of slots.
+        self.make_room(index + 1);
+        if let Some(outdated) = self.generations[index] {
+            // Its removal was not reported.
+            self.remove(H::from_raw_parts(slot, outdated));
+        }
+        self.generations[index] = Some(generation);
+        self.known_slots = self.known_slots.max(index + 1);
+        self.known += 1;
+        slot
     }
 
     /// Places or moves the proxy of a slot. `aabb` must be valid.
@@ -333,15 +321,21 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let unknown = unknown.expect("there are at least as many slots as known ones");
         assert!(unknown.iter().all(Option::is_none));
         assert_eq!(self.generations.iter().flatten().count(), self.known);
-        let mut proxies = 0;
-        for (slot, _) in self.tracker.proxies.iter() {
-            let is_known = self.generations[slot as usize].is_some();
-            let is_pending = || self.pending.keys().any(|&(pending, _)| pending == slot);
-            assert!(is_known || is_pending());
-            proxies += usize::from(is_known);
-        }
-        assert_eq!(self.stats.proxies, proxies);
+        assert_eq!(self.count_proxies(), Some(self.stats.proxies));
         self.tracker.validate(kernel);
+    }
+
+    /// How many known colliders have a box; `None` if a slot has one without a collider that is known or pending.
+    fn count_proxies(&self) -> Option<usize> {
+        let mut count = 0;
+        for (slot, _) in self.tracker.proxies.iter() {
+            if self.generations[slot as usize].is_some() {
+                count += 1;
+            } else {
+                self.pending.range((slot, 0)..=(slot, u32::MAX)).next()?;
+            }
+        }
+        Some(count)
     }
 }
 

@@ -78,27 +78,21 @@ impl<R: Real> Settings<R> {
 
     /// The same with another [`margin`](Self::margin).
     pub fn with_margin(self, margin: impl Into<Option<R>>) -> Self {
-        Self {
-            margin: margin.into(),
-            ..self
-        }
+        let margin = margin.into();
+        Self { margin, ..self }
     }
 
     /// The same with another [`filter`](Self::filter).
     pub fn with_filter(self, filter: impl Into<Option<PairFilter>>) -> Self {
-        Self {
-            filter: filter.into(),
-            ..self
-        }
+        let filter = filter.into();
+        Self { filter, ..self }
     }
 
     /// The same with a fixed [`foresight`](Self::foresight).
     #[doc(hidden)]
     pub fn with_foresight(self, moves: impl Into<Option<u16>>) -> Self {
-        Self {
-            foresight: moves.into(),
-            ..self
-        }
+        let foresight = moves.into();
+        Self { foresight, ..self }
     }
 
     /// The same with [`layers`](Self::layers), or without.

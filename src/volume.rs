@@ -98,7 +98,7 @@ impl<R: Real, const D: usize> Ball<R, D> {
         let half = R::from_f64(0.5);
         let center = core::array::from_fn(|k| (aabb.mins[k] + aabb.maxs[k]) * half);
         let ball = Self { center, ..self };
-        let diameter = ball.loosened() * R::from_f64(2.0);
+        let diameter = ball.loosened(&[]) * R::from_f64(2.0);
         let mut fits = true;
         for k in 0..D {
             fits &= aabb.maxs[k] - aabb.mins[k] <= diameter;
@@ -113,7 +113,7 @@ impl<R: Real, const D: usize> Ball<R, D> {
     #[inline(always)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         let between = sub(other.center, self.center);
-        let reach = self.loosened() + other.loosened() + slack;
+        let reach = self.loosened(&[]) + other.loosened(&[]) + slack;
         // False if that cannot be told.
         let are_apart = dot(between, between) > reach * reach;
         !are_apart
@@ -125,27 +125,21 @@ impl<R: Real, const D: usize> Ball<R, D> {
         sum_of_abs(sub(other.center, self.center)) + (other.radius - self.radius).abs()
     }
 
-    /// The radius, loosened by what rounding may do to the numbers.
+    /// The radius, loosened by what rounding may do to the numbers of a volume that has these half axes.
     #[inline(always)]
-    fn loosened(&self) -> R {
-        loosened(self.radius, &self.center, &[R::ZERO; D])
+    fn loosened(&self, half_axes: &[[R; D]]) -> R {
+        let extent = extent_of(half_axes.iter().copied());
+        let size = (0..D).fold(self.radius, |size, k| {
+            size + (self.center[k].abs() + extent[k])
+        });
+        self.radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
     }
-}
-
-/// A radius, loosened by what rounding may do to a volume that has it, this centre, and this [extent](extent_of).
-#[inline(always)]
-fn loosened<R: Real, const D: usize>(radius: R, center: &[R; D], extent: &[R; D]) -> R {
-    let mut size = radius;
-    for k in 0..D {
-        size = size + (center[k].abs() + extent[k]);
-    }
-    radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
 }
 
 /// How far segments with these half axes reach along each axis of the world.
 #[inline(always)]
-fn extent_of<R: Real, const D: usize>(half_axes: &[[R; D]]) -> [R; D] {
-    half_axes.iter().fold([R::ZERO; D], |extent, half| {
+fn extent_of<R: Real, const D: usize>(half_axes: impl Iterator<Item = [R; D]>) -> [R; D] {
+    half_axes.fold([R::ZERO; D], |extent, half| {
         core::array::from_fn(|k| extent[k] + half[k].abs())
     })
 }
@@ -175,23 +169,16 @@ impl<R: Real, const D: usize> Volume<R, D> {
 
     #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
-        let mut volume = Self::of_parts(kind, Ball { center, radius }, half_axes);
-        if kind != VolumeKind::Ball {
-            let extent = extent_of(volume.half_axes());
-            volume.ball.radius = loosened(radius, &center, &extent);
-        }
-        volume
-    }
-
-    #[inline(always)]
-    fn of_parts(kind: VolumeKind, ball: Ball<R, D>, half_axes: &[[R; D]]) -> Self {
         let mut volume = Self {
             kind,
-            ball,
+            ball: Ball { center, radius },
             ..Self::BOX
         };
-        let count = kind.axes::<D>();
-        volume.half_axes[..count].copy_from_slice(&half_axes[..count]);
+        let half_axes = &half_axes[..kind.axes::<D>()];
+        volume.half_axes[..half_axes.len()].copy_from_slice(half_axes);
+        if kind != VolumeKind::Ball {
+            volume.ball.radius = volume.ball.loosened(half_axes);
+        }
         volume
     }
 
@@ -200,36 +187,27 @@ impl<R: Real, const D: usize> Volume<R, D> {
         VolumeRef {
             kind: self.kind,
             ball: &self.ball,
-            half_axes: self.half_axes(),
+            half_axes: &self.half_axes[..self.kind.axes::<D>()],
         }
     }
 
     /// The volume that has these [numbers](VolumeRef::numbers), if there is one.
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
-        let Some((&radius, rest)) = numbers.split_first() else {
-            return Some(Self { kind, ..Self::BOX });
-        };
-        if rest.is_empty() {
-            let ball = Ball {
-                radius,
-                ..Self::BOX.ball
-            };
-            return Some(Self {
-                kind,
-                ball,
-                ..Self::BOX
-            });
+        let mut volume = Self { kind, ..Self::BOX };
+        match numbers {
+            [] => {}
+            &[radius] => volume.ball.radius = radius,
+            [radius, rest @ ..] => {
+                volume.ball.radius = *radius;
+                let (center, numbers) = rest.split_first_chunk()?;
+                volume.ball.center = *center;
+                let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
+                let is_complete = half_axes.len() == numbers.len();
+                is_complete.then(|| half_axes.copy_from_slice(numbers))?;
+            }
         }
-        let (center, rest) = rest.split_first_chunk()?;
-        let half_axes: Option<Vec<[R; D]>> =
-            rest.chunks(D).map(|half| half.try_into().ok()).collect();
-        let half_axes = half_axes.filter(|half_axes| half_axes.len() == kind.axes::<D>())?;
-        let ball = Ball {
-            center: *center,
-            radius,
-        };
-        Some(Self::of_parts(kind, ball, &half_axes))
+        Some(volume)
     }
 
     /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but
@@ -237,13 +215,12 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[inline(always)]
     pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
         let ball = match self.kind {
-            VolumeKind::Box | VolumeKind::Part | VolumeKind::HalfSpace => self.ball,
             VolumeKind::Ball => self.ball.in_box(aabb),
-            VolumeKind::Capsule | VolumeKind::Cuboid if self.fills(aabb) => self.ball,
-            VolumeKind::Capsule | VolumeKind::Cuboid => Ball {
+            VolumeKind::Capsule | VolumeKind::Cuboid if !self.fills(aabb) => Ball {
                 center: [R::NAN; D],
                 ..self.ball
             },
+            _ => self.ball,
         };
         Self { ball, ..self }
     }
@@ -251,19 +228,11 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[inline(always)]
     fn fills(&self, aabb: &Aabb<R, D>) -> bool {
         let Ball { center, radius } = self.ball;
-        let extent = extent_of(self.half_axes());
-        let mut fills = true;
-        for k in 0..D {
+        let extent = extent_of(self.as_ref().half_axes.iter().copied());
+        (0..D).fold(true, |fills, k| {
             let reach = radius + extent[k];
-            fills &= center[k] - reach <= aabb.mins[k];
-            fills &= aabb.maxs[k] <= center[k] + reach;
-        }
-        fills
-    }
-
-    #[inline(always)]
-    fn half_axes(&self) -> &[[R; D]] {
-        &self.half_axes[..self.kind.axes::<D>()]
+            fills & (center[k] - reach <= aabb.mins[k]) & (aabb.maxs[k] <= center[k] + reach)
+        })
     }
 
     /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
@@ -279,10 +248,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn numbers(self) -> Vec<R> {
         let Ball { center, radius } = *self.ball;
-        let numbers = [radius].into_iter().chain(center);
-        let mut numbers: Vec<_> = numbers
-            .chain(self.half_axes.as_flattened().iter().copied())
-            .collect();
+        let mut numbers = [&[radius], &center[..], self.half_axes.as_flattened()].concat();
         if !numbers.iter().all(|x| x.is_finite()) {
             numbers.truncate(usize::from(radius.is_finite()));
         }
@@ -299,10 +265,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         }
         // One sum for each axis, so that none waits for the other.
         let halves = self.half_axes.iter().zip(other.half_axes);
-        let change = halves.fold([R::ZERO; D], |change, (&from, &to)| {
-            let difference = sub(to, from);
-            core::array::from_fn(|k| change[k] + difference[k].abs())
-        });
+        let change = extent_of(halves.map(|(&from, &to)| sub(to, from)));
         self.ball.change_to(other.ball) + sum_of_abs(change)
     }
 
@@ -310,24 +273,23 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     #[inline(always)]
     pub(crate) fn meets(self, other: Self, slack: R) -> bool {
         use VolumeKind::{Ball, Box, Capsule, HalfSpace, Part};
-        let [a, b] = [self.ball, other.ball];
-        let pair = Pair {
-            between: sub(b.center, a.center),
+        let both = Pair {
+            between: sub(other.ball.center, self.ball.center),
             reach: self.radius() + other.radius() + slack,
             volumes: [self, other],
         };
         match (self.kind, other.kind) {
             (Box | Part, _) | (_, Box | Part) | (HalfSpace, HalfSpace) => true,
-            (Ball, Ball) => a.meets(b, slack),
-            (HalfSpace, _) => !pair.is_in_front(self.half_axes[0], pair.between, other),
-            (_, HalfSpace) => !pair.is_in_front(other.half_axes[0], sub(a.center, b.center), self),
-            (Ball | Capsule, Ball | Capsule) => !pair.cores_are_apart(),
+            (Ball, Ball) => self.ball.meets(other.ball, slack),
+            (HalfSpace, _) => !both.is_behind_other([self, other]),
+            (_, HalfSpace) => !both.is_behind_other([other, self]),
+            (Ball | Capsule, Ball | Capsule) => !both.cores_are_apart(),
             _ => {
-                !(pair.is_apart_in_world()
-                    || pair.is_apart_by_sides([self, other])
-                    || pair.is_apart_by_sides([other, self])
-                    || pair.is_apart(pair.shortest_from([self, other]))
-                    || pair.is_apart(pair.shortest_from([other, self])))
+                !(both.is_apart_in_world()
+                    || both.is_apart_by_sides([self, other])
+                    || both.is_apart_by_sides([other, self])
+                    || both.is_apart_by_shortest(self)
+                    || both.is_apart_by_shortest(other))
             }
         }
     }
@@ -336,7 +298,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     #[inline(always)]
     fn radius(self) -> R {
         match self.kind {
-            VolumeKind::Ball => self.ball.loosened(),
+            VolumeKind::Ball => self.ball.loosened(&[]),
             _ => self.ball.radius,
         }
     }
@@ -360,13 +322,11 @@ struct Pair<'a, R, const D: usize> {
 }
 
 impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
-    /// Whether their intervals along an axis of any length do not meet. False if that cannot be told.
+    /// Whether their intervals along an axis of any length do not meet, if their segments reach so far along it, times its length.
+    /// False if that cannot be told.
     #[inline(always)]
-    fn is_apart(&self, axis: [R; D]) -> bool {
-        let [a, b] = self.volumes;
-        let reach = self.reach * dot(axis, axis).sqrt()
-            + (a.reach_of_segments(axis) + b.reach_of_segments(axis));
-        dot(self.between, axis).abs() > reach
+    fn is_apart(&self, axis: [R; D], segments: R) -> bool {
+        dot(self.between, axis).abs() > self.reach * dot(axis, axis).sqrt() + segments
     }
 
     /// Whether they are apart along an axis of the world.
@@ -388,28 +348,27 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         cuboid.kind == VolumeKind::Cuboid
             && cuboid.half_axes.iter().any(|&axis| {
                 // Its other axes are at right angles, or nearly so: what is left of them is in the rounding.
-                let squared = dot(axis, axis);
-                let reach = self.reach * squared.sqrt() + (squared + other.reach_of_segments(axis));
-                dot(self.between, axis).abs() > reach
+                self.is_apart(axis, dot(axis, axis) + other.reach_of_segments(axis))
             })
     }
 
-    /// Whether a volume, with its centre at `center` from a point on a plane, is in front of the plane.
-    fn is_in_front(&self, normal: [R; D], center: [R; D], volume: VolumeRef<'a, R, D>) -> bool {
-        let reach = self.reach * dot(normal, normal).sqrt() + volume.reach_of_segments(normal);
-        dot(center, normal) > reach
+    /// Whether a half-space is behind the other volume.
+    fn is_behind_other(&self, [half_space, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
+        let normal = half_space.half_axes[0];
+        let height = dot(sub(other.ball.center, half_space.ball.center), normal);
+        height > self.reach * dot(normal, normal).sqrt() + other.reach_of_segments(normal)
     }
 
-    /// From the segments of a volume, where they are nearest to the centre of the other one, to that centre, or back: the sign does
-    /// not matter.
-    fn shortest_from(&self, [volume, other]: [VolumeRef<'a, R, D>; 2]) -> [R; D] {
-        let between = sub(other.ball.center, volume.ball.center);
-        let mut shortest = between;
-        for &half in volume.half_axes {
-            let t = clamped(dot(between, half), dot(half, half));
-            shortest = core::array::from_fn(|k| shortest[k] - t * half[k]);
-        }
-        shortest
+    /// Whether they are apart along the line to one centre from where the segments of the other volume, which is given, are nearest to
+    /// it, or nearly so.
+    fn is_apart_by_shortest(&self, volume: VolumeRef<'a, R, D>) -> bool {
+        // To which side the line goes does not matter.
+        let axis = volume.half_axes.iter().fold(self.between, |axis, &half| {
+            let t = clamped(dot(self.between, half), dot(half, half));
+            core::array::from_fn(|k| axis[k] - t * half[k])
+        });
+        let [a, b] = self.volumes;
+        self.is_apart(axis, a.reach_of_segments(axis) + b.reach_of_segments(axis))
     }
 
     /// Whether two capsules are apart along the line of their centres, or between the points of their segments that are nearest to
@@ -432,8 +391,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         let t = clamped(s * uv - vd, vv);
         let s = clamped(t * uv + ud, uu);
         let axis = core::array::from_fn(|k| between[k] + t * v[k] - s * u[k]);
-        let reach = self.reach * dot(axis, axis).sqrt() + (dot(u, axis).abs() + dot(v, axis).abs());
-        dot(between, axis).abs() > reach
+        self.is_apart(axis, dot(u, axis).abs() + dot(v, axis).abs())
     }
 }
 
@@ -442,16 +400,11 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
 fn clamped<R: Real>(numerator: R, denominator: R) -> R {
     let one = R::from_f64(1.0);
     let quotient = numerator / denominator;
-    if denominator > R::ZERO {
-        if quotient > one {
-            one
-        } else if quotient < R::ZERO - one {
-            R::ZERO - one
-        } else {
-            quotient
-        }
-    } else {
-        R::ZERO
+    match denominator > R::ZERO {
+        false => R::ZERO,
+        true if quotient > one => one,
+        true if quotient < R::ZERO - one => R::ZERO - one,
+        true => quotient,
     }
 }
 
@@ -462,9 +415,5 @@ fn sub<R: Real, const D: usize>(a: [R; D], b: [R; D]) -> [R; D] {
 
 #[inline(always)]
 fn dot<R: Real, const D: usize>(a: [R; D], b: [R; D]) -> R {
-    let mut sum = R::ZERO;
-    for k in 0..D {
-        sum = sum + a[k] * b[k];
-    }
-    sum
+    (0..D).fold(R::ZERO, |sum, k| sum + a[k] * b[k])
 }

@@ -107,7 +107,7 @@ impl UnisizeBroadPhase {
         Self {
             table: ProxyTable::new(&Self::resolved(settings)),
             settings,
-            changes: Changes::new(version::ORDER),
+            changes: Changes::new(version::HANDS),
             query_tree: QueryTree::default(),
             near: Vec::new(),
             noted: Noted::default(),

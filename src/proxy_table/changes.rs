@@ -11,31 +11,21 @@
 
 use crate::pair_tracker::PairChange;
 
-/// In what order an update's pairs begin.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Order {
-    /// By the smaller slot and then the larger one.
-    #[default]
-    BySlots,
-    /// Of those by slots the first, the third, the fifth, and so on, and then the second, the fourth, and so on.
-    #[allow(dead_code, reason = "only Rapier 0.27 wants it")]
-    Dealt,
-}
-
 /// The changes of an update; keeps its memory between updates.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Changes {
-    order: Order,
+    hands: usize,
     deleted: Vec<u64>,
     added: Vec<u64>,
 }
 
 impl Changes {
-    /// No changes yet.
-    pub(crate) fn new(order: Order) -> Self {
+    /// No changes yet. What begins is dealt out in this many hands.
+    pub(crate) fn new(hands: usize) -> Self {
         Self {
-            order,
-            ..Self::default()
+            hands,
+            deleted: Vec::new(),
+            added: Vec::new(),
         }
     }
 
@@ -53,23 +43,18 @@ impl Changes {
     ///
     /// Computes in **O(n log n)** time, and in **O(n)** if they are noted in order.
     pub(super) fn drain(&mut self, mut each: impl FnMut(bool, [u32; 2])) -> [usize; 2] {
+        let counts = [self.deleted.len(), self.added.len()];
         // As numbers: pairs would be compared slot by slot.
         self.deleted.sort_unstable();
         self.added.sort_unstable();
-        for &pair in &self.deleted {
+        for pair in self.deleted.drain(..) {
             each(false, unpack(pair));
         }
-        let hands = match self.order {
-            Order::BySlots => 1,
-            Order::Dealt => 2,
-        };
-        for hand in 0..hands {
-            for &pair in self.added.iter().skip(hand).step_by(hands) {
+        for hand in 0..self.hands {
+            for &pair in self.added.iter().skip(hand).step_by(self.hands) {
                 each(true, unpack(pair));
             }
         }
-        let counts = [self.deleted.len(), self.added.len()];
-        self.deleted.clear();
         self.added.clear();
         counts
     }

@@ -6,7 +6,7 @@
 //! A box for an unknown collider has to wait: whether there is such a collider, and whom it may meet, is only known when the
 //! next update reads it. Until then its slot has that box, so that queries find it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::aabb::Aabb;
@@ -32,21 +32,8 @@ pub(super) type Pending<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedO
 )]
 pub(super) struct HandedOver<R, const D: usize> {
     /// The first one, renewed as that of a known collider would have been by the others.
-    held: Aabb<R, D>,
-    last: Aabb<R, D>,
-}
-
-impl<R: Real, const D: usize> HandedOver<R, D> {
-    /// After one more box.
-    fn followed_by(former: Option<Self>, aabb: Aabb<R, D>, margin: R) -> Self {
-        let held = former.map_or(Aabb::ABSENT, |former| former.held);
-        let held = match BoxUpdate::of(&held, &aabb, margin) {
-            BoxUpdate::Keep => held,
-            BoxUpdate::Renew(renewed) => renewed,
-            BoxUpdate::Recheck => aabb,
-        };
-        Self { held, last: aabb }
-    }
+    pub(super) held: Aabb<R, D>,
+    pub(super) last: Aabb<R, D>,
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
@@ -64,14 +51,42 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
         let mut boxes = boxes.into_iter();
-        while let Some((handle, aabb)) = self.move_known(&mut boxes, margin, &volume) {
+        loop {
+            let touched = self.touched().len();
+            let mut proxies = self.tracker.proxies.all();
+            let (generations, memos) = (&self.generations[..], &mut self.memos[..]);
+            let mut listed = 0;
+            // Moves all up to the first that is more than a move.
+            let unusual = loop {
+                let Some((handle, aabb)) = boxes.next() else {
+                    break None;
+                };
+                listed += 1;
+                let (slot, generation) = handle.into_raw_parts();
+                let i = slot as usize;
+                let is_moved = is_known(generations, slot, generation)
+                    && proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
+                        let by_box = volumes.set_by_box(i, &aabb, is_renewed);
+                        by_box.or_else(|| {
+                            let volume = volume(handle, &mut memos[i], &aabb);
+                            volumes.set(i, &volume, is_renewed)
+                        })
+                    });
+                if !is_moved {
+                    break Some((handle, aabb));
+                }
+            };
+            self.gathered.listed += listed;
+            self.gathered.moved += self.touched().len() - touched;
+            let Some((handle, aabb)) = unusual else {
+                break;
+            };
             let Some(slot) = self.slot_of(handle) else {
                 self.keep_pending(handle, aabb, margin);
                 continue;
             };
             let proxies = &mut self.tracker.proxies;
-            let key = proxies.key(slot);
-            let are_used = proxies.volumes().are_used();
+            let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
             let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
             self.admit(handle, margin, |memo| {
                 let volume = match by_box {
@@ -83,41 +98,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             });
         }
         self.tracker.stopwatch.leave();
-    }
-
-    /// Moves known proxies, up to the first box that is more than a move, which is returned.
-    fn move_known<H: Handle>(
-        &mut self,
-        boxes: &mut impl Iterator<Item = (H, Aabb<R, D>)>,
-        margin: R,
-        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
-    ) -> Option<(H, Aabb<R, D>)> {
-        let touched = self.tracker.proxies.touched().len();
-        let mut proxies = self.tracker.proxies.all();
-        let (generations, memos) = (&self.generations[..], &mut self.memos[..]);
-        let mut listed = 0;
-        let unusual = loop {
-            let Some((handle, aabb)) = boxes.next() else {
-                break None;
-            };
-            listed += 1;
-            let (slot, generation) = handle.into_raw_parts();
-            let i = slot as usize;
-            let is_moved = is_known(generations, slot, generation)
-                && proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
-                    let by_box = volumes.set_by_box(i, &aabb, is_renewed);
-                    by_box.or_else(|| {
-                        let volume = volume(handle, &mut memos[i], &aabb);
-                        volumes.set(i, &volume, is_renewed)
-                    })
-                });
-            if !is_moved {
-                break Some((handle, aabb));
-            }
-        };
-        self.gathered.listed += listed;
-        self.gathered.moved += self.tracker.proxies.touched().len() - touched;
-        unusual
     }
 
     /// Keeps a box until the next update can look for its collider.
@@ -140,7 +120,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         }
         let pending = self.pending.entry((slot, generation)).or_default();
-        *pending = Some(HandedOver::followed_by(*pending, aabb, margin));
+        let held = pending.map_or(Aabb::ABSENT, |former| former.held);
+        let held = match BoxUpdate::of(&held, &aabb, margin) {
+            BoxUpdate::Keep => held,
+            BoxUpdate::Renew(renewed) => renewed,
+            BoxUpdate::Recheck => aabb,
+        };
+        *pending = Some(HandedOver { held, last: aabb });
     }
 
     /// Looks at the pending colliders, except those that have been removed in the meantime.
@@ -148,34 +134,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        if self.pending.is_empty() {
-            return;
-        }
-        let removed: BTreeSet<_> = removed
-            .iter()
-            .map(|handle| handle.into_raw_parts())
-            .collect();
-        let are_used = self.tracker.proxies.volumes().are_used();
-        for ((slot, generation), boxes) in std::mem::take(&mut self.pending) {
+        let mut pending = std::mem::take(&mut self.pending);
+        for &(slot, _) in pending.keys() {
             if self.generations.get(slot as usize) == Some(&None) {
                 // The box was only there for queries.
                 self.tracker.proxies.clear_box(slot);
             }
-            if removed.contains(&(slot, generation)) {
-                continue;
-            }
+        }
+        for handle in removed {
+            pending.remove(&handle.into_raw_parts());
+        }
+        for ((slot, generation), boxes) in pending {
             let handle = S::Handle::from_raw_parts(slot, generation);
-            self.admit(handle, margin, |memo| {
-                let read = Reading::of(source, handle, memo, are_used)?;
-                Some(match boxes {
-                    Some(HandedOver { held, last }) => Reading {
-                        aabb: held,
-                        volume: read.volume.in_box(&last),
-                        ..read
-                    },
-                    None => read,
-                })
-            });
+            self.admit_read(handle, boxes, source, margin);
         }
     }
 }

@@ -6,7 +6,8 @@
 //!
 //! The order affects only speed, not the order of events. What is not a simple move, say a new collider, is dealt with afterwards.
 
-use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
+use super::hand_over::HandedOver;
+use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
 use crate::parallel;
@@ -61,120 +62,9 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
             self.deferred.push((slot, generation));
         }
     }
-
-    /// Reads handles as they are listed; the part must be all slots.
-    fn read_as_listed<S: BoxSource<R, D, Memo = M, Key = K>>(
-        &mut self,
-        handles: &[S::Handle],
-        source: &S,
-        margin: R,
-    ) {
-        for handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            if is_known(self.generations, slot, generation) {
-                self.read(slot as usize, generation, source, margin);
-            } else {
-                self.deferred.push((slot, generation));
-            }
-        }
-    }
-
-    /// Reads the slots of the part whose bits are set, by index.
-    fn read_by_index<S: BoxSource<R, D, Memo = M, Key = K>>(
-        &mut self,
-        listed: &[u64],
-        source: &S,
-        margin: R,
-    ) {
-        for (first, &word) in (0..).step_by(64).zip(listed) {
-            for i in ones(word).map(|bit| first + bit) {
-                // If another collider has taken the slot since, it has been read; reading it again changes nothing.
-                if let Some(generation) = self.generations[i] {
-                    self.read(i, generation, source, margin);
-                }
-            }
-        }
-    }
 }
 
 impl Reader {
-    /// Reads the listed colliders into the table.
-    pub(super) fn read<R: Real, const D: usize, S: BoxSource<R, D>>(
-        &mut self,
-        table: &mut ProxyTable<R, D, S::Memo, S::Key>,
-        handles: &[S::Handle],
-        source: &S,
-        margin: R,
-    ) {
-        let mut touched = table.tracker.proxies.touched().len();
-        // The order must not depend on the number of threads.
-        if handles.len() < READ_BY_INDEX_FROM && is_favourable(handles) {
-            self.deferred.resize_with(1, Vec::new);
-            let mut all = Part {
-                proxies: table.tracker.proxies.all(),
-                generations: &table.generations,
-                memos: &mut table.memos,
-                deferred: &mut self.deferred[0],
-            };
-            all.read_as_listed(handles, source, margin);
-        } else {
-            let is_shared = handles.len() >= THREADS_FROM && parallel::threads() > 1;
-            for handle in self.list(handles, &table.generations, is_shared) {
-                table.admit_read(handle, source, margin);
-            }
-            touched = table.tracker.proxies.touched().len();
-            self.read_in_parts(table, is_shared, source, margin);
-        }
-        table.gathered.moved += table.tracker.proxies.touched().len() - touched;
-        for (slot, generation) in self.deferred.iter_mut().flat_map(|part| part.drain(..)) {
-            let handle = S::Handle::from_raw_parts(slot, generation);
-            table.admit_read(handle, source, margin);
-        }
-    }
-
-    /// Reads the listed slots by index.
-    fn read_in_parts<R: Real, const D: usize, S: BoxSource<R, D>>(
-        &mut self,
-        table: &mut ProxyTable<R, D, S::Memo, S::Key>,
-        is_shared: bool,
-        source: &S,
-        margin: R,
-    ) {
-        self.listed.resize(table.generations.len());
-        // More parts than threads, because some will be faster than others.
-        let parts = match is_shared {
-            true => PARTS_A_THREAD * parallel::threads(),
-            false => 1,
-        };
-        let words = self.listed.words();
-        let words_a_part = words.len().div_ceil(parts).max(1);
-        let slots_a_part = 64 * words_a_part;
-        let listed = words.chunks(words_a_part);
-        self.notes.resize_with(listed.len(), Notes::default);
-        self.deferred.resize_with(listed.len(), Vec::new);
-        let chunks = table.tracker.proxies.chunks(slots_a_part, &mut self.notes);
-        let generations = table.generations.chunks(slots_a_part);
-        let memos = table.memos.chunks_mut(slots_a_part);
-        let known = generations.zip(memos).zip(&mut self.deferred);
-        let parts = chunks
-            .zip(known)
-            .map(|(proxies, ((generations, memos), deferred))| Part {
-                proxies,
-                generations,
-                memos,
-                deferred,
-            });
-        let mut parts: Vec<_> = listed.zip(parts).collect();
-        parallel::for_each(&mut parts, |(listed, part)| {
-            part.read_by_index(listed, source, margin);
-        });
-        drop(parts);
-        self.listed.clear();
-        for notes in &mut self.notes {
-            table.tracker.proxies.note(notes);
-        }
-    }
-
     /// Lists the slots of the handles whose collider is known, and returns the other handles, in their order.
     fn list<H: Handle>(
         &mut self,
@@ -182,37 +72,148 @@ impl Reader {
         generations: &[Option<u32>],
         is_shared: bool,
     ) -> Vec<H> {
-        self.listed.resize(generations.len());
-        if !is_shared {
-            return list_known(handles, generations, &mut self.listed);
-        }
-        let chunk = handles.len().div_ceil(parallel::threads()).max(1);
-        let mut lists: Vec<_> = handles
-            .chunks(chunk)
-            .map(|handles| (handles, BitSet::default(), Vec::new()))
+        let parts = if is_shared { parallel::threads() } else { 1 };
+        let parts = handles.chunks(handles.len().div_ceil(parts).max(1));
+        // The first part has the memory that was kept.
+        let mut lists: Vec<_> = parts
+            .map(|handles| (handles, std::mem::take(&mut self.listed), Vec::new()))
             .collect();
         parallel::for_each(&mut lists, |(handles, listed, unknown)| {
             listed.resize(generations.len());
-            *unknown = list_known(handles, generations, listed);
+            for &handle in *handles {
+                let (slot, generation) = handle.into_raw_parts();
+                if is_known(generations, slot, generation) {
+                    listed.insert(slot as usize);
+                } else {
+                    unknown.push(handle);
+                }
+            }
         });
-        let mut all_unknown = Vec::new();
-        for (_, listed, mut unknown) in lists {
-            self.listed.extend_from(&listed);
-            all_unknown.append(&mut unknown);
-        }
-        all_unknown
+        let all = lists.into_iter().reduce(|mut all, (_, listed, unknown)| {
+            all.1.extend_from(&listed);
+            all.2.extend(unknown);
+            all
+        });
+        let (_, listed, unknown) = all.unwrap_or_default();
+        self.listed = listed;
+        unknown
     }
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Brings one collider up to date by what the source says.
-    fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
+    /// Reads the listed colliders.
+    pub(super) fn read<S>(&mut self, handles: &[S::Handle], source: &S, margin: R)
     where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let mut touched = self.tracker.proxies.touched().len();
+        let count = handles.len();
+        let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
+        // The order must not depend on the number of threads.
+        if count <= READ_AS_LISTED_UP_TO || count < READ_BY_INDEX_FROM && is_sorted() {
+            self.reader.deferred.resize_with(1, Vec::new);
+            let mut all = Part {
+                proxies: self.tracker.proxies.all(),
+                generations: &self.generations,
+                memos: &mut self.memos,
+                deferred: &mut self.reader.deferred[0],
+            };
+            for handle in handles {
+                let (slot, generation) = handle.into_raw_parts();
+                if is_known(all.generations, slot, generation) {
+                    all.read(slot as usize, generation, source, margin);
+                } else {
+                    all.deferred.push((slot, generation));
+                }
+            }
+        } else {
+            let is_shared = count >= THREADS_FROM && parallel::threads() > 1;
+            for handle in self.reader.list(handles, &self.generations, is_shared) {
+                self.admit_read(handle, None, source, margin);
+            }
+            touched = self.tracker.proxies.touched().len();
+            self.read_in_parts(is_shared, source, margin);
+        }
+        self.gathered.moved += self.tracker.proxies.touched().len() - touched;
+        let mut deferred = std::mem::take(&mut self.reader.deferred);
+        for (slot, generation) in deferred.iter_mut().flat_map(|part| part.drain(..)) {
+            let handle = S::Handle::from_raw_parts(slot, generation);
+            self.admit_read(handle, None, source, margin);
+        }
+        self.reader.deferred = deferred;
+    }
+
+    /// Reads the listed slots by index.
+    fn read_in_parts<S>(&mut self, is_shared: bool, source: &S, margin: R)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let Reader {
+            listed,
+            notes,
+            deferred,
+        } = &mut self.reader;
+        listed.resize(self.generations.len());
+        // More parts than threads, because some will be faster than others.
+        let parts = match is_shared {
+            true => PARTS_A_THREAD * parallel::threads(),
+            false => 1,
+        };
+        let words_a_part = listed.words().len().div_ceil(parts).max(1);
+        let slots_a_part = 64 * words_a_part;
+        let words = listed.words().chunks(words_a_part);
+        notes.resize_with(words.len(), Notes::default);
+        deferred.resize_with(words.len(), Vec::new);
+        let proxies = self.tracker.proxies.chunks(slots_a_part, &mut *notes);
+        let generations = self.generations.chunks(slots_a_part);
+        let known = generations.zip(self.memos.chunks_mut(slots_a_part));
+        let parts = words.zip(proxies.zip(known).zip(deferred));
+        let mut parts: Vec<_> = parts
+            .map(|(words, ((proxies, (generations, memos)), deferred))| {
+                let part = Part {
+                    proxies,
+                    generations,
+                    memos,
+                    deferred,
+                };
+                (words, part)
+            })
+            .collect();
+        parallel::for_each(&mut parts, |(words, part)| {
+            for (first, &word) in (0..).step_by(64).zip(*words) {
+                for i in ones(word).map(|bit| first + bit) {
+                    // If another collider has taken the slot since, it has been read; reading it again changes nothing.
+                    if let Some(generation) = part.generations[i] {
+                        part.read(i, generation, source, margin);
+                    }
+                }
+            }
+        });
+        drop(parts);
+        listed.clear();
+        for notes in notes {
+            self.tracker.proxies.note(notes);
+        }
+    }
+
+    /// Brings one collider up to date by what the source says, and by boxes that were handed over for it, if any.
+    pub(super) fn admit_read<S>(
+        &mut self,
+        handle: S::Handle,
+        handed_over: Option<HandedOver<R, D>>,
+        source: &S,
+        margin: R,
+    ) where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let are_used = self.tracker.proxies.volumes().are_used();
         self.admit(handle, margin, |memo| {
-            Reading::of(source, handle, memo, are_used)
+            let mut reading = source.reading(handle, memo, are_used)?;
+            if let Some(HandedOver { held, last }) = handed_over {
+                reading.aabb = held;
+                reading.volume = reading.volume.in_box(&last);
+            }
+            Some(reading)
         });
     }
 
@@ -241,46 +242,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        let proxies = &mut self.tracker.proxies;
-        let are_used = proxies.volumes().are_used();
+        let are_used = self.tracker.proxies.volumes().are_used();
         for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            if !is_known(&self.generations, slot, generation) {
-                continue;
-            }
-            let memo = &mut self.memos[slot as usize];
-            let Some(Reading { key, volume, .. }) = Reading::of(source, handle, memo, are_used)
-            else {
+            let Some(slot) = self.slot_of(handle) else {
                 continue;
             };
-            proxies.set_key(slot, key);
-            if are_used && proxies.volumes().get(slot).kind != volume.kind {
-                proxies.set_volume(slot, &volume, false);
+            let memo = &mut self.memos[slot as usize];
+            if let Some(reading) = source.reading(handle, memo, are_used) {
+                let proxies = &mut self.tracker.proxies;
+                proxies.set_key(slot, reading.key);
+                if are_used && proxies.volumes().get(slot).kind != reading.volume.kind {
+                    proxies.set_volume(slot, &reading.volume, false);
+                }
             }
         }
     }
-}
-
-/// Adds the slots of the handles whose collider is known, and returns the other handles, in their order.
-fn list_known<H: Handle>(
-    handles: &[H],
-    generations: &[Option<u32>],
-    listed: &mut BitSet,
-) -> Vec<H> {
-    let mut unknown = Vec::new();
-    for &handle in handles {
-        let (slot, generation) = handle.into_raw_parts();
-        if is_known(generations, slot, generation) {
-            listed.insert(slot as usize);
-        } else {
-            unknown.push(handle);
-        }
-    }
-    unknown
-}
-
-/// Whether the order of these handles is good enough as it is.
-fn is_favourable<H: Handle>(handles: &[H]) -> bool {
-    let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
-    handles.len() <= READ_AS_LISTED_UP_TO || is_sorted()
 }

@@ -2,8 +2,6 @@
 //!
 //! What the engine wants remembered of its colliders is not written: it is learned anew.
 
-use std::collections::BTreeSet;
-
 use serde::{Deserialize, Serialize};
 
 use super::hand_over::HandedOver;
@@ -63,53 +61,41 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         settings: &Settings<R>,
         snapshot: TableSnapshot<R, D, K>,
     ) -> Result<Self, &'static str> {
-        let TableSnapshot {
-            stats,
-            has_warned,
-            mut generations,
-            gathered,
-            pending,
-            tracker,
-        } = snapshot;
         let mut table = Self::new(settings);
-        table.tracker.restore(tracker)?;
-        let (slots, known_slots) = (table.tracker.proxies.len(), generations.len());
-        if known_slots > slots {
+        table.tracker.restore(snapshot.tracker)?;
+        let slots = table.tracker.proxies.len();
+        table.generations = snapshot.generations;
+        table.known_slots = table.generations.len();
+        if table.known_slots > slots {
             return Err("snapshot: there are more generations than slots");
         }
-        generations.resize(slots, None);
-        let is_touched = !(pending.is_empty() && table.tracker.proxies.touched().is_empty());
-        if is_touched && !gathered.is_begun {
+        table.generations.resize(slots, None);
+        table.memos.resize(slots, M::default());
+        table.known = table.generations.iter().flatten().count();
+        let pending = snapshot.pending.into_iter();
+        table.pending = pending
+            .map(|(slot, generation, boxes)| ((slot, generation), boxes))
+            .collect();
+        table.gathered = snapshot.gathered;
+        let Gathered {
+            is_begun,
+            listed,
+            moved,
+        } = table.gathered;
+        if !(is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were handed over for no update");
         }
-        if gathered.listed.max(gathered.moved) > u32::MAX as usize {
+        if listed.max(moved) > u32::MAX as usize {
             return Err("snapshot: more boxes were handed over than can be counted");
         }
-        let is_known = |slot: u32| generations[slot as usize].is_some();
-        let are_pending: BTreeSet<_> = pending.iter().map(|&(slot, ..)| slot).collect();
-        let mut proxies = 0;
-        for (slot, _) in table.tracker.proxies.iter() {
-            if !is_known(slot) && !are_pending.contains(&slot) {
-                return Err("snapshot: a box has no collider");
-            }
-            proxies += usize::from(is_known(slot));
-        }
-        if !table.tracker.pairs().flatten().all(is_known) {
+        table.has_warned = snapshot.has_warned;
+        table.stats = snapshot.stats;
+        let proxies = table.count_proxies();
+        table.stats.proxies = proxies.ok_or("snapshot: a box has no collider")?;
+        let has_collider = |slot: u32| table.generations[slot as usize].is_some();
+        if !table.tracker.pairs().flatten().all(has_collider) {
             return Err("snapshot: a pair has no colliders");
         }
-        let pending = pending.into_iter();
-        Ok(Self {
-            known: generations.iter().flatten().count(),
-            stats: Stats { proxies, ..stats },
-            has_warned,
-            memos: vec![M::default(); slots],
-            generations,
-            known_slots,
-            gathered,
-            pending: pending
-                .map(|(slot, generation, boxes)| ((slot, generation), boxes))
-                .collect(),
-            ..table
-        })
+        Ok(table)
     }
 }

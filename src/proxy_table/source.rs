@@ -1,4 +1,4 @@
-//! Where the boxes of colliders come from.
+//! What an update is given: which colliders it is about, and where their boxes come from.
 
 use std::fmt::Debug;
 
@@ -13,8 +13,42 @@ pub(crate) trait Handle: Copy + Debug + Send + Sync {
     fn into_raw_parts(self) -> (u32, u32);
 }
 
+/// Handles of colliders. A collider may be in several lists, or in one more than once.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lists<'a, H> {
+    /// Those that are new, or may have another box or filter key.
+    pub(crate) modified: &'a [H],
+    /// Those of them whose boxes are renewed without a margin, wherever they are.
+    pub(crate) reinserted: &'a [H],
+    /// Those that may have another filter key. Their boxes stay as they are.
+    pub(crate) unmoved: &'a [H],
+    /// Those that are gone: their pairs end without an event.
+    pub(crate) removed: &'a [H],
+}
+
+impl<'a, H> Lists<'a, H> {
+    /// Modified and removed colliders alone.
+    pub(crate) fn new(modified: &'a [H], removed: &'a [H]) -> Self {
+        Self {
+            modified,
+            reinserted: &[],
+            unmoved: &[],
+            removed,
+        }
+    }
+
+    pub(crate) fn are_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// How many colliders are listed; those that are reinserted are among the modified ones.
+    pub(crate) fn len(&self) -> usize {
+        self.modified.len() + self.unmoved.len() + self.removed.len()
+    }
+}
+
 /// Where the boxes of listed colliders are read.
-pub(crate) trait BoxSource<R, const D: usize>: Sync {
+pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     type Handle: Handle;
     /// What is remembered of a collider between readings.
     type Memo: Clone + Default + Send;
@@ -34,31 +68,26 @@ pub(crate) trait BoxSource<R, const D: usize>: Sync {
         memo: &mut Self::Memo,
         aabb: &Aabb<R, D>,
     ) -> Volume<R, D>;
+
+    /// Reads a collider, its volume if volumes are used.
+    fn reading(
+        &self,
+        handle: Self::Handle,
+        memo: &mut Self::Memo,
+        are_used: bool,
+    ) -> Option<Reading<R, D, Self::Key>> {
+        let (aabb, key) = self.read(handle, memo)?;
+        let volume = match are_used {
+            true => self.volume(handle, memo, &aabb),
+            false => Volume::BOX,
+        };
+        Some(Reading { aabb, key, volume })
+    }
 }
 
 /// What was read of a collider.
-pub(super) struct Reading<R, const D: usize, K> {
+pub(crate) struct Reading<R, const D: usize, K> {
     pub(super) aabb: Aabb<R, D>,
     pub(super) key: K,
     pub(super) volume: Volume<R, D>,
-}
-
-impl<R: Real, const D: usize, K> Reading<R, D, K> {
-    /// Reads a collider, its volume if volumes are used.
-    pub(super) fn of<S>(
-        source: &S,
-        handle: S::Handle,
-        memo: &mut S::Memo,
-        are_used: bool,
-    ) -> Option<Self>
-    where
-        S: BoxSource<R, D, Key = K>,
-    {
-        let (aabb, key) = source.read(handle, memo)?;
-        let volume = match are_used {
-            true => source.volume(handle, memo, &aabb),
-            false => Volume::BOX,
-        };
-        Some(Self { aabb, key, volume })
-    }
 }

@@ -12,19 +12,16 @@ use crate::volume::{Volume, VolumeKind};
 
 const MARGIN: f32 = 0.125;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Id {
-    slot: u32,
-    generation: u32,
-}
+/// Slot and generation.
+type Id = (u32, u32);
 
 impl Handle for Id {
     fn from_raw_parts(slot: u32, generation: u32) -> Self {
-        Self { slot, generation }
+        (slot, generation)
     }
 
     fn into_raw_parts(self) -> (u32, u32) {
-        (self.slot, self.generation)
+        self
     }
 }
 
@@ -39,21 +36,12 @@ impl FilterKey for Side {
 }
 
 /// The engine's colliders, by slot: the generation, and what is there.
-#[derive(Clone, Default)]
-struct Colliders {
-    slots: Vec<(u32, Option<Collider>)>,
-}
+type Colliders = Vec<(u32, Option<Collider>)>;
 
 type Collider = (Aabb<f32, 2>, Side);
 
 /// What is remembered is whose memory it is: it must never be that of another collider.
 type Memo = Option<Id>;
-
-impl Colliders {
-    fn id(&self, slot: u32) -> Id {
-        Id::from_raw_parts(slot, self.slots[slot as usize].0)
-    }
-}
 
 impl BoxSource<f32, 2> for Colliders {
     type Handle = Id;
@@ -66,8 +54,8 @@ impl BoxSource<f32, 2> for Colliders {
 
     fn read(&self, id: Id, memo: &mut Memo) -> Option<Collider> {
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
-        let slot = self.slots.get(id.slot as usize);
-        slot.filter(|slot| slot.0 == id.generation)?.1
+        let &(generation, collider) = self.get(id.0 as usize)?;
+        collider.filter(|_| generation == id.1)
     }
 
     /// By slot and generation, a volume of any kind.
@@ -75,7 +63,7 @@ impl BoxSource<f32, 2> for Colliders {
         assert_eq!(*memo, Some(id));
         let center = [0, 1].map(|k| (aabb.mins[k] + aabb.maxs[k]) / 2.0);
         let halves = [[0.25, 0.125], [-0.125, 0.25]];
-        match (id.slot + id.generation) % 5 {
+        match (id.0 + id.1) % 5 {
             0 => Volume::new(VolumeKind::Capsule, center, 0.25, &halves[..1]),
             1 => Volume::new(VolumeKind::Cuboid, center, 0.125, &halves),
             2 => Volume::BOX,
@@ -93,7 +81,7 @@ fn table(filter: PairFilter) -> Table {
 
 fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
     let mut events = Vec::new();
-    let changes = &mut Changes::default();
+    let changes = &mut Changes::new(1);
     table.finish(2.0 * MARGIN, changes, &mut events, |is_added, ids| {
         (is_added, ids)
     });
@@ -107,7 +95,8 @@ fn change(random: &mut Rand32, colliders: &mut Colliders, slot: u32, side: f32) 
     let anywhere = Aabb::new(anywhere, anywhere.map(|x| x + 1.0));
     let step = (random.rand_float() - 0.5) * 0.5;
     let choice = random.rand_range(0..40);
-    let (generation, collider) = &mut colliders.slots[slot as usize];
+    let (generation, collider) = &mut colliders[slot as usize];
+    let was_there = collider.is_some();
     match (choice, &mut *collider) {
         (_, None) | (0, _) => {
             *generation += choice % 2;
@@ -115,38 +104,31 @@ fn change(random: &mut Rand32, colliders: &mut Colliders, slot: u32, side: f32) 
         }
         (1, _) => *collider = None,
         (2, Some((_, key))) => *key = Side(key.0 % 3),
-        (3, Some((aabb, _))) => {
-            aabb.mins[1] = f32::NAN;
-            return true;
-        }
-        (4, Some((aabb, _))) => {
-            *aabb = anywhere;
-            return true;
-        }
+        (3, Some((aabb, _))) => aabb.mins[1] = f32::NAN,
+        (4, Some((aabb, _))) => *aabb = anywhere,
         (_, Some((aabb, _))) => {
             *aabb = Aabb::new(aabb.mins.map(|x| x + step), aabb.maxs.map(|x| x + step));
-            return true;
         }
     }
-    false
+    was_there && choice > 2
 }
 
 /// Tells one table of all changes at once, in no order, of some by handing boxes over; and another one of a few at a time.
 fn check(filter: PairFilter, slots: u32, updates: usize) {
     let mut random = Rand32::new(u64::from(slots));
-    let mut colliders = Colliders::default();
+    let mut colliders = vec![(0, None); slots as usize];
     let side = (slots as f32 * 1.5).sqrt();
-    colliders.slots.resize(slots as usize, (0, None));
     let [mut at_once, mut by_and_by] = [(); 2].map(|()| table(filter));
     for update in 0..updates {
         let [mut modified, mut removed] = [vec![], vec![]];
         let mut handed_over = Vec::new();
         for slot in (0..slots).step_by([1, 1, 7, 3, 40][update % 5]) {
-            let former = colliders.id(slot);
+            let former = (slot, colliders[slot as usize].0);
             let is_moved = change(&mut random, &mut colliders, slot, side);
-            let id = colliders.id(slot);
+            let (generation, collider) = colliders[slot as usize];
+            let id = (slot, generation);
             if is_moved && update % 2 == 1 && slot % 4 > 0 {
-                handed_over.push((id, colliders.slots[slot as usize].1.unwrap().0));
+                handed_over.push((id, collider.unwrap().0));
             } else {
                 // Most lists leave something out, or name something twice.
                 modified.extend([id, former].into_iter().take(1 + slot as usize % 2));
@@ -189,10 +171,8 @@ fn colliders_are_read_alike_in_every_order() {
 #[test]
 fn boxes_handed_over_again_and_again_take_no_more_memory() {
     let aabb = |x: f32| Aabb::new([x, 0.0], [x + 1.0, 1.0]);
-    let colliders = Colliders {
-        slots: vec![(0, Some((aabb(0.0), Side(0)))); 6],
-    };
-    let all: Vec<_> = (0..6).map(|slot| colliders.id(slot)).collect();
+    let colliders = vec![(0, Some((aabb(0.0), Side(0)))); 6];
+    let all = [0, 1, 2, 3, 4, 5].map(|slot| (slot, 0));
     let mut table = table(PairFilter::Shapes);
     // The others are not known.
     table.update(&Lists::new(&all[..3], &[]), &colliders, MARGIN);
@@ -208,12 +188,12 @@ fn boxes_handed_over_again_and_again_take_no_more_memory() {
 #[test]
 fn boxes_for_unknown_colliders_make_room_once() {
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);
-    let mut colliders = Colliders::default();
+    let mut colliders = Colliders::new();
     let mut table = table(PairFilter::Groups);
     // Each within reach of the one before.
     let hand_over = |table: &mut Table, first: u32| {
         let step = ROOM_AHEAD as u32 - 1;
-        let boxes = (1..50).map(|i| (Id::from_raw_parts(first + i * step, 0), aabb));
+        let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
         table.hand_over(boxes, MARGIN, |_, _, _| Volume::BOX);
     };
     for _ in 0..3 {
@@ -223,14 +203,13 @@ fn boxes_for_unknown_colliders_make_room_once() {
         assert_eq!(table.boxes().len(), ROOM_AHEAD);
     }
     // The reach follows colliders that exist, and stays when they are gone.
-    colliders.slots.resize(2 * ROOM_AHEAD, (0, None));
-    let last = colliders.id(2 * ROOM_AHEAD as u32 - 1);
-    colliders.slots[last.slot as usize].1 = Some((aabb, Side(0)));
+    colliders.resize(2 * ROOM_AHEAD, (0, Some((aabb, Side(0)))));
+    let last = (2 * ROOM_AHEAD as u32 - 1, 0);
     for lists in [Lists::new(&[last], &[]), Lists::new(&[], &[last])] {
         table.update(&lists, &colliders, MARGIN);
         finish(&mut table);
     }
-    hand_over(&mut table, last.slot + 1);
+    hand_over(&mut table, last.0 + 1);
     assert_eq!(table.boxes().len(), 3 * ROOM_AHEAD);
     table.validate(Kernel::GridSweep);
 }

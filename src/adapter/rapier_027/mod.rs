@@ -15,7 +15,7 @@ use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::{Lists, Order};
+use crate::proxy_table::Lists;
 
 pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
@@ -35,8 +35,8 @@ pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 /// Whether pipelines ask which neighbors are not reported.
 pub(super) const ASKS_FOR_NEIGHBORS: bool = false;
 
-/// Its solver takes one contact after the other, unless it is built with SIMD.
-pub(super) const ORDER: Order = Order::Dealt;
+/// In how many hands pairs that begin are dealt out. Its solver takes one contact after the other, unless it is built with SIMD.
+pub(super) const HANDS: usize = 2;
 
 /// Groups meet if both are in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
