@@ -1,5 +1,6 @@
 //! The fast kernel: sorted tubes, swept eight boxes at a time.
 
+mod assignment;
 mod choose;
 mod class;
 mod emitter;
@@ -9,7 +10,6 @@ mod members;
 mod order;
 mod owner;
 mod part;
-mod scattered;
 mod slab;
 mod sweep;
 #[cfg(test)]
@@ -23,7 +23,8 @@ use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
 use crate::tuning::kernel::THREADS_FROM;
-use class::{Assignment, Class, FoundInvalid, Run};
+use assignment::Assignment;
+use class::{Class, FoundInvalid, Run};
 use emitter::Emitter;
 use members::{Everyone, Members};
 
@@ -218,7 +219,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     pub(crate) fn free_scratch(&mut self) {
         self.assignment = Assignment::default();
         self.classes.truncate(self.class_count);
-        self.classes.iter_mut().for_each(Class::free_scratch);
+        let slabs = self.classes.iter_mut().flat_map(|class| &mut class.slabs);
+        slabs.for_each(|slab| slab.free_scratch());
     }
 
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box

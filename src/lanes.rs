@@ -77,7 +77,10 @@ macro_rules! vectors {
             }
             #[inline(always)]
             fn truncated(numbers: [$real; 4]) -> [u32; 4] {
-                $truncated(numbers)
+                #[cfg(target_feature = "sse2")]
+                return $truncated(numbers);
+                #[cfg(not(target_feature = "sse2"))]
+                return numbers.map(|number| (number as u32).min(1 << 31));
             }
         }
     };
@@ -103,18 +106,6 @@ fn truncated_f64([a, b, c, d]: [f64; 4]) -> [u32; 4] {
         <[i32; 4]>::from(safe_arch::truncate_m128d_to_m128i(half))
     });
     [a, b, c, d].map(|number| number as u32)
-}
-
-#[cfg(not(target_feature = "sse2"))]
-#[inline(always)]
-fn truncated_f32(numbers: [f32; 4]) -> [u32; 4] {
-    numbers.map(|number| (number as u32).min(1 << 31))
-}
-
-#[cfg(not(target_feature = "sse2"))]
-#[inline(always)]
-fn truncated_f64(numbers: [f64; 4]) -> [u32; 4] {
-    numbers.map(|number| (number as u32).min(1 << 31))
 }
 
 #[cfg(test)]

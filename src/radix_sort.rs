@@ -4,8 +4,6 @@
 //! of equal digits. All digits are counted beforehand, in one pass over the keys. The first pass reads the entries where they
 //! are, and the last writes no more of them than is wanted, so that sorting indexes by keys moves both only in between.
 
-use core::fmt::Debug;
-
 use crate::counting_sort::{starts_from_counts, take_place};
 
 /// Bits of a digit of many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in
@@ -16,30 +14,6 @@ const SMALL_DIGIT: u32 = 8;
 /// From this many keys on, digits are large. Measured: half as many favour small digits, twice as many large ones, in
 /// both widths of key.
 const FEW: usize = 1 << 10;
-
-/// An unsigned integer that is sorted by.
-pub trait SortKey: Copy + Ord + Debug + Default + Send + Sync {
-    /// How many bits it has.
-    const BITS: u32;
-    /// The value of the `BITS` bits from bit `shift` on.
-    fn digit<const BITS: u32>(self, shift: u32) -> usize;
-}
-
-macro_rules! impl_sort_key {
-    ($int:ident) => {
-        impl SortKey for $int {
-            const BITS: u32 = $int::BITS;
-
-            #[inline]
-            fn digit<const BITS: u32>(self, shift: u32) -> usize {
-                (self >> shift) as usize & ((1 << BITS) - 1)
-            }
-        }
-    };
-}
-
-impl_sort_key!(u32);
-impl_sort_key!(u64);
 
 /// The scratch memory of the sort.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +26,7 @@ pub(crate) struct RadixSort<K> {
     counts: Vec<u32>,
 }
 
-impl<K: SortKey> RadixSort<K> {
+impl<K: Copy + Default + Into<u64>> RadixSort<K> {
     /// Replaces `sorted` by what `item` makes of each entry, a key and a number, in the order of the keys. Entries of equal keys
     /// stay in order. There are at most `u32::MAX`.
     ///
@@ -83,8 +57,8 @@ impl<K: SortKey> RadixSort<K> {
         let (first, _) = entries.clone().next().unwrap_or_default();
         let mut passes = counts
             .chunks_exact_mut(1 << BITS)
-            .zip((0..K::BITS).step_by(BITS as usize))
-            .filter(|(row, shift)| row[first.digit::<BITS>(*shift)] as usize != len)
+            .zip(shifts::<K, BITS>())
+            .filter(|(row, shift)| row[digit::<BITS>(first, *shift)] as usize != len)
             .peekable();
 
         sorted.clear();
@@ -113,17 +87,28 @@ impl<K: SortKey> RadixSort<K> {
     }
 }
 
+/// The first bit of each digit of a key, the least significant digit first.
+fn shifts<K, const BITS: u32>() -> impl ExactSizeIterator<Item = u32> {
+    (0..8 * size_of::<K>() as u32).step_by(BITS as usize)
+}
+
+/// The digit whose first bit is `shift`.
+#[inline]
+fn digit<const BITS: u32>(key: impl Into<u64>, shift: u32) -> usize {
+    (key.into() >> shift) as usize & ((1 << BITS) - 1)
+}
+
 /// Counts the values of every digit, one row of `counts` per digit.
-fn count_digits<K: SortKey, const BITS: u32>(
+fn count_digits<K: Copy + Into<u64>, const BITS: u32>(
     entries: impl Iterator<Item = (K, u32)>,
     counts: &mut Vec<u32>,
 ) {
     counts.clear();
-    counts.resize((K::BITS.div_ceil(BITS) as usize) << BITS, 0);
+    counts.resize(shifts::<K, BITS>().len() << BITS, 0);
     for (key, _) in entries {
         let mut row = 0;
-        for shift in (0..K::BITS).step_by(BITS as usize) {
-            counts[row + key.digit::<BITS>(shift)] += 1;
+        for shift in shifts::<K, BITS>() {
+            counts[row + digit::<BITS>(key, shift)] += 1;
             row += 1 << BITS;
         }
     }
@@ -131,13 +116,13 @@ fn count_digits<K: SortKey, const BITS: u32>(
 
 /// One pass: hands every entry to `put`, with the place that its digit gives it.
 #[inline]
-fn pass<K: SortKey, const BITS: u32>(
+fn pass<K: Copy + Into<u64>, const BITS: u32>(
     entries: impl Iterator<Item = (K, u32)>,
     (counts, shift): (&mut [u32], u32),
     mut put: impl FnMut(usize, (K, u32)),
 ) {
     starts_from_counts(counts);
     for entry in entries {
-        put(take_place(counts, entry.0.digit::<BITS>(shift)), entry);
+        put(take_place(counts, digit::<BITS>(entry.0, shift)), entry);
     }
 }

@@ -1,11 +1,9 @@
 //! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! The endpoints of both axes are sorted (`endpoints`). On the first axis only their ranks matter (`ranks`). The
-//! second axis is swept: at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank
-//! between them there belongs to an object that overlaps on both axes; at a high endpoint they leave.
+//! The endpoints of both axes are sorted. On the first axis only their ranks matter (`ranks`). The second axis is swept:
+//! at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank between them there belongs
+//! to an object that overlaps on both axes; at a high endpoint they leave.
 
-mod bit_tree;
-mod endpoints;
 mod ranks;
 mod succ_tree;
 #[cfg(test)]
@@ -15,10 +13,10 @@ use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, check_count, ordered};
 use crate::parallel;
+use crate::radix_sort::RadixSort;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
-use endpoints::Endpoints;
 use succ_tree::SuccTree;
 
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
@@ -69,23 +67,41 @@ const BATCH: usize = 32;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R: Real, const D: usize> {
-    /// Scratch memory, as is the rest.
-    endpoints: [Endpoints<R::Key>; 2],
-    sweep: Sweep,
-    stopwatch: Stopwatch,
-}
-
-/// What the sweep works on.
-#[derive(Clone, Debug, Default)]
-struct Sweep {
-    /// The endpoints of each axis in order. If the axes are sorted one after the other, both use the first list.
-    orders: [Vec<u32>; 2],
+    /// The first two axes. If they are sorted one after the other, both use the first of these. All is scratch memory, as
+    /// is the rest.
+    axes: [Endpoints<R>; 2],
     /// The objects in the order of their low endpoints on the first axis.
     lows: Vec<u32>,
     /// By object, the ranks of its low and of its high endpoint on the first axis.
     ranks: Vec<[u32; 2]>,
     /// The ranks of the active objects, labelled with the objects.
     active: SuccTree,
+    stopwatch: Stopwatch,
+}
+
+/// The `2n` endpoints of an axis: the low one of object `i` at `i`, the high one at `i + n`.
+#[derive(Clone, Debug, Default)]
+struct Endpoints<R: Real> {
+    /// Integers that compare as the coordinates do.
+    keys: Vec<R::Key>,
+    /// The endpoints in order.
+    order: Vec<u32>,
+    sorter: RadixSort<R::Key>,
+}
+
+impl<R: Real> Endpoints<R> {
+    /// Sorts the endpoints of an axis, in **O(n)** time. The sort is stable, so low endpoints come before equal high ones, as
+    /// closed boxes require, and each kind is in the order of objects.
+    fn sort<const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
+        let (lows, highs) = (boxes.iter(), boxes.iter());
+        self.keys.clear();
+        self.keys.extend(lows.map(|b| b.mins[axis].order_key()));
+        self.keys.extend(highs.map(|b| b.maxs[axis].order_key()));
+        let indexed = self.keys.iter().enumerate();
+        let indexed = indexed.map(|(i, &key)| (key, i as u32));
+        self.sorter
+            .sort(indexed, |(_, index)| index, &mut self.order);
+    }
 }
 
 impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
@@ -97,14 +113,41 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len(), MAX_BOXES)?;
-        self.stopwatch.times = PhaseTimes::default();
+        self.stopwatch = self.stopwatch.reset();
         self.stopwatch.enter(Phase::Read);
-        if let Err(error) = check_boxes(boxes) {
-            self.stopwatch.leave();
-            return Err(error);
+        check_boxes(boxes).inspect_err(|_| self.stopwatch.leave())?;
+        self.stopwatch.enter(Phase::Sort);
+        let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
+        let ([first, second], lows, ranks) = (&mut self.axes, &mut self.lows, &mut self.ranks);
+        let mut rank_first = || {
+            first.sort(boxes, 0);
+            ranks::rank_endpoints(&first.keys, &first.order, lows, ranks)
+        };
+        let (is_exact, swept) = if sort_both {
+            let (is_exact, ()) = parallel::join(rank_first, || second.sort(boxes, 1));
+            (is_exact, 1)
+        } else {
+            let is_exact = rank_first();
+            // Reuses the memory of the first axis. If there is only one axis, it is swept as well.
+            if D > 1 {
+                first.sort(boxes, 1);
+            }
+            (is_exact, 0)
+        };
+        self.stopwatch.enter(Phase::Sweep);
+        if is_exact {
+            // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D, not even a look at the boxes.
+            self.sweep(swept, pairs, |p, q| {
+                (2..D).all(|k| {
+                    let (a, b) = (&boxes[p as usize], &boxes[q as usize]);
+                    (a.mins[k] <= b.maxs[k]) & (b.mins[k] <= a.maxs[k])
+                })
+            });
+        } else {
+            let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
+            self.sweep(swept, pairs, overlap);
         }
-        let (sweep, stopwatch) = (&mut self.sweep, &mut self.stopwatch);
-        sweep.find_pairs(&mut self.endpoints, boxes, pairs, stopwatch);
+        self.stopwatch.leave();
         Ok(())
     }
 }
@@ -123,53 +166,8 @@ impl<R: Real, const D: usize> RankSweep<R, D> {
     pub fn phase_times(&self) -> PhaseTimes {
         self.stopwatch.times
     }
-}
 
-impl Sweep {
-    fn find_pairs<R: Real, const D: usize>(
-        &mut self,
-        [first, second]: &mut [Endpoints<R::Key>; 2],
-        boxes: &[Aabb<R, D>],
-        pairs: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) {
-        stopwatch.enter(Phase::Sort);
-        let [order, second_order] = &mut self.orders;
-        let (lows, ranks) = (&mut self.lows, &mut self.ranks);
-        let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
-        let mut rank_first = || {
-            first.sort(boxes, 0, order);
-            ranks::rank_endpoints(&first.keys, order, lows, ranks)
-        };
-        let exact = if sort_both {
-            let (exact, ()) = parallel::join(rank_first, || second.sort(boxes, 1, second_order));
-            exact
-        } else {
-            let exact = rank_first();
-            // Reuses the memory of the first axis. If there is only one axis, it is swept as well.
-            if D > 1 {
-                first.sort(boxes, 1, order);
-            }
-            exact
-        };
-        let swept = usize::from(sort_both);
-        stopwatch.enter(Phase::Sweep);
-        if exact {
-            // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D, not even a look at the boxes.
-            self.sweep(swept, pairs, |p, q| {
-                (2..D).all(|k| {
-                    let (a, b) = (&boxes[p as usize], &boxes[q as usize]);
-                    (a.mins[k] <= b.maxs[k]) & (b.mins[k] <= a.maxs[k])
-                })
-            });
-        } else {
-            let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
-            self.sweep(swept, pairs, overlap);
-        }
-        stopwatch.leave();
-    }
-
-    /// Sweeps the endpoints of the second axis, in the order `orders[swept]`, and appends the pairs of objects that
+    /// Sweeps the endpoints of the second axis, which are sorted in `axes[swept]`, and appends the pairs of objects that
     /// overlap on both axes and pass the test.
     // Not inlined, so that a profiler can tell it from the sorting.
     #[inline(never)]
@@ -179,11 +177,11 @@ impl Sweep {
         pairs: &mut Vec<[u32; 2]>,
         overlap: impl Fn(u32, u32) -> bool,
     ) {
-        let (orders, ranks, active) = (&self.orders, &self.ranks, &mut self.active);
+        let (ranks, active) = (&self.ranks, &mut self.active);
         let n = ranks.len() as u32;
         active.reset(2 * n);
         let mut batch = [[0; 2]; BATCH];
-        for endpoints in orders[swept].chunks(BATCH) {
+        for endpoints in self.axes[swept].order.chunks(BATCH) {
             for (ranks_of, &endpoint) in batch.iter_mut().zip(endpoints) {
                 let p = if endpoint < n { endpoint } else { endpoint - n };
                 *ranks_of = ranks[p as usize];

@@ -6,15 +6,16 @@ use core::ops::{Add, Div, Mul, Sub};
 use crate::lanes::{F32x8, F64x8};
 
 mod sealed {
+    use core::fmt::Debug;
+
     use crate::lanes::Lanes;
-    use crate::radix_sort::SortKey;
 
     /// Seals [`Real`](super::Real), and holds what only kernels need.
     pub trait Sealed: Copy {
         /// Eight of them, compared at once.
         type Lanes: Lanes<Self>;
         /// An integer of as many bits.
-        type Key: SortKey;
+        type Key: Copy + Debug + Default + Ord + Send + Sync + Into<u64>;
 
         const ZERO: Self;
         const INFINITY: Self;

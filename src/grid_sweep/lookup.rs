@@ -29,17 +29,16 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.running_maxs.len() == self.owners.len()
     }
 
-    /// Prepares for [`look_up`](Self::look_up), until the next run. `columns` tubes are in a row.
-    pub(super) fn prepare_lookup(&mut self, columns: u32) {
-        if self.is_prepared() {
-            return;
+    /// Prepares for [`look_up`](Self::look_up), until the next run, if it is not prepared.
+    pub(super) fn prepare_lookup(&mut self) {
+        if self.row_length > 0 {
+            self.table.resize(self.range.len(), NOWHERE);
         }
-        self.table.resize(self.range.len(), NOWHERE);
         self.running_maxs.extend_from_slice(&self.maxs[0]);
         for (position, tube) in (0..).zip(&self.tubes) {
             if !self.table.is_empty() {
                 let [row, column] = tube.strips;
-                self.table[(row * columns + column - self.range.start) as usize] = position;
+                self.table[(row * self.row_length + column - self.range.start) as usize] = position;
             }
             let mut running = R::NEG_INFINITY;
             for max in &mut self.running_maxs[tube.start as usize..tube.end as usize] {
@@ -50,7 +49,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 
     /// Reports every box that overlaps a given one, once, however many entries it has.
-    pub(super) fn look_up(&self, query: &Query<R, D>, columns: u32, emitter: &mut Emitter) {
+    pub(super) fn look_up(&self, query: &Query<R, D>, emitter: &mut Emitter) {
         let TubeSpan { first, last } = query.span;
         let tubes = [0, 1].map(|cut| u64::from(last[cut] - first[cut]) + 1);
         if self.table.is_empty() || tubes[0] * tubes[1] > TABLE_LOOKUPS_UP_TO {
@@ -58,7 +57,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         }
         for row in first[0]..=last[0] {
             for column in first[1]..=last[1] {
-                let tube = (row * columns + column).wrapping_sub(self.range.start) as usize;
+                let tube = (row * self.row_length + column).wrapping_sub(self.range.start) as usize;
                 // Tubes of another slab are beyond the end.
                 let position = self.table.get(tube).copied().unwrap_or(NOWHERE);
                 if let Some(tube) = self.tubes.get(position as usize) {

@@ -34,9 +34,9 @@ pub(super) struct Part {
     ghost_count: usize,
     /// For each tube of the grid and the one past the last: how many entries there are, once they are counted, and where they
     /// end in `owners`, once they are placed.
-    ends: Vec<u32>,
+    pub(super) ends: Vec<u32>,
     /// Whose the entries are, tube after tube.
-    owners: Vec<Owner>,
+    pub(super) owners: Vec<Owner>,
 }
 
 impl Part {
@@ -110,7 +110,7 @@ impl Part {
     }
 
     /// How many entries there are in the tubes before this one.
-    fn entries_before(&self, tube: u32) -> u32 {
+    pub(super) fn entries_before(&self, tube: u32) -> u32 {
         match tube {
             0 => 0,
             _ => self.ends[tube as usize - 1],
@@ -121,46 +121,5 @@ impl Part {
     #[inline]
     pub(super) fn tube(&self, tube: u32) -> &[Owner] {
         &self.owners[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
-    }
-}
-
-/// All parts of the boxes.
-#[derive(Clone, Copy)]
-pub(super) struct Parts<'a> {
-    pub(super) parts: &'a [Part],
-    /// How many tubes there are, and how many of them in a row.
-    pub(super) tubes: u32,
-    pub(super) columns: u32,
-}
-
-impl Parts<'_> {
-    /// How many entries there are in the tubes before this one.
-    pub(super) fn entries_before(self, tube: u32) -> usize {
-        let counts = self.parts.iter().map(|part| part.entries_before(tube));
-        counts.map(|count| count as usize).sum()
-    }
-
-    /// Whether a tube has entries.
-    pub(super) fn is_occupied(self, tube: u32) -> bool {
-        self.parts.iter().any(|part| !part.tube(tube).is_empty())
-    }
-
-    /// Cuts the tubes into at most `count` ranges that are about equally full.
-    pub(super) fn split(self, count: usize) -> Vec<Range<u32>> {
-        let total = self.entries_before(self.tubes);
-        let mut ranges = vec![];
-        let mut start = 0;
-        for tube in 1..self.tubes {
-            let cut = ranges.len() + 1;
-            if cut == count {
-                break;
-            }
-            if self.entries_before(tube) >= total * cut / count {
-                ranges.push(start..tube);
-                start = tube;
-            }
-        }
-        ranges.push(start..self.tubes);
-        ranges
     }
 }

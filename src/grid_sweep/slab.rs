@@ -3,10 +3,11 @@
 //! Tubes do not depend on each other, so any range of them can be sorted and swept on its own. The pairs of the slabs, one
 //! after the other, are those that a single slab finds, in the same order.
 
+use super::assignment::Assignment;
 use super::emitter::Emitter;
+use super::order::Order;
 use super::owner::Owner;
-use super::part::Parts;
-use super::scattered::Scattered;
+use super::part::Part;
 use super::tubes::{Entry, Tubes};
 use crate::aabb::Aabb;
 use crate::real::Real;
@@ -22,78 +23,28 @@ pub(super) struct Slab<R, const D: usize> {
     pub(super) stopwatch: Stopwatch,
 }
 
-/// How much there is in a slab.
-struct Size {
-    entries: usize,
-    /// Tubes that have entries.
-    occupied: usize,
-}
-
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Puts each tube of the range together from the parts, sorts and sweeps it, and appends the pairs. Only if tubes are kept,
-    /// boxes can be looked up in them later.
-    pub(super) fn sweep_parts(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        parts: Parts,
-        keeps: bool,
-        pairs: &mut Vec<[u32; 2]>,
-    ) {
-        let range = self.tubes.range.clone();
-        let size = keeps.then(|| Size {
-            entries: parts.entries_before(range.end) - parts.entries_before(range.start),
-            occupied: range.clone().filter(|&i| parts.is_occupied(i)).count(),
-        });
-        let tubes = range.map(|tube| {
-            let gather = move |entries: &mut Vec<_>| gather_parts(boxes, parts, tube, entries);
-            ([tube / parts.columns, tube % parts.columns], gather)
-        });
-        self.sweep(tubes, size, pairs);
-    }
-
-    /// The same where there is no table of tubes.
-    pub(super) fn sweep_scattered(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        scattered: &Scattered,
-        keeps: bool,
-        pairs: &mut Vec<[u32; 2]>,
-    ) {
-        let size = keeps.then(|| Size {
-            entries: scattered.len(),
-            occupied: scattered.tubes().count(),
-        });
-        let tubes = scattered.tubes().map(|(strips, owners)| {
-            let gather = move |entries: &mut Vec<_>| gather(boxes, owners, entries);
-            (strips, gather)
-        });
-        self.sweep(tubes, size, pairs);
-    }
-
-    /// Sorts and sweeps tubes, each of which is given by its strips and by what gathers its entries, while it is in the cache.
-    /// They are kept if their size is given.
-    fn sweep(
-        &mut self,
-        tubes: impl Iterator<Item = ([u32; 2], impl FnOnce(&mut Vec<Entry<R, D>>))>,
-        size: Option<Size>,
-        pairs: &mut Vec<[u32; 2]>,
-    ) {
-        let (kept, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
+    /// Puts each tube of the range together, sorts and sweeps it while it is in the cache, and appends the pairs to `self.pairs`.
+    /// Only if tubes are kept, boxes can be looked up in them later.
+    pub(super) fn sweep(&mut self, boxes: &[Aabb<R, D>], assignment: &Assignment, keeps: bool) {
+        let (tubes, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
+        let range = tubes.range.clone();
         stopwatch.enter(Phase::Sort);
-        let keeps = size.is_some();
-        if let Some(Size { entries, occupied }) = size {
-            kept.reserve(entries, occupied);
+        if keeps {
+            let [start, end] = [range.start, range.end].map(|tube| assignment.entries_before(tube));
+            let occupied = range.clone().filter(|&tube| assignment.is_occupied(tube));
+            tubes.reserve(end - start, occupied.count());
         }
-        let mut emitter = Emitter::new(pairs);
-        for (strips, gather) in tubes {
+        let mut emitter = Emitter::new(&mut self.pairs);
+        for tube in range {
             entries.clear();
-            gather(entries);
+            gather_parts(boxes, &assignment.parts, tube, entries);
             if entries.is_empty() {
                 continue;
             }
-            let sorted = kept.push(strips, entries, keeps);
+            let sorted = tubes.push(assignment.strips(tube), entries, keeps);
             stopwatch.enter(Phase::Sweep);
-            kept.columns().sweep(sorted, &mut emitter);
+            tubes.columns().sweep(sorted, &mut emitter);
             stopwatch.enter(Phase::Sort);
         }
         stopwatch.enter(Phase::Sweep);
@@ -105,7 +56,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     pub(super) fn free_scratch(&mut self) {
         self.entries = Vec::new();
         self.pairs = Vec::new();
-        self.tubes.free_scratch();
+        self.tubes.order = Order::default();
     }
 }
 
@@ -127,14 +78,14 @@ fn gather<R: Real, const D: usize>(
 #[inline]
 fn gather_parts<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
-    parts: Parts,
+    parts: &[Part],
     tube: u32,
     entries: &mut Vec<Entry<R, D>>,
 ) {
-    if let [part] = parts.parts {
+    if let [part] = parts {
         return gather(boxes, part.tube(tube).iter().copied(), entries);
     }
-    let tubes = parts.parts.iter().map(|part| part.tube(tube));
+    let tubes = parts.iter().map(|part| part.tube(tube));
     let halves = tubes.map(|tube| tube.split_at(tube.partition_point(|owner| owner.is_at_home())));
     for (homes, _) in halves.clone() {
         gather(boxes, homes.iter().copied(), entries);

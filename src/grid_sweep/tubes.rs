@@ -37,10 +37,12 @@ pub(super) struct Tube {
 pub(super) struct Tubes<R, const D: usize> {
     /// Empty if the tubes are not kept.
     pub(super) tubes: Vec<Tube>,
-    /// The numbers of these tubes, row after row: all of the grid, or one slab. None if the grid is much larger than the number of
-    /// boxes.
+    /// The numbers of these tubes: all that there are, or one slab.
     pub(super) range: Range<u32>,
-    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty unless boxes are looked up.
+    /// How many tubes are in a row, if all of the grid are numbered, row after row; otherwise 0.
+    pub(super) row_length: u32,
+    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty unless boxes are looked up, and if not all tubes
+    /// of the grid are numbered.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
@@ -49,7 +51,7 @@ pub(super) struct Tubes<R, const D: usize> {
     /// The running maximum of `maxs[0]` in each tube, by entry; empty unless boxes are looked up.
     pub(super) running_maxs: Vec<R>,
     /// Memory kept between calls to spare allocations.
-    order: Order<R>,
+    pub(super) order: Order<R>,
 }
 
 /// The position of a tube without entries.
@@ -60,6 +62,7 @@ impl<R: Default, const D: usize> Default for Tubes<R, D> {
         Self {
             tubes: Vec::new(),
             range: 0..0,
+            row_length: 0,
             table: Vec::new(),
             mins: core::array::from_fn(|_| Vec::new()),
             maxs: core::array::from_fn(|_| Vec::new()),
@@ -72,8 +75,8 @@ impl<R: Default, const D: usize> Default for Tubes<R, D> {
 
 impl<R: Real, const D: usize> Tubes<R, D> {
     /// Removes all tubes. Those that come have numbers of this range.
-    pub(super) fn clear(&mut self, range: Range<u32>) {
-        self.range = range;
+    pub(super) fn clear(&mut self, range: Range<u32>, row_length: u32) {
+        (self.range, self.row_length) = (range, row_length);
         self.tubes.clear();
         self.table.clear();
         self.running_maxs.clear();
@@ -153,11 +156,6 @@ impl<R: Real, const D: usize> Tubes<R, D> {
             column[end] = R::NAN;
         }
         owners[end] = Owner::NOBODY;
-    }
-
-    /// Frees what only building needs, and is otherwise kept for the next time.
-    pub(super) fn free_scratch(&mut self) {
-        self.order = Order::default();
     }
 }
 

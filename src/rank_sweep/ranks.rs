@@ -11,8 +11,6 @@
 //!   That is the least widening that suffices. It never exceeds widening to a common length `s`, since no interval that
 //!   begins at or before `x` ends beyond `x + s`. It takes no arithmetic, so it cannot round, overflow or meet `∞ - ∞`.
 
-use crate::radix_sort::SortKey;
-
 /// Sets `ranks[i]` to the ranks of the low and the high endpoint of object `i`, and returns whether nothing had to be
 /// widened.
 ///
@@ -22,7 +20,7 @@ use crate::radix_sort::SortKey;
 /// `2n`. `lows` is scratch memory.
 ///
 /// Computes in **O(n)** time.
-pub(super) fn rank_endpoints<K: SortKey>(
+pub(super) fn rank_endpoints<K: Copy + Ord>(
     keys: &[K],
     order: &[u32],
     lows: &mut Vec<u32>,
@@ -54,7 +52,7 @@ pub(super) fn rank_endpoints<K: SortKey>(
 }
 
 /// The same for widened intervals: both kinds of endpoints have the order of `lows`, so they need only be merged.
-fn rank_widened<K: SortKey>(keys: &[K], lows: &[u32], ranks: &mut [[u32; 2]]) {
+fn rank_widened<K: Copy + Ord>(keys: &[K], lows: &[u32], ranks: &mut [[u32; 2]]) {
     let n = lows.len();
     let high = |k: usize| keys[lows[k] as usize + n];
     let (mut rank, mut ended, mut reach) = (0, 0, high(0));

@@ -17,11 +17,14 @@ fn squares(count: usize, extent: f32, size: f32) -> Vec<Aabb<f32, 2>> {
 fn boxes_of_one_size_are_not_tested() {
     let boxes = squares(5000, 1e5, 9.1);
     let mut kernel = RankSweep::<f32, 2>::default();
-    let (sweep, [first, _]) = (&mut kernel.sweep, &mut kernel.endpoints);
-    let [order, _] = &mut sweep.orders;
-    first.sort(&boxes, 0, order);
-    let (lows, ranks) = (&mut sweep.lows, &mut sweep.ranks);
-    assert!(ranks::rank_endpoints(&first.keys, order, lows, ranks));
+    let ([first, _], lows, ranks) = (&mut kernel.axes, &mut kernel.lows, &mut kernel.ranks);
+    first.sort(&boxes, 0);
+    assert!(ranks::rank_endpoints(
+        &first.keys,
+        &first.order,
+        lows,
+        ranks
+    ));
 }
 
 #[cfg(feature = "parallel")]
@@ -34,7 +37,7 @@ fn both_axes_at_once_are_as_one_after_the_other() {
         let mut pairs = Vec::new();
         let run = || kernel.find_pairs(&boxes, &mut pairs).unwrap();
         pool.build().unwrap().install(run);
-        (kernel.sweep.orders[1].is_empty(), pairs)
+        (kernel.axes[1].order.is_empty(), pairs)
     });
     assert!(one.0 && !two.0);
     assert!(one.1 == two.1, "another answer, or another order");
