@@ -180,30 +180,74 @@ mod tests {
     use super::super::rapier::parry::shape::{Ball, Capsule, Cuboid};
     use super::*;
 
+    /// A rotation: an angle in the plane, and a vector in space.
+    trait Turn {
+        fn of(angles: [Real; 3]) -> Self;
+    }
+
+    impl Turn for Real {
+        fn of([_, _, z]: [Real; 3]) -> Self {
+            z
+        }
+    }
+
+    impl Turn for Vector {
+        fn of(angles: [Real; 3]) -> Self {
+            let angles: [Real; DIM] = std::array::from_fn(|k| angles[k]);
+            angles.into()
+        }
+    }
+
+    fn check(outline: &mut Outline, collider: &Collider) {
+        let is_simple = Profile::of(collider.shared_shape()).is_some();
+        let expected = is_simple.then(|| collider.compute_aabb().into());
+        assert_eq!(outline.aabb(collider), expected);
+    }
+
+    fn shapes() -> Vec<SharedShape> {
+        let along: [Real; DIM] = std::array::from_fn(|k| [0.3, 1.01, 1.72][k]);
+        let along = Vector::from(along);
+        let capsule = |start: Vector, end: Vector| {
+            SharedShape::new(Capsule::new(start.into(), end.into(), 0.2))
+        };
+        let [a, b, c] = [along * 0.0, along, along * 0.5].map(|corner| corner.into());
+        vec![
+            SharedShape::ball(0.3),
+            SharedShape::new(Cuboid::new(along)),
+            SharedShape::capsule_x(1.3, 0.21),
+            SharedShape::capsule_y(0.7, 0.1),
+            capsule(-along, along),
+            capsule(along * -0.5, along),
+            SharedShape::round_triangle(a, b, c, 0.1),
+        ]
+    }
+
+    #[test]
+    fn boxes_are_those_of_parry_in_every_pose() {
+        for shape in shapes() {
+            let mut outline = Outline::default();
+            for i in (0..50).map(|i| i as Real) {
+                let collider = ColliderBuilder::new(shape.clone())
+                    .translation([0.7 * i - 9.3; DIM].into())
+                    .rotation(Turn::of([i * 0.37, i * 1.3 - 5.0, i * 0.11]));
+                check(&mut outline, &collider.build());
+            }
+        }
+    }
+
     #[test]
     fn a_shape_that_is_exchanged_or_changed_in_place_is_noticed() {
         let mut outline = Outline::default();
-        let mut check = |collider: &Collider| {
-            let is_simple = Profile::of(collider.shared_shape()).is_some();
-            let expected = is_simple.then(|| collider.compute_aabb().into());
-            assert_eq!(outline.aabb(collider), expected);
-        };
         let mut collider = ColliderBuilder::ball(0.5).build();
-        check(&collider);
+        check(&mut outline, &collider);
         for radius in [1.0, 2.0] {
             let ball: Option<&mut Ball> = collider.shape_mut().as_ball_mut();
             ball.expect("it is a ball").radius = radius;
-            check(&collider);
+            check(&mut outline, &collider);
         }
-        let [start, end] = [1.0, 2.0].map(|x| Vector::from([x; DIM]));
-        for shape in [
-            SharedShape::new(Cuboid::new(end)),
-            SharedShape::capsule_x(1.3, 0.21),
-            SharedShape::new(Capsule::new(start.into(), end.into(), 0.2)),
-            SharedShape::ball(0.3),
-        ] {
+        for shape in shapes() {
             collider.set_shape(shape);
-            check(&collider);
+            check(&mut outline, &collider);
         }
     }
 }

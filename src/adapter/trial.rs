@@ -2,6 +2,8 @@
 
 mod cost;
 mod report;
+#[cfg(test)]
+mod tests;
 
 pub use report::{Difference, Measured, TrialReport};
 
