@@ -1,6 +1,5 @@
 //! Where the time goes.
 
-use core::ops::AddAssign;
 use std::time::{Duration, Instant};
 
 /// How long each phase of finding pairs has taken, in wall-clock time. Zero unless it was asked for.
@@ -45,16 +44,6 @@ impl PhaseTimes {
     /// All phases together.
     pub fn total(&self) -> Duration {
         self.by_name().iter().map(|(_, time)| time).sum()
-    }
-}
-
-impl AddAssign for PhaseTimes {
-    fn add_assign(&mut self, other: Self) {
-        self.read += other.read;
-        self.sort += other.sort;
-        self.sweep += other.sweep;
-        self.difference += other.difference;
-        self.events += other.events;
     }
 }
 
