@@ -111,7 +111,7 @@ impl fmt::Display for TrialReport {
             updates, colliders, ..
         } = self;
         writeln!(f, "{updates} updates, {colliders} colliders at the end")?;
-        writeln!(f, "{:24}  mean, ms  longest, ms      pairs    bytes", "")?;
+        writeln!(f, "{:28}mean, ms  longest, ms      pairs     bytes", "")?;
         for measured in [&self.own].into_iter().chain(&self.levels) {
             writeln!(f, "{measured}")?;
         }
@@ -150,7 +150,7 @@ impl fmt::Display for Measured {
         let pairs = self.pairs;
         write!(
             f,
-            "{name:26}{mean:8.3}  {longest:11.3}  {pairs:9.0} {bytes:>8}"
+            "{name:28}{mean:8.3}  {longest:11.3}  {pairs:9.0}  {bytes:>8}"
         )
     }
 }
