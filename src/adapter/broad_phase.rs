@@ -107,7 +107,7 @@ impl UnisizeBroadPhase {
         Self {
             table: ProxyTable::new(&Self::resolved(settings)),
             settings,
-            changes: Changes::new(version::HANDS),
+            changes: Changes::new(version::RUNS),
             query_tree: QueryTree::default(),
             near: Vec::new(),
             noted: Noted::default(),

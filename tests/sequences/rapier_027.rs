@@ -20,8 +20,8 @@ pub(super) type Vector = math::Vector<Real>;
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
 
-/// In how many hands pairs that begin are dealt out.
-pub(super) const HANDS: usize = 2;
+/// In how many runs pairs that begin take turns.
+pub(super) const RUNS: usize = 2;
 
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from_fn(|i, _| Real::from(triple[i]))

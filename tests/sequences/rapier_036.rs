@@ -13,8 +13,8 @@ pub(super) type Point = Vector;
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = true;
 
-/// In how many hands pairs that begin are dealt out.
-pub(super) const HANDS: usize = 1;
+/// In how many runs pairs that begin take turns.
+pub(super) const RUNS: usize = 1;
 
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from(std::array::from_fn(|i| Real::from(triple[i])))

@@ -35,8 +35,8 @@ pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 /// Whether pipelines ask which neighbors are not reported.
 pub(super) const ASKS_FOR_NEIGHBORS: bool = false;
 
-/// In how many hands pairs that begin are dealt out. Its solver takes one contact after the other, unless it is built with SIMD.
-pub(super) const HANDS: usize = 2;
+/// In how many runs pairs that begin take turns. Its solver takes one contact after the other, unless it is built with SIMD.
+pub(super) const RUNS: usize = 2;
 
 /// Groups meet if both are in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {

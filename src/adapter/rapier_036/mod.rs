@@ -33,8 +33,8 @@ pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
 /// Whether pipelines ask which neighbors are not reported.
 pub(super) const ASKS_FOR_NEIGHBORS: bool = true;
 
-/// In how many hands pairs that begin are dealt out. Its solver takes contacts in groups in which no two share a body.
-pub(super) const HANDS: usize = 1;
+/// In how many runs pairs that begin take turns. Its solver takes contacts in groups in which no two share a body.
+pub(super) const RUNS: usize = 1;
 
 /// Whether groups meet others of this kind if either is in the filter of the other, and not only if both are.
 #[inline(always)]

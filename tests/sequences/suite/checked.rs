@@ -180,7 +180,7 @@ fn changes(events: &[BroadPhasePairEvent]) -> Changes {
     }
 }
 
-/// Pairs must end before others begin, each by the smaller index and then the larger one. What begins may be dealt out after that.
+/// Pairs must end before others begin, each by the smaller index and then the larger one. What begins may be cut in runs after that, which take turns.
 fn assert_in_order(events: &[BroadPhasePairEvent]) {
     let keys = events.iter().map(|event| {
         let (is_added, pair) = match event {
@@ -195,8 +195,9 @@ fn assert_in_order(events: &[BroadPhasePairEvent]) {
     assert!(sorted.is_sorted_by(|a, b| a < b), "twice: {keys:?}");
     let begin = sorted.partition_point(|key| !key.0);
     let added = sorted.split_off(begin);
-    for hand in 0..version::HANDS {
-        sorted.extend(added.iter().skip(hand).step_by(version::HANDS));
+    let run = added.len().div_ceil(version::RUNS);
+    for place in 0..run {
+        sorted.extend(added.iter().skip(place).step_by(run));
     }
     assert_eq!(keys, sorted, "not in order");
 }
