@@ -5,7 +5,7 @@
 //! goes wrong above and below, and the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core; a
 //! factor of two to either side costs a few per cent, which is why none is a setting.
 
-/// Sorting and sweeping: the kernels. Shown by `cargo bench --all-features -- kernels`.
+/// Sorting and sweeping: the kernels. Shown by `cargo run --release --package unisize-peers`.
 pub(crate) mod kernel {
     /// Boxes. Up to this many, one tube is faster than a grid. Above: small worlds compare what is far apart. Below:
     /// choosing a grid takes longer than the sweep.
@@ -100,7 +100,7 @@ pub(crate) mod kernel {
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
 }
 
-/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- updates`, and over
+/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- hard-motions`, and over
 /// whole worlds by the example `compare`.
 pub(crate) mod update {
     /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches

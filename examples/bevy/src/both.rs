@@ -1,8 +1,8 @@
-//! A broad phase that is both: unisize, whose events it passes on, and Rapier's own, fed with the same, to compare.
+//! A broad phase that is both: unisize, whose events it passes on, and Rapier's own, fed with the same, to compare. By default unisize
+//! holds fewer pairs than Rapier's own, for it leaves out those whose shapes are apart.
 
 use std::collections::HashSet;
 
-use anyhow::{Result, ensure};
 use bevy::prelude::*;
 use bevy_rapier3d::prelude::RapierContextSimulation;
 use bevy_rapier3d::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -10,6 +10,7 @@ use bevy_rapier3d::rapier::geometry::{
     Aabb, BroadPhasePairEvent, Bvh, ColliderHandle, ColliderSet, CustomBroadPhase,
     DefaultBroadPhase,
 };
+use bevy_rapier3d::rapier::parry::query;
 use unisize::rapier3d_036::UnisizeBroadPhase;
 
 /// Puts [`Both`] into every Rapier context when it is made.
@@ -41,23 +42,51 @@ pub(crate) struct Both {
     unisize: UnisizeBroadPhase,
     default: DefaultBroadPhase,
     pairs: HashSet<[ColliderHandle; 2]>,
+    fault: Option<String>,
 }
 
 impl Both {
-    /// Fails if the two do not hold the same pairs.
-    pub(crate) fn compare(&self) -> Result<()> {
-        let pairs = self.unisize.pairs();
-        let pairs: HashSet<_> = pairs
-            .map(|found| pair(found.collider1, found.collider2))
-            .collect();
-        let missing: Vec<_> = self.pairs.difference(&pairs).take(3).collect();
-        let spurious: Vec<_> = pairs.difference(&self.pairs).take(3).collect();
-        ensure!(
-            missing.is_empty() && spurious.is_empty(),
-            "the pairs are different: {missing:?} are missing, {spurious:?} should not be there"
-        );
-        Ok(())
+    /// How many pairs unisize holds, and how many Rapier's own.
+    pub(crate) fn counts(&self) -> [usize; 2] {
+        [self.unisize.pairs().count(), self.pairs.len()]
     }
+
+    /// What was wrong with the pairs of the first update that had a fault.
+    pub(crate) fn fault(&self) -> Option<&str> {
+        self.fault.as_deref()
+    }
+
+    /// Every pair of unisize must be one of Rapier's own, and every other one of Rapier's must be of two colliders that are apart.
+    fn compare(&self, colliders: &ColliderSet) -> Option<String> {
+        let held: HashSet<_> = self
+            .unisize
+            .pairs()
+            .map(|held| pair(held.collider1, held.collider2))
+            .collect();
+        if let Some(spurious) = held.difference(&self.pairs).next() {
+            return Some(format!("Rapier's own does not hold {spurious:?}"));
+        }
+        let missing = self
+            .pairs
+            .difference(&held)
+            .find(|pair| !are_apart(colliders, **pair))?;
+        Some(format!("{missing:?} touch, and unisize does not hold them"))
+    }
+}
+
+/// By Parry's exact distance; whatever has none is not.
+fn are_apart(colliders: &ColliderSet, pair: [ColliderHandle; 2]) -> bool {
+    let [first, second] = pair.map(|handle| colliders.get(handle));
+    let (Some(first), Some(second)) = (first, second) else {
+        return false;
+    };
+    let distance = query::distance(
+        first.position(),
+        first.shape(),
+        second.position(),
+        second.shape(),
+    );
+    distance.is_ok_and(|between| between.distance > 0.0)
 }
 
 impl CustomBroadPhase for Both {
@@ -101,6 +130,9 @@ impl CustomBroadPhase for Both {
             removed_colliders,
             events,
         );
+        if self.fault.is_none() {
+            self.fault = self.compare(colliders);
+        }
     }
 
     fn is_new(&self) -> bool {

@@ -8,7 +8,7 @@ mod scene;
 use std::collections::HashSet;
 use std::time::Duration;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use bevy::prelude::{App, Commands, Startup, TransformPlugin};
 use bevy::time::{TimePlugin, TimeUpdateStrategy};
 use bevy_rapier3d::prelude::*;
@@ -38,7 +38,7 @@ fn main() -> Result<()> {
     let mut compared = app(options.balls);
     compared.add_plugins(both::BothPlugin);
 
-    let mut most = 0;
+    let (mut most, [mut ours, mut default]) = (0, [0; 2]);
     for step in 0..options.steps {
         game.update();
         compared.update();
@@ -53,19 +53,20 @@ fn main() -> Result<()> {
         let both = broad_phase
             .custom_ref::<Both>()
             .context("no broad phase of both")?;
-        both.compare().with_context(|| format!("step {step}"))?;
+        if let Some(fault) = both.fault() {
+            bail!("step {step}: {fault}");
+        }
+        [ours, default] = both.counts();
     }
 
-    let broad_phase = broad_phase(&mut game)?;
-    let unisize = broad_phase
+    broad_phase(&mut game)?
         .custom_ref::<UnisizeBroadPhase>()
         .context("the game is not on unisize")?;
     ensure!(most > 0, "nothing has touched");
     println!(
-        "{} balls, {} steps: equal pairs in every step, {} at the end, and equal contacts, up to {most}",
-        options.balls,
-        options.steps,
-        unisize.pairs().count(),
+        "{} balls, {} steps: at the end unisize holds {ours} of Rapier's {default} pairs, and in no step did one of the others touch; \
+         equal contacts in every step, up to {most}",
+        options.balls, options.steps,
     );
     Ok(())
 }
