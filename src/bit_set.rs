@@ -24,6 +24,21 @@ impl BitSet {
         is_new
     }
 
+    /// Adds a number, unless it is beyond the capacity.
+    #[inline(always)]
+    pub(crate) fn insert_if_room(&mut self, i: usize) {
+        if let Some(word) = self.words.get_mut(i / 64) {
+            *word |= 1 << (i % 64);
+        }
+    }
+
+    /// Removes a number, if it is in the set.
+    pub(crate) fn remove(&mut self, i: usize) {
+        if let Some(word) = self.words.get_mut(i / 64) {
+            *word &= !(1 << (i % 64));
+        }
+    }
+
     /// Adds these numbers, and makes room for all below `capacity`, as these must be.
     pub(crate) fn insert_all(&mut self, numbers: &[u32], capacity: usize) {
         self.resize(capacity);

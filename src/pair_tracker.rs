@@ -46,7 +46,24 @@ pub(crate) enum PairChange {
     Deleted([u32; 2]),
 }
 
-/// What decides, with the boxes, whether two proxies are a pair. Pairs that may not meet are never candidates.
+/// Whom an update tells how the pair set changes, and asks about pairs.
+pub(crate) trait PairObserver {
+    fn report(&mut self, change: PairChange);
+
+    /// Whether the contact of a held pair is active, so that the pair must not end while its boxes overlap: whoever removes an active
+    /// contact wakes its bodies.
+    fn is_active(&self, _pair: [u32; 2]) -> bool {
+        false
+    }
+}
+
+impl<F: FnMut(PairChange)> PairObserver for F {
+    fn report(&mut self, change: PairChange) {
+        self(change);
+    }
+}
+
+/// What decides, with the boxes, whether two proxies may become a pair. A pair that its keys come to forbid stays until its boxes part.
 pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may be a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
@@ -104,11 +121,36 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.candidates.held()
     }
 
-    /// The pairs whose boxes overlapped at the end of the last update, and that are not held, by their volumes alone.
-    pub(crate) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+    /// Makes room for this number of slots, if there is less.
+    pub(crate) fn make_room(&mut self, slots: usize) {
+        self.proxies.make_room(slots);
+        if self.proxies.volumes().are_used() {
+            self.candidates.make_room(slots);
+        }
+    }
+
+    /// Removes a proxy; its pairs end without an event.
+    pub(crate) fn remove(&mut self, slot: u32) {
+        self.proxies.remove(slot);
+        self.candidates.forget_acquaintance(slot);
+    }
+
+    /// Whether the box of a slot's proxy has ever overlapped that of another that it might meet, if volumes are in use.
+    pub(crate) fn is_acquainted(&self, slot: u32) -> bool {
+        self.candidates.acquainted().contains(slot as usize)
+    }
+
+    /// Calls `visit` with each of these slots and each other one, whose boxes overlapped at the end of the last update, that might touch,
+    /// and that are not held, by their volumes alone. Takes time in proportion to their candidates, if few are listed time and again.
+    pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
-        let near = self.candidates.near();
-        near.filter(|&[a, b]| keys[a as usize].may_touch(keys[b as usize]))
+        self.candidates
+            .visit_near(listed, self.proxies.len(), |pair| {
+                let [a, b] = pair.map(|slot| keys[slot as usize]);
+                if a.may_touch(b) {
+                    visit(pair);
+                }
+            });
     }
 
     /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs.

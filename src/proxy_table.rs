@@ -20,10 +20,9 @@ mod source;
 mod tests;
 
 use crate::aabb::Aabb;
-use crate::bit_set::BitSet;
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
-use crate::pair_tracker::{BoxUpdate, FilterKey, PairTracker};
+use crate::pair_tracker::{BoxUpdate, FilterKey, PairChange, PairObserver, PairTracker};
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
@@ -126,24 +125,34 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         pairs.map(|pair| handles(&self.generations, pair))
     }
 
-    /// Calls `visit` with one of these handles and that of a neighbour, for each pair whose boxes overlapped at the end of the last
-    /// update, and that only its volumes tell apart. **O(candidates)**.
-    pub(crate) fn near<H: Handle>(&self, listed: &[H], mut visit: impl FnMut(H, H)) {
+    /// Calls `visit` with each of these handles whose box has ever overlapped that of another that it might meet, and with each of its
+    /// neighbours: what its box overlapped at the end of the last update, and what only their volumes keep it from being a pair with. If
+    /// volumes are not in use, the pairs tell all that.
+    pub(crate) fn visit_unreported<H: Handle>(
+        &mut self,
+        listed: &[H],
+        mut visit: impl FnMut(H, Option<H>),
+    ) {
         if listed.is_empty() || !self.tracker.proxies.volumes().are_used() {
             return;
         }
-        let slots = listed.iter().filter_map(|&handle| self.slot_of(handle));
-        let mut are_listed = BitSet::default();
-        are_listed.insert_all(&slots.collect::<Vec<_>>(), self.generations.len());
-        for [a, b] in self.tracker.near() {
-            for pair in [[a, b], [b, a]] {
-                let is_known = || self.generations[pair[1] as usize].is_some();
-                if are_listed.contains(pair[0] as usize) && is_known() {
-                    let [first, second] = handles(&self.generations, pair);
-                    visit(first, second);
-                }
+        let mut slots = Vec::with_capacity(listed.len());
+        for &handle in listed {
+            if let Some(slot) = self
+                .slot_of(handle)
+                .filter(|&slot| self.tracker.is_acquainted(slot))
+            {
+                slots.push(slot);
+                visit(handle, None);
             }
         }
+        let generations = &self.generations;
+        self.tracker.visit_near(&slots, |pair| {
+            if generations[pair[1] as usize].is_some() {
+                let [first, second] = handles(generations, pair);
+                visit(first, Some(second));
+            }
+        });
     }
 
     /// The slot of a handle, if it is known to have the handle's collider.
@@ -162,7 +171,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.memos[index] = M::default();
         self.known -= 1;
         self.stats.proxies -= usize::from(self.tracker.proxies.get(slot).is_some());
-        self.tracker.proxies.remove(slot);
+        self.tracker.remove(slot);
     }
 
     /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
@@ -171,7 +180,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        self.begin(margin);
+        self.begin();
         self.gathered.listed += lists.len();
         self.tracker.stopwatch.enter(Phase::Read);
         // Removals first: a listed collider may already have the slot of a removed one.
@@ -179,9 +188,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.remove(handle);
         }
         self.admit_pending(lists.removed, source, margin);
+        if self
+            .tracker
+            .proxies
+            .volumes_mut()
+            .note_extents(margin, source.reach())
+        {
+            self.reset_volumes(source);
+        }
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
-        self.read_keys(lists.unmoved, source);
+        self.read_unmoved(lists.unmoved, source);
+        self.read_swept(lists.swept, source);
         self.tracker.stopwatch.leave();
     }
 
@@ -191,8 +209,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Begins an update, if none has begun, or goes on with it.
-    fn begin(&mut self, margin: R) {
-        self.tracker.proxies.note_margin(margin);
+    fn begin(&mut self) {
         if !std::mem::replace(&mut self.gathered.is_begun, true) {
             self.tracker.stopwatch.times = PhaseTimes::default();
         }
@@ -203,7 +220,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if slots > self.generations.len() {
             self.generations.resize(slots, None);
             self.memos.resize(slots, M::default());
-            self.tracker.proxies.make_room(slots);
+            self.tracker.make_room(slots);
         }
     }
 
@@ -290,16 +307,21 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Ends an update: appends how the set of pairs has changed, in the order of [`Changes`], which are scratch. If volumes are in
-    /// use, held pairs end once they are farther apart than `slack`.
-    pub(crate) fn finish<H: Handle, E>(
+    /// Ends an update: calls `event` with how the set of pairs has changed, whether each begins, in the order of [`Changes`], which are
+    /// scratch. If volumes are in use, held pairs end once they are farther apart than `slack`, and not active.
+    pub(crate) fn finish<H: Handle>(
         &mut self,
         slack: R,
+        is_active: Option<IsActive<'_, H>>,
         changes: &mut Changes,
-        events: &mut Vec<E>,
-        event: impl Fn(bool, [H; 2]) -> E,
+        mut event: impl FnMut(bool, [H; 2]),
     ) {
-        self.tracker.finish(slack, |change| changes.note(change));
+        let mut observer = Observer {
+            generations: &self.generations,
+            is_active,
+            changes,
+        };
+        self.tracker.finish(slack, &mut observer);
         self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);
@@ -307,7 +329,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         stats.listed = listed;
         stats.moved = moved;
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
-            events.push(event(is_added, handles(generations, pair)));
+            event(is_added, handles(generations, pair));
         });
         self.tracker.stopwatch.leave();
         self.stats.times = self.tracker.stopwatch.times;
@@ -336,6 +358,29 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         }
         Some(count)
+    }
+}
+
+/// Says whether the contact of two colliders is active; see [`PairObserver::is_active`].
+pub(crate) type IsActive<'a, H> = &'a (dyn Fn(H, H) -> bool + Sync);
+
+/// Notes the changes of an update.
+struct Observer<'a, H> {
+    generations: &'a [Option<u32>],
+    is_active: Option<IsActive<'a, H>>,
+    changes: &'a mut Changes,
+}
+
+impl<H: Handle> PairObserver for Observer<'_, H> {
+    fn report(&mut self, change: PairChange) {
+        self.changes.note(change);
+    }
+
+    fn is_active(&self, pair: [u32; 2]) -> bool {
+        self.is_active.is_some_and(|is_active| {
+            let [first, second] = handles(self.generations, pair);
+            is_active(first, second)
+        })
     }
 }
 

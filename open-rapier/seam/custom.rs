@@ -2,12 +2,38 @@
 
 use super::BroadPhaseBvh;
 use crate::alloc_prelude::*;
-use crate::dynamics::{IntegrationParameters, IslandManager, RigidBodySet};
+use crate::dynamics::{IntegrationParameters, IslandManager, RigidBodyHandle, RigidBodySet};
 use crate::geometry::{
     Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderPair, ColliderSet, NarrowPhase,
 };
 use core::any::Any;
 use parry::partitioning::Bvh;
+
+/// What a pipeline knows when it updates its broad phase.
+#[derive(Clone, Copy)]
+#[non_exhaustive]
+pub struct PipelineInput<'a> {
+    /// As in [`CustomBroadPhase::update`], like the following two.
+    pub params: &'a IntegrationParameters,
+    #[allow(missing_docs)]
+    pub colliders: &'a ColliderSet,
+    #[allow(missing_docs)]
+    pub bodies: &'a RigidBodySet,
+    /// The narrow phase as the last step left it; `None` if the broad phase is updated by hand.
+    pub narrow_phase: Option<&'a NarrowPhase>,
+    /// Colliders that Rapier's own broad phase would look at.
+    pub modified: &'a [ColliderHandle],
+    /// Those of them that get new boxes, without a margin, because their groups, body, or its type or dominance have changed.
+    pub reinserted: &'a [ColliderHandle],
+    /// Colliders that were changed and are not among the modified ones. Their boxes stay, whatever their contact skin is now.
+    pub unmoved: &'a [ColliderHandle],
+    /// Colliders on bodies that were changed and have soft CCD. Their boxes stay.
+    pub swept: &'a [ColliderHandle],
+    /// The modified and unmoved colliders whose change the narrow phase feels: it wakes them and what they have pairs with.
+    pub felt: &'a [ColliderHandle],
+    /// Colliders that are gone or disabled.
+    pub removed: &'a [ColliderHandle],
+}
 
 /// A broad phase that takes the place of Rapier's own: see [`BroadPhaseBvh::custom`].
 pub trait CustomBroadPhase: Any + Send + Sync {
@@ -22,10 +48,21 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         events: &mut Vec<BroadPhasePairEvent>,
     );
 
-    /// Tells, just before an update, which of the modified colliders are `reinserted`: their groups, body, or its type or dominance have
-    /// changed, so they get new boxes, without a margin. And which were listed and are not among the modified colliders, `unmoved` ones: what
-    /// has changed about them does not count for a broad phase, so their boxes stay, whatever their contact skin is now.
-    fn note_changes(&mut self, _reinserted: &[ColliderHandle], _unmoved: &[ColliderHandle]) {}
+    /// The same in a pipeline, or through [`BroadPhaseBvh::update`].
+    fn update_in_pipeline(
+        &mut self,
+        input: &PipelineInput<'_>,
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.update(
+            input.params,
+            input.colliders,
+            input.bodies,
+            input.modified,
+            input.removed,
+            events,
+        );
+    }
 
     /// Whether it has never been updated, and so knows no colliders. A pipeline then hands over the boxes of all that are there, and ends
     /// the pairs of its narrow phase that the update does not report.
@@ -48,12 +85,9 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         }
     }
 
-    /// Colliders that the last update was given, each with one whose box overlapped its own before and that was not reported as its
-    /// pair, and whether it was given as removed. What has no pair with a changed collider is not woken by the narrow phase; these
-    /// are woken all the same.
-    fn unreported(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
-        &[]
-    }
+    /// What the narrow phase would have woken in the last update, if all pairs whose boxes overlap had been reported to it: calls `visit`
+    /// with each felt collider that has ever had a pair, and with each felt or removed one and what else it has a pair with.
+    fn visit_unreported(&self, _visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {}
 
     /// A tree over the boxes as they are now, for queries and CCD. Its leaves are the indices of handles.
     fn bvh(&self) -> &Bvh;
@@ -128,7 +162,8 @@ impl BroadPhaseBvh {
                 }
             }
         }
-        self.update(
+        let is_custom = self.custom.update(
+            Some(narrow_phase),
             params,
             colliders,
             bodies,
@@ -136,12 +171,36 @@ impl BroadPhaseBvh {
             removed_colliders,
             events,
         );
+        if !is_custom {
+            self.update(
+                params,
+                colliders,
+                bodies,
+                modified_colliders,
+                removed_colliders,
+                events,
+            );
+        }
         if is_exchanged {
             end_unreported(narrow_phase, colliders, events);
         }
     }
 
-    /// Wakes the bodies of unreported pairs, as the narrow phase wakes those of the pairs it knows.
+    /// Takes note of the bodies that were changed since the last step.
+    pub(crate) fn note_modified_bodies(
+        &mut self,
+        bodies: &RigidBodySet,
+        modified_bodies: &[RigidBodyHandle],
+    ) {
+        if self.custom.broad_phase.is_some() {
+            let modified = modified_bodies.iter().filter_map(|handle| bodies.get(*handle));
+            let fast = modified.filter(|body| body.soft_ccd_prediction() > 0.0);
+            let swept = fast.flat_map(|body| body.colliders().iter().copied());
+            self.custom.swept.extend(swept);
+        }
+    }
+
+    /// Wakes what is unreported, as the narrow phase wakes the pairs it knows.
     pub(crate) fn wake_unreported(
         &self,
         islands: &mut IslandManager,
@@ -151,20 +210,14 @@ impl BroadPhaseBvh {
         let Some(custom) = &self.custom.broad_phase else {
             return;
         };
-        for &(listed, other, is_removed) in custom.unreported() {
-            let has_changed = colliders.get(listed).is_some_and(|collider| {
-                let unfelt = ColliderChanges::IN_MODIFIED_SET | ColliderChanges::DEFORMED;
-                collider.changes.needs_narrow_phase_update() && !unfelt.contains(collider.changes)
-            });
-            if !(is_removed || has_changed) {
-                continue;
-            }
-            for handle in [listed, other] {
-                if let Some(parent) = colliders.get(handle).and_then(|collider| collider.parent) {
+        custom.visit_unreported(&mut |felt, neighbor| {
+            for handle in [Some(felt), neighbor] {
+                let collider = handle.and_then(|handle| colliders.get(handle));
+                if let Some(parent) = collider.and_then(|collider| collider.parent) {
                     islands.wake_up(bodies, parent.handle, true);
                 }
             }
-        }
+        });
     }
 
     /// The tree for queries and CCD.
@@ -180,10 +233,13 @@ impl BroadPhaseBvh {
 #[derive(Default)]
 pub(super) struct Custom {
     pub(super) broad_phase: Option<Box<dyn CustomBroadPhase>>,
-    /// Scratch: the lists of an update; see [`CustomBroadPhase::note_changes`].
+    /// As in [`PipelineInput`], for the next update.
+    swept: Vec<ColliderHandle>,
+    /// Scratch: the lists of an update; see [`PipelineInput`].
     modified: Vec<ColliderHandle>,
     reinserted: Vec<ColliderHandle>,
     unmoved: Vec<ColliderHandle>,
+    felt: Vec<ColliderHandle>,
 }
 
 impl Clone for Custom {
@@ -197,15 +253,18 @@ impl Custom {
     pub(super) fn with(broad_phase: Option<Box<dyn CustomBroadPhase>>) -> Self {
         Self {
             broad_phase,
+            swept: Vec::new(),
             modified: Vec::new(),
             reinserted: Vec::new(),
             unmoved: Vec::new(),
+            felt: Vec::new(),
         }
     }
 
     /// Updates the custom broad phase with the colliders that Rapier's own would look at, and says whether there is one.
     pub(super) fn update(
         &mut self,
+        narrow_phase: Option<&NarrowPhase>,
         params: &IntegrationParameters,
         colliders: &ColliderSet,
         bodies: &RigidBodySet,
@@ -216,26 +275,52 @@ impl Custom {
         let Some(custom) = &mut self.broad_phase else {
             return false;
         };
-        let lists = [&mut self.modified, &mut self.reinserted, &mut self.unmoved];
+        let lists = [
+            &mut self.modified,
+            &mut self.reinserted,
+            &mut self.unmoved,
+            &mut self.felt,
+        ];
         lists.into_iter().for_each(Vec::clear);
         let reinserting = ColliderChanges::PARENT
             | ColliderChanges::PARENT_EFFECTIVE_DOMINANCE
             | ColliderChanges::GROUPS;
+        let unfelt = ColliderChanges::IN_MODIFIED_SET | ColliderChanges::DEFORMED;
         for &handle in modified {
-            let changes = colliders.get(handle).map(|collider| collider.changes);
-            let is_reinserted = changes.is_some_and(|changes| changes.intersects(reinserting));
+            let Some(collider) = colliders.get(handle) else {
+                self.modified.push(handle);
+                continue;
+            };
+            let changes = collider.changes;
+            if changes.needs_narrow_phase_update()
+                && !unfelt.contains(changes)
+                && collider.is_enabled()
+            {
+                self.felt.push(handle);
+            }
+            let is_reinserted = changes.intersects(reinserting);
             if is_reinserted {
                 self.reinserted.push(handle);
             }
-            match changes {
-                Some(changes) if !(is_reinserted || changes.needs_broad_phase_update()) => {
-                    self.unmoved.push(handle)
-                }
-                _ => self.modified.push(handle),
+            match is_reinserted || changes.needs_broad_phase_update() {
+                true => self.modified.push(handle),
+                false => self.unmoved.push(handle),
             }
         }
-        custom.note_changes(&self.reinserted, &self.unmoved);
-        custom.update(params, colliders, bodies, &self.modified, removed, events);
+        let input = PipelineInput {
+            params,
+            colliders,
+            bodies,
+            narrow_phase,
+            modified: &self.modified,
+            reinserted: &self.reinserted,
+            unmoved: &self.unmoved,
+            swept: &self.swept,
+            felt: &self.felt,
+            removed,
+        };
+        custom.update_in_pipeline(&input, events);
+        self.swept.clear();
         true
     }
 }

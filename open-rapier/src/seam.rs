@@ -79,11 +79,12 @@ pub(crate) const EDITS: &[Edit] = &[
     },
     Edit {
         file: "src/geometry/mod.rs",
-        purpose: "exports `CustomBroadPhase`",
+        purpose: "exports `CustomBroadPhase` and what belongs to it",
         find: "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};",
         times: 1,
         change: Change::Replace(
-            "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy, CustomBroadPhase};",
+            "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};
+pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
         ),
     },
     Edit {
@@ -96,7 +97,7 @@ pub(crate) const EDITS: &[Edit] = &[
 mod update;
 
 use self::custom::Custom;
-pub use self::custom::CustomBroadPhase;
+pub use self::custom::{CustomBroadPhase, PipelineInput};
 ",
         ),
     },
@@ -131,7 +132,7 @@ pub use self::custom::CustomBroadPhase;
         times: 1,
         change: Change::Before(
             "        let (modified, removed) = (modified_colliders, removed_colliders);
-        if self.custom.update(params, colliders, bodies, modified, removed, events) {
+        if self.custom.update(None, params, colliders, bodies, modified, removed, events) {
             return;
         }
 ",
@@ -199,6 +200,16 @@ pub use self::custom::CustomBroadPhase;
 "),
     },
     Edit {
+        file: "src/pipeline/physics_pipeline/substep.rs",
+        purpose: "a broad phase hears of bodies that were given soft CCD",
+        find: "        // Disabled colliders are treated as if they were removed.
+",
+        times: 1,
+        change: Change::Before("        broad_phase.note_modified_bodies(bodies, &modified_bodies);
+
+"),
+    },
+    Edit {
         file: "src/pipeline/query_pipeline.rs",
         purpose: "queries, and with them CCD, go through its tree",
         find: "            bvh: &self.tree,\n",
@@ -254,7 +265,7 @@ pub(crate) const FACTORY_EDITS: &[Edit] = &[
     Edit {
         file: "src/geometry/mod.rs",
         purpose: "exports `BROAD_PHASE_FACTORY`",
-        find: "BvhOptimizationStrategy, CustomBroadPhase};",
+        find: "pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
         times: 1,
         change: Change::After(
             "
@@ -272,7 +283,7 @@ pub use self::broad_phase_bvh::BROAD_PHASE_FACTORY;",
     Edit {
         file: "src/geometry/broad_phase_bvh/mod.rs",
         purpose: "exports `BROAD_PHASE_FACTORY`",
-        find: "pub use self::custom::CustomBroadPhase;\n",
+        find: "pub use self::custom::{CustomBroadPhase, PipelineInput};\n",
         times: 1,
         change: Change::After(
             "#[cfg(feature = \"std\")]\npub use self::factory::BROAD_PHASE_FACTORY;\n",

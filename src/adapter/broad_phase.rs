@@ -13,7 +13,7 @@ use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::{Changes, Lists, ProxyTable};
+use crate::proxy_table::{Changes, IsActive, Lists, ProxyTable};
 use crate::stats::Stats;
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
@@ -38,11 +38,9 @@ pub struct UnisizeBroadPhase {
     /// Scratch: how pairs have changed.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
-    /// What the last update was given, each with one whose box had overlapped its own and that is no pair by its shape, and whether it
-    /// was given as removed.
-    pub(crate) near: Vec<(ColliderHandle, ColliderHandle, bool)>,
-    /// What the next update is told of in particular.
-    pub(crate) noted: Noted,
+    /// For the last update, the listed colliders that the narrow phase would have woken if it had been told of all pairs whose boxes
+    /// overlap, alone, and with each of their neighbors.
+    pub(crate) unreported: Vec<(ColliderHandle, Option<ColliderHandle>)>,
 }
 
 /// What an update is given.
@@ -52,6 +50,10 @@ pub(crate) struct Input<'a> {
     pub(crate) colliders: &'a ColliderSet,
     pub(crate) bodies: &'a RigidBodySet,
     pub(crate) lists: Lists<'a, ColliderHandle>,
+    /// Those of the listed colliders whose change the narrow phase feels.
+    pub(crate) felt: &'a [ColliderHandle],
+    /// Whether the narrow phase has an active contact or an intersection of two colliders, if it can be asked.
+    pub(crate) is_active: Option<IsActive<'a, ColliderHandle>>,
 }
 
 impl<'a> Input<'a> {
@@ -66,15 +68,10 @@ impl<'a> Input<'a> {
             colliders,
             bodies,
             lists,
+            felt: &[],
+            is_active: None,
         }
     }
-}
-
-/// Colliders of which more is known than that they have changed; see [`Lists`].
-#[derive(Clone, Default)]
-pub(crate) struct Noted {
-    pub(crate) reinserted: Vec<ColliderHandle>,
-    pub(crate) unmoved: Vec<ColliderHandle>,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -109,8 +106,7 @@ impl UnisizeBroadPhase {
             settings,
             changes: Changes::new(version::RUNS),
             query_tree: QueryTree::default(),
-            near: Vec::new(),
-            noted: Noted::default(),
+            unreported: Vec::new(),
         }
     }
 
@@ -190,28 +186,22 @@ impl UnisizeBroadPhase {
         (margin * params.length_unit).max(0.0)
     }
 
-    /// One update as by the pipelines of an opened Rapier 0.36, which have noted more than the lists say, and ask for the
-    /// neighbors.
-    pub(crate) fn update_as_noted(
+    /// One update as by the pipelines of a patched Rapier 0.36, which then ask what is to be woken.
+    pub(crate) fn update_in_pipeline(
         &mut self,
         input: &Input<'_>,
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let noted = std::mem::take(&mut self.noted);
-        let lists = Lists {
-            reinserted: &noted.reinserted,
-            unmoved: &noted.unmoved,
-            ..input.lists
-        };
-        self.near.clear();
-        if version::ASKS_FOR_NEIGHBORS && self.filter() >= PairFilter::Shapes {
-            let lists = [lists.modified, lists.unmoved, lists.removed];
-            for (i, listed) in lists.into_iter().enumerate() {
-                let note = |listed, other| self.near.push((listed, other, i == 2));
-                self.table.near(listed, note);
-            }
+        self.unreported.clear();
+        for (listed, are_removed) in [(input.felt, false), (input.lists.removed, true)] {
+            self.table.visit_unreported(listed, |collider, neighbor| {
+                // Removing a collider wakes its body only for the sake of a pair.
+                if neighbor.is_some() || !are_removed {
+                    self.unreported.push((collider, neighbor));
+                }
+            });
         }
-        self.bring_up_to_date(&Input { lists, ..*input }, events);
+        self.bring_up_to_date(input, events);
     }
 
     /// Takes boxes that are handed over, as a part of the next update. Without the colliders, only balls keep their volumes.
@@ -259,7 +249,14 @@ impl UnisizeBroadPhase {
             false => BroadPhasePairEvent::DeletePair(ColliderPair::new(first, second)),
         };
         let slack = 2.0 * margin;
-        self.table.finish(slack, &mut self.changes, events, event);
+        self.table.finish(
+            slack,
+            input.is_active,
+            &mut self.changes,
+            |is_added, pair| {
+                events.push(event(is_added, pair));
+            },
+        );
         let (touched, slots) = (self.table.last_touched(), self.table.boxes().len());
         self.query_tree.note(touched, slots);
     }

@@ -2,7 +2,7 @@
 
 use super::broad_phase::Input;
 use super::collider_key::ColliderKey;
-use super::outline::Outline;
+use super::outline::{Outline, Silent};
 use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet};
 use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
@@ -95,10 +95,28 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     ) -> Volume<Real, DIM> {
         let collider = self.input.colliders.get(handle);
         let body = collider.and_then(|collider| body_of(collider, self.input.bodies));
-        if body.is_some_and(|body| body.colliders().len() > MOST_WITH_VOLUMES) {
-            return Volume::PART;
+        // With soft CCD, contacts reach as far as the body will go, and nobody tells when it gets another velocity.
+        let has_volume = |body: &RigidBody| {
+            body.colliders().len() <= MOST_WITH_VOLUMES && body.soft_ccd_prediction() <= 0.0
+        };
+        match body.is_none_or(has_volume) {
+            true => volume(collider, self.input.params, outline, aabb),
+            false => Volume::PART,
         }
-        volume(collider, self.input.params, outline, aabb)
+    }
+
+    fn reach(&self) -> Real {
+        // Not a number would differ from itself.
+        match self.half_distance.is_nan() {
+            true => 0.0,
+            false => self.half_distance,
+        }
+    }
+
+    #[inline(always)]
+    fn has_changed_unmoved(&self, handle: ColliderHandle, outline: &Outline) -> bool {
+        let collider = self.input.colliders.get(handle);
+        collider.is_some_and(|collider| outline.silent() != Some(Silent::of(collider)))
     }
 
     /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
@@ -123,6 +141,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
             return None;
         }
         let mut distance = distance(collider, self.half_distance);
+        outline.note(Silent::of(collider));
         let outlined = outline.aabb(collider);
         let body = body_of(collider, bodies);
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);

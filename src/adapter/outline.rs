@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use super::rapier::geometry::{Collider, ShapeType, SharedShape};
+use super::rapier::geometry::{ActiveCollisionTypes, Collider, ShapeType, SharedShape};
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
 use crate::aabb::Aabb;
@@ -18,6 +18,28 @@ use crate::volume::{Volume, VolumeKind};
 #[derive(Clone, Default)]
 pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
+    silent: Option<Silent>,
+}
+
+/// What Rapier lets a user change of a collider without noting that it has changed, as far as pairs depend on it, and its type.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Silent {
+    contact_skin: Real,
+    types: ActiveCollisionTypes,
+    has_hooks: bool,
+    is_sensor: bool,
+}
+
+impl Silent {
+    #[inline(always)]
+    pub(super) fn of(collider: &Collider) -> Self {
+        Self {
+            contact_skin: collider.contact_skin(),
+            types: collider.active_collision_types(),
+            has_hooks: !collider.active_hooks().is_empty(),
+            is_sensor: collider.is_sensor(),
+        }
+    }
 }
 
 /// The numbers of a simple shape: a ball, a capsule that is centred at its own origin, or a cuboid.
@@ -57,6 +79,17 @@ impl Profile {
 }
 
 impl Outline {
+    /// What was last noted; `None` if nothing was.
+    #[inline(always)]
+    pub(super) fn silent(&self) -> Option<Silent> {
+        self.silent
+    }
+
+    #[inline(always)]
+    pub(super) fn note(&mut self, silent: Silent) {
+        self.silent = Some(silent);
+    }
+
     /// The box of a collider whose outline this is, if its shape is simple: bit for bit that of
     /// [`Collider::compute_aabb`].
     #[inline(always)]

@@ -166,6 +166,7 @@ impl Trial {
             lists: Lists {
                 modified, removed, ..
             },
+            ..
         } = *input;
         let is_busy = std::mem::take(&mut self.is_prepared) || !input.lists.are_empty();
         self.updates += u64::from(is_busy);
@@ -182,7 +183,7 @@ impl Trial {
         for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();
             cost.of(allocated, &mut events, |events| {
-                broad_phase.update_as_noted(input, events);
+                broad_phase.update_in_pipeline(input, events);
             });
             cost.end_update(update, broad_phase.stats().pairs);
             if level == version::FILTER_OF_OWN {

@@ -16,7 +16,7 @@ use crate::real::Real;
 use crate::tuning::update::SPARSE_FROM_ONE_IN;
 pub(super) use comparing::Comparing;
 use lists::CandidateLists;
-use pair_rules::overlap;
+pub(super) use pair_rules::overlap;
 use retired::RetiredPairs;
 use state::PairState;
 
@@ -35,8 +35,12 @@ pub(super) struct Candidates {
     pub(super) overlapping_count: usize,
     tombstones: usize,
     pub(super) lists: CandidateLists,
-    /// Held pairs that were retired in this update, if there are volumes.
+    /// Held pairs that were retired in this update, if their boxes and keys do not tell that they were held.
     retired: RetiredPairs,
+    /// In an update, pairs that were retired, not held, and that their keys have come to forbid.
+    forbidden: Vec<[u32; 2]>,
+    /// The slots of proxies whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
+    acquainted: BitSet,
     /// Scratch: the slots whose candidates are compared.
     slots: BitSet,
     /// Scratch: answers about rows, or about what was found.
@@ -44,16 +48,22 @@ pub(super) struct Candidates {
 }
 
 impl Candidates {
-    /// The candidates that were `found` for boxes that are as large as their fat boxes, of which those in `near` are not held.
+    /// Makes those the candidates that were `found` for boxes that are as large as their fat boxes, of which those in `near` are not
+    /// held. There must be room for the acquainted slots.
     ///
     /// # Errors
-    /// If a pair in `near` was not found, or is there twice.
+    /// If a pair was found twice, or if one in `near` was not found, or is there twice.
     #[cfg(feature = "serde-serialize")]
-    pub(super) fn restored(
+    pub(super) fn restore(
+        &mut self,
         mut found: Vec<[u32; 2]>,
         near: &[[u32; 2]],
-    ) -> Result<Self, &'static str> {
+        acquainted: &[u32],
+    ) -> Result<(), &'static str> {
         found.sort_unstable();
+        if !found.is_sorted_by(|a, b| a < b) {
+            return Err("snapshot: a pair is there twice");
+        }
         let mut states = vec![PairState::Held; found.len()];
         for pair in near {
             let row = found.binary_search(pair).ok();
@@ -62,13 +72,13 @@ impl Candidates {
                 _ => return Err("snapshot: a pair is near although its boxes do not overlap"),
             }
         }
-        Ok(Self {
-            held_count: found.len() - near.len(),
-            overlapping_count: found.len(),
-            pairs: found,
-            states,
-            ..Self::default()
-        })
+        self.held_count = found.len() - near.len();
+        self.overlapping_count = found.len();
+        (self.pairs, self.states) = (found, states);
+        for &slot in acquainted.iter().chain(self.pairs.as_flattened()) {
+            self.acquainted.insert_if_room(slot as usize);
+        }
+        Ok(())
     }
 
     /// The pair in a row, if it is not gone.
@@ -106,10 +116,97 @@ impl Candidates {
         all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
 
+    /// The slots of proxies whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
+    pub(super) fn acquainted(&self) -> &BitSet {
+        &self.acquainted
+    }
+
+    /// Makes room for noting of this number of slots whether their proxies have been acquainted with others.
+    pub(super) fn make_room(&mut self, slots: usize) {
+        self.acquainted.resize(slots);
+    }
+
+    /// Forgets that the proxy of a slot was acquainted with others.
+    pub(super) fn forget_acquaintance(&mut self, slot: u32) {
+        self.acquainted.remove(slot as usize);
+    }
+
+    #[inline(always)]
+    fn note_overlap(&mut self, pair: [u32; 2]) {
+        for slot in pair {
+            // There is no room if volumes are not in use.
+            self.acquainted.insert_if_room(slot as usize);
+        }
+    }
+
+    /// Calls `visit` with the pairs whose boxes overlap, that are not held, and that have one of these slots; that slot comes first.
+    pub(super) fn visit_near(
+        &mut self,
+        listed: &[u32],
+        slots: usize,
+        mut visit: impl FnMut([u32; 2]),
+    ) {
+        if self.overlapping_count == self.held_count {
+            return;
+        }
+        if self.walks_lists(listed.len(), slots) {
+            let Self {
+                pairs,
+                states,
+                lists,
+                ..
+            } = self;
+            for &slot in listed {
+                lists.walk(slot, |row| {
+                    let [a, b] = pairs[row];
+                    if states[row] == PairState::Near {
+                        visit(if a == slot { [a, b] } else { [b, a] });
+                    }
+                    a != TOMBSTONE
+                });
+            }
+            return;
+        }
+        self.slots.insert_all(listed, slots);
+        for [a, b] in self.near() {
+            for pair in [[a, b], [b, a]] {
+                if self.slots.contains(pair[0] as usize) {
+                    visit(pair);
+                }
+            }
+        }
+        self.slots.clear_around(listed);
+    }
+
+    /// Whether the candidates of a number of slots are found by lists, rather than picked from all. Makes the lists once they have been
+    /// missed often enough.
+    fn walks_lists(&mut self, walked: usize, slots: usize) -> bool {
+        if !self.lists.state.pay(walked, self.rows()) {
+            return false;
+        }
+        if !self.lists.state.are_made {
+            if !self.lists.state.are_due() {
+                self.lists.state.missed += 1;
+                return false;
+            }
+            self.make_lists(slots);
+        }
+        true
+    }
+
+    /// Makes the lists of this number of slots.
+    fn make_lists(&mut self, slots: usize) {
+        self.compact();
+        self.lists.make(&self.pairs, slots);
+    }
+
     /// Sets the state of a row. Returns the former one.
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) -> PairState {
         let former = std::mem::replace(&mut self.states[row], state);
+        if state.overlaps() && !former.overlaps() {
+            self.note_overlap(self.pairs[row]);
+        }
         self.overlapping_count += usize::from(state.overlaps());
         self.overlapping_count -= usize::from(former.overlaps());
         self.held_count += usize::from(state.is_held());

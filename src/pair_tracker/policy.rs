@@ -70,6 +70,16 @@ pub(super) struct ListState {
 impl ListState {
     /// The most rows that 32-bit links can tell apart.
     pub(super) const MOST_ROWS: usize = 1 << 30;
+
+    /// Whether walking the lists of some slots is cheaper than picking their candidates from all rows.
+    pub(super) fn pay(self, slots: usize, rows: usize) -> bool {
+        WALKED * to_u64(slots) < PICKED * to_u64(rows) && rows <= Self::MOST_ROWS
+    }
+
+    /// Whether they have been missed often enough to be made.
+    pub(super) fn are_due(self) -> bool {
+        self.missed >= LISTS_COST
+    }
 }
 
 impl Plan {
@@ -114,17 +124,12 @@ impl PlanInputs {
         if are_most_touched(self.touched, self.slots) {
             return CompareMode::All;
         }
-        let is_cheaper = is_walking_cheaper(self.touched, self.rows);
-        let are_few = is_cheaper && self.rows <= ListState::MOST_ROWS;
-        match self.lists {
-            _ if !are_few => CompareMode::Picked {
-                lists_are_missed: false,
-            },
-            ListState { are_made, missed } if are_made || missed >= LISTS_COST => {
-                CompareMode::Listed
-            }
-            _ => CompareMode::Picked {
-                lists_are_missed: true,
+        let lists = self.lists;
+        let pay = lists.pay(self.touched, self.rows);
+        match pay && (lists.are_made || lists.are_due()) {
+            true => CompareMode::Listed,
+            false => CompareMode::Picked {
+                lists_are_missed: pay,
             },
         }
     }
@@ -160,11 +165,6 @@ pub(super) fn are_most_touched(touched: usize, slots: usize) -> bool {
 
 fn to_u64(count: usize) -> u64 {
     count as u64
-}
-
-/// Whether walking the lists of some slots is cheaper than picking their candidates from all rows.
-pub(super) fn is_walking_cheaper(slots: usize, rows: usize) -> bool {
-    WALKED * to_u64(slots) < PICKED * to_u64(rows)
 }
 
 /// Whether there are more candidates than foresight can be worth.

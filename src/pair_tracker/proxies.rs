@@ -27,10 +27,10 @@ pub(crate) struct Proxies<R, const D: usize, K> {
     /// The fat box of each proxy; all NaN where there is none, or none yet.
     pub(crate) fat_boxes: Vec<Aabb<R, D>>,
     pub(super) keys: Vec<K>,
-    /// The keys at the end of the last `finish`, of slots that have other keys now and had a box then. In a `finish`, ascending.
-    pub(super) former_keys: Vec<(u32, K)>,
     /// Whether a slot has had another key than the default one, with which all may meet.
     pub(super) are_filtered: bool,
+    /// Whether a proxy with a box has had its key changed, so that pairs may be held that the keys now forbid.
+    pub(super) are_rekeyed: bool,
     /// The volume of each slot, if pairs are told apart by them.
     pub(super) volumes: Volumes<R, D>,
     pub(super) notes: Notes,
@@ -85,6 +85,16 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// The volumes, if pairs are told apart by them.
     pub(crate) fn volumes(&self) -> &Volumes<R, D> {
         &self.volumes
+    }
+
+    /// The volumes, to note what all of them depend on.
+    pub(crate) fn volumes_mut(&mut self) -> &mut Volumes<R, D> {
+        &mut self.volumes
+    }
+
+    /// Whether boxes and keys alone do not tell which pairs were held.
+    pub(super) fn have_history(&self) -> bool {
+        self.volumes.are_used() || self.are_rekeyed
     }
 
     /// The slots whose boxes or keys were written since the last `finish`; may repeat.
@@ -172,7 +182,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.notes.left.push(slot);
     }
 
-    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew.
+    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew. Pairs that are held
+    /// stay, whether the new key allows them or not.
     pub(crate) fn set_key(&mut self, slot: u32, key: K) {
         let index = slot as usize;
         let former = std::mem::replace(&mut self.keys[index], key);
@@ -180,10 +191,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             return;
         }
         self.are_filtered = true;
-        if self.previous[index].is_valid() {
-            // If it changes twice in an update, the first one counts: `finish` keeps it.
-            self.former_keys.push((slot, former));
-        }
+        self.are_rekeyed |= self.previous[index].is_valid();
         if self.boxes[index].is_valid() {
             self.search_anew(slot);
         }
@@ -196,11 +204,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Takes note of the margin that boxes have from now on.
-    pub(crate) fn note_margin(&mut self, margin: R) {
-        if self.volumes.note_margin(margin) {
-            self.notes.revolumed.extend(0..self.boxes.len() as u32);
-        }
+    /// Sets the volume of a slot as it is now, without a margin.
+    pub(crate) fn reset_volume(&mut self, slot: u32, volume: &Volume<R, D>) {
+        self.volumes.set(slot, volume, true);
+        self.notes.revolumed.push(slot);
     }
 
     /// Forgets what was noted more than once since the last `finish`, if it takes much memory. **O(1)** a note.
@@ -220,9 +227,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         for &slot in &self.notes.left {
             self.leavers.insert(slot);
         }
-        // Stable: of several keys that a slot has had since the last update, the first one is kept.
-        self.former_keys.sort_by_key(|&(slot, _)| slot);
-        self.former_keys.dedup_by_key(|&mut (slot, _)| slot);
         if self.volumes.are_used() {
             self.renewed.resize(self.boxes.len());
             for &slot in &self.notes.touched {
@@ -304,7 +308,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             noted.clear();
         }
         self.leavers.clear();
-        self.former_keys.clear();
     }
 }
 

@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::candidates::Candidates;
+use super::candidates::overlap;
 use super::validation::{overlapping, set_of};
 use super::volumes::VolumesSnapshot;
 use super::{FilterKey, PairTracker};
@@ -32,8 +32,12 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     /// The slots whose volumes have changed since the last `finish`.
     #[serde(rename = "stirred")]
     revolumed: Vec<u32>,
-    /// The pairs whose boxes overlap and that are not held, by their volumes alone.
+    /// The pairs whose boxes overlap and that are not held.
     near: Vec<[u32; 2]>,
+    /// The candidates whose boxes overlap and that their keys have come to forbid, held or not.
+    forbidden: Vec<[u32; 2]>,
+    /// The slots whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
+    acquainted: Vec<u32>,
     full_runs: u64,
 }
 
@@ -52,7 +56,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
         let proxies = &self.proxies;
-        debug_assert!(proxies.former_keys.is_empty(), "an update has begun");
         let by_slot = || proxies.previous.iter().zip(&proxies.keys);
         let proxy =
             |(&aabb, &key): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, key });
@@ -63,6 +66,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let touched = proxies.touched().iter();
         let mut near: Vec<_> = self.candidates.near().collect();
         near.sort_unstable();
+        let overlapping = self.candidates.held().chain(self.candidates.near());
+        let forbidden = overlapping.filter(|&pair| !proxies.may_meet(pair));
+        let mut forbidden: Vec<_> = match proxies.are_rekeyed {
+            true => forbidden.collect(),
+            false => Vec::new(),
+        };
+        forbidden.sort_unstable();
+        let acquainted = self.candidates.acquainted().iter();
         TrackerSnapshot {
             proxies: by_slot().map(proxy).collect(),
             other_keys: other_keys.collect(),
@@ -72,6 +83,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             volumes: proxies.volumes.snapshot(),
             revolumed: proxies.notes.revolumed.clone(),
             near,
+            forbidden,
+            acquainted: acquainted.map(|slot| slot as u32).collect(),
             full_runs: self.full_runs,
         }
     }
@@ -89,8 +102,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return Err("snapshot: there are more slots than 32-bit indices");
         }
         self.full_runs = snapshot.full_runs;
+        self.make_room(slots);
         let proxies = &mut self.proxies;
-        proxies.make_room(slots);
         for (slot, proxy) in snapshot.proxies.into_iter().enumerate() {
             if let Some(Proxy { aabb, key }) = proxy {
                 if !aabb.is_valid() {
@@ -131,13 +144,30 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return Err("snapshot: a volume has changed whose slot is out of range");
         }
         proxies.notes.revolumed = snapshot.revolumed;
-        let found = overlapping(Kernel::GridSweep, &proxies.fat_boxes, &proxies.keys);
-        self.candidates = Candidates::restored(found, &snapshot.near)?;
+        let mut found = overlapping(Kernel::GridSweep, &proxies.fat_boxes, &proxies.keys);
+        for &[a, b] in &snapshot.forbidden {
+            let is_one = a < b
+                && (b as usize) < slots
+                && !proxies.may_meet([a, b])
+                && overlap(&proxies.previous, [a, b]);
+            if !is_one {
+                return Err("snapshot: a pair is forbidden that is none, or may meet");
+            }
+        }
+        proxies.are_rekeyed = !snapshot.forbidden.is_empty();
+        found.extend(snapshot.forbidden);
+        let mut acquainted = snapshot.acquainted.iter();
+        if acquainted.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used()) {
+            return Err("snapshot: a slot is acquainted that is out of range");
+        }
+        self.candidates
+            .restore(found, &snapshot.near, &snapshot.acquainted)?;
         let notes = &proxies.notes;
         let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
         let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
         let mut near = self.candidates.near();
-        match near.all(|pair| is_noted(pair) || !proxies.volumes.meet(pair, R::ZERO)) {
+        let may_begin = |pair| proxies.may_meet(pair) && proxies.volumes.meet(pair, R::ZERO);
+        match near.all(|pair| is_noted(pair) || !may_begin(pair)) {
             true => Ok(()),
             false => Err("snapshot: a pair is not held although its volumes meet"),
         }

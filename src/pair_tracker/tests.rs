@@ -35,7 +35,7 @@ struct World {
 impl World {
     fn new(kernel: Kernel, slots: u32, volumes: bool) -> Self {
         let mut tracker = PairTracker::new(kernel, true, None, volumes);
-        tracker.proxies.make_room(slots as usize);
+        tracker.make_room(slots as usize);
         Self {
             random: Rand32::new(u64::from(slots)),
             before: tracker.proxies.boxes.clone(),
@@ -45,15 +45,15 @@ impl World {
     }
 
     fn remove(&mut self, slot: u32) {
-        self.tracker.proxies.remove(slot);
+        self.tracker.remove(slot);
         self.held.retain(|pair| !pair.contains(&slot));
     }
 
-    /// Finishes an update. That the pairs are those of boxes that overlap, and that all whose volumes meet are held, is up to
-    /// `validate`; of the others, a pair is held if it was, and no box was renewed or the volumes are near enough.
+    /// Finishes an update. That the pairs are those of boxes that overlap, and that all are held that may begin, is up to `validate`. Of the
+    /// others, a pair is held if it was, and no box was renewed or the volumes are near enough.
     fn finish(&mut self) {
         let before = self.held.clone();
-        self.tracker.finish(SLACK, |change| {
+        self.tracker.finish(SLACK, &mut |change| {
             let is_due = match change {
                 PairChange::Added(pair) => self.held.insert(pair),
                 PairChange::Deleted(pair) => self.held.remove(&pair),
@@ -63,19 +63,18 @@ impl World {
         assert!(self.tracker.pairs().collect::<BTreeSet<_>>() == self.held);
         self.tracker.validate(Kernel::BruteForce);
         let proxies = &self.tracker.proxies;
-        if proxies.volumes().are_used() {
-            let is_renewed = |slot: u32| {
-                let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
-                now != before && now.is_valid()
-            };
-            for &pair in before.union(&self.held) {
-                let may_stay = before.contains(&pair)
-                    && (!pair.into_iter().any(is_renewed) || proxies.volumes().meet(pair, SLACK));
-                let meet = proxies.volumes().meet(pair, 0.0);
-                let should_be_held =
-                    proxies.overlap(pair) && proxies.may_meet(pair) && (may_stay || meet);
-                assert_eq!(self.held.contains(&pair), should_be_held, "{pair:?}");
-            }
+        let are_used = proxies.volumes().are_used();
+        let is_renewed = |slot: u32| {
+            let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
+            now != before && now.is_valid()
+        };
+        let meet = |pair, slack| !are_used || proxies.volumes().meet(pair, slack);
+        for &pair in before.union(&self.held) {
+            let may_stay =
+                before.contains(&pair) && (!pair.into_iter().any(is_renewed) || meet(pair, SLACK));
+            let may_begin = proxies.may_meet(pair) && meet(pair, 0.0);
+            let should_be_held = proxies.overlap(pair) && (may_stay || may_begin);
+            assert_eq!(self.held.contains(&pair), should_be_held, "{pair:?}");
         }
         self.before = proxies.boxes.clone();
     }

@@ -19,7 +19,7 @@ use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::layers::retain_from;
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
-use super::{FilterKey, PairChange, PairTracker};
+use super::{FilterKey, PairObserver, PairTracker};
 use crate::real::Real;
 use crate::stats::Work;
 use crate::stopwatch::Phase;
@@ -32,8 +32,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// were touched, all candidates in order. Each proxy that has left its fat box is looked up in about **O(log n)**; if
     /// there are many, there is a run of the kernel over all proxies instead.
     ///
-    /// If volumes are in use, a held pair ends when one of its boxes is renewed and they are farther apart than `slack`.
-    pub(crate) fn finish(&mut self, slack: R, mut report: impl FnMut(PairChange)) {
+    /// If volumes are in use, a held pair ends when one of its boxes is renewed and they are farther apart than `slack`, unless the
+    /// observer says that it is active.
+    pub(crate) fn finish(&mut self, slack: R, observer: &mut impl PairObserver) {
         self.stopwatch.enter(Phase::Difference);
         let notes = &self.proxies.notes;
         if !(notes.touched.is_empty() && notes.revolumed.is_empty()) {
@@ -53,15 +54,15 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             Plan::Compare(mode) => {
                 self.work = Work::default();
                 self.found.clear();
-                self.compare(mode, &mut report);
+                self.compare(mode, observer);
             }
             Plan::LookUp(mode) => {
                 self.look_up();
-                self.compare(mode, &mut report);
+                self.compare(mode, observer);
             }
             Plan::FullRun(foresight) => {
                 self.cost = Cost::default();
-                self.run_in_full(foresight, &mut report);
+                self.run_in_full(foresight, observer);
             }
         }
         self.cost.add(&self.work);
@@ -99,12 +100,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Compares candidates, retires those of the leavers, and takes in what was found for these.
-    fn compare(&mut self, mode: CompareMode, report: &mut impl FnMut(PairChange)) {
+    fn compare(&mut self, mode: CompareMode, observer: &mut impl PairObserver) {
         let notes = &self.proxies.notes;
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &self.proxies,
-            report,
+            observer,
         };
         let is_any_touched = !notes.touched.is_empty();
         if is_any_touched {
@@ -114,7 +115,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if !(notes.revolumed.is_empty() || are_all_compared) {
             comparing.compare_volumes();
         }
-        comparing.extend(&self.found);
+        comparing.extend(&mut self.found);
         if !self.foresight.is_fixed && self.are_too_many(self.candidates.len()) {
             self.foresight.shorten();
             self.layers.forget();
@@ -122,7 +123,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Searches for all candidates, by fat boxes with this foresight.
-    fn run_in_full(&mut self, foresight: Foresight, report: &mut impl FnMut(PairChange)) {
+    fn run_in_full(&mut self, foresight: Foresight, observer: &mut impl PairObserver) {
         // What was read from a snapshot may be any number.
         self.full_runs = self.full_runs.wrapping_add(1);
         self.foresight = foresight;
@@ -145,7 +146,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &self.proxies,
-            report,
+            observer,
         };
         comparing.replace(&mut self.found);
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {

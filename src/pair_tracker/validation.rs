@@ -18,7 +18,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let slots = proxies.boxes.len();
         let lengths = [&proxies.previous, &proxies.fat_boxes].map(Vec::len);
         assert_eq!([lengths[0], lengths[1], proxies.keys.len()], [slots; 3]);
-        assert!(proxies.former_keys.is_empty());
         let notes = &proxies.notes;
         let touched = set_of(&notes.touched, slots);
         let left = set_of(&notes.left, slots);
@@ -46,11 +45,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             .for_each(|&slot| are_noted.insert(slot));
         let should_be_held = |pair: [u32; 2], is_held: bool| {
             let is_noted = pair.iter().any(|&slot| are_noted.contains(slot));
-            match proxies.volumes.are_used() {
+            let volumes_meet = match proxies.volumes.are_used() {
+                true => !is_noted && proxies.volumes.meet(pair, R::ZERO),
                 false => true,
-                true if is_noted => is_held,
-                true => is_held || proxies.volumes.meet(pair, R::ZERO),
-            }
+            };
+            is_held || (volumes_meet && proxies.may_meet(pair))
         };
         self.candidates.validate(&proxies.previous, should_be_held);
         let check = |mut kept: Vec<[u32; 2]>, mut expected: Vec<[u32; 2]>, what: &str| {
@@ -58,12 +57,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
         };
+        // What keys have come to forbid may be held, and is no longer searched for.
+        let allowed = |pair: &[u32; 2]| proxies.may_meet(*pair);
         let held: HashSet<_> = self.pairs().collect();
         let mut expected = overlapping(kernel, &proxies.previous, &proxies.keys);
         expected.retain(|pair| should_be_held(*pair, held.contains(pair)));
-        check(self.pairs().collect(), expected, "the held pairs");
+        check(
+            self.pairs().filter(allowed).collect(),
+            expected,
+            "the held pairs",
+        );
         let expected = overlapping(kernel, &proxies.fat_boxes, &proxies.keys);
-        check(self.candidates.iter().collect(), expected, "the candidates");
+        let mut candidates: Vec<_> = self.candidates.iter().collect();
+        if proxies.are_rekeyed {
+            candidates.retain(allowed);
+        }
+        check(candidates, expected, "the candidates");
     }
 }
 

@@ -24,8 +24,9 @@ pub(crate) struct Volumes<R, const D: usize> {
     half_axes: Vec<[[R; D]; D]>,
     /// Whether the collider may be elsewhere, by less than the margin.
     are_slow: Vec<bool>,
-    /// The largest margin that volumes have had.
     margin: R,
+    /// By how much all shapes were extended when volumes were last read.
+    reach: R,
 }
 
 /// Volumes as they are written.
@@ -34,6 +35,8 @@ pub(crate) struct Volumes<R, const D: usize> {
 pub(crate) struct VolumesSnapshot<R> {
     /// `None` if it is infinite.
     margin: Option<R>,
+    /// `None` if it is not finite.
+    reach: Option<R>,
     /// The kind of each, whether it is slow, and its numbers; none if volumes are not in use.
     by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
 }
@@ -55,14 +58,15 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Takes note of the margin that boxes have from now on. Returns whether that of the volumes has grown by it.
-    pub(super) fn note_margin(&mut self, margin: R) -> bool {
+    /// Takes note of the margin that boxes have from now on, and of by how much all shapes are extended. Returns whether either is
+    /// another one than before, so that all volumes have to be [reset](super::Proxies::reset_volume).
+    pub(crate) fn note_extents(&mut self, margin: R, reach: R) -> bool {
         let margin = margin * R::from_f64(VOLUME_MARGIN);
-        let has_grown = self.are_used && margin > self.margin;
-        if has_grown {
-            self.margin = margin;
+        let have_changed = self.are_used && (self.margin, self.reach) != (margin, reach);
+        if have_changed {
+            (self.margin, self.reach) = (margin, reach);
         }
-        has_grown
+        have_changed
     }
 
     pub(crate) fn are_used(&self) -> bool {
@@ -114,6 +118,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         VolumesSnapshot {
             // Some formats have no infinity.
             margin: self.margin.is_finite().then_some(self.margin),
+            reach: self.reach.is_finite().then_some(self.reach),
             by_slot: volumes
                 .map(|(volume, is_slow)| (volume.kind, is_slow, volume.numbers()))
                 .collect(),
@@ -130,11 +135,16 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         snapshot: VolumesSnapshot<R>,
         slots: usize,
     ) -> Result<(), &'static str> {
-        let VolumesSnapshot { margin, by_slot } = snapshot;
+        let VolumesSnapshot {
+            margin,
+            reach,
+            by_slot,
+        } = snapshot;
         if by_slot.len() != if self.are_used { slots } else { 0 } {
             return Err("snapshot: there is not one volume for each slot");
         }
         self.margin = margin.unwrap_or(R::INFINITY);
+        self.reach = reach.unwrap_or(R::INFINITY);
         let is_distance = self.margin >= R::ZERO;
         if !is_distance {
             return Err("snapshot: the margin of volumes is not a distance");

@@ -47,7 +47,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         margin: R,
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) {
-        self.begin(margin);
+        self.begin();
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
         let mut boxes = boxes.into_iter();

@@ -237,23 +237,56 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Brings the filter keys of known colliders up to date, and whether they have volumes at all. Boxes stay.
-    pub(super) fn read_keys<S>(&mut self, handles: &[S::Handle], source: &S)
+    /// Brings the filter keys and volumes of known colliders up to date. Boxes stay.
+    pub(super) fn read_unmoved<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            if let Some(slot) = self.slot_of(handle) {
+                if source.has_changed_unmoved(handle, &self.memos[slot as usize]) {
+                    self.read_in_place(handle, slot, source);
+                }
+            }
+        }
+    }
+
+    /// Brings the volumes of known colliders up to date, whose bodies have changed. Boxes stay.
+    pub(super) fn read_swept<S>(&mut self, handles: &[S::Handle], source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for &handle in handles {
+            if let Some(slot) = self.slot_of(handle) {
+                self.read_in_place(handle, slot, source);
+            }
+        }
+    }
+
+    fn read_in_place<S>(&mut self, handle: S::Handle, slot: u32, source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let are_used = self.tracker.proxies.volumes().are_used();
-        for &handle in handles {
-            let Some(slot) = self.slot_of(handle) else {
-                continue;
-            };
-            let memo = &mut self.memos[slot as usize];
-            if let Some(reading) = source.reading(handle, memo, are_used) {
-                let proxies = &mut self.tracker.proxies;
-                proxies.set_key(slot, reading.key);
-                if are_used && proxies.volumes().get(slot).kind != reading.volume.kind {
-                    proxies.set_volume(slot, &reading.volume, false);
-                }
+        let memo = &mut self.memos[slot as usize];
+        if let Some(reading) = source.reading(handle, memo, are_used) {
+            let proxies = &mut self.tracker.proxies;
+            proxies.set_key(slot, reading.key);
+            proxies.set_volume(slot, &reading.volume, false);
+        }
+    }
+
+    /// Reads all volumes again, because what all of them depend on has changed. **O(colliders)**.
+    #[cold]
+    pub(super) fn reset_volumes<S>(&mut self, source: &S)
+    where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        for (slot, (&generation, memo)) in (0..).zip(self.generations.iter().zip(&mut self.memos)) {
+            let handle = generation.map(|known| S::Handle::from_raw_parts(slot, known));
+            let reading = handle.and_then(|handle| source.reading(handle, memo, true));
+            if let Some(reading) = reading {
+                self.tracker.proxies.reset_volume(slot, &reading.volume);
             }
         }
     }

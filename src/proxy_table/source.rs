@@ -20,8 +20,10 @@ pub(crate) struct Lists<'a, H> {
     pub(crate) modified: &'a [H],
     /// Those of them whose boxes are renewed without a margin, wherever they are.
     pub(crate) reinserted: &'a [H],
-    /// Those that may have another filter key. Their boxes stay as they are.
+    /// Those that may have another filter key, or another volume in the same pose. Their boxes stay as they are.
     pub(crate) unmoved: &'a [H],
+    /// Those whose bodies have changed. Their boxes and filter keys stay as they are.
+    pub(crate) swept: &'a [H],
     /// Those that are gone: their pairs end without an event.
     pub(crate) removed: &'a [H],
 }
@@ -33,6 +35,7 @@ impl<'a, H> Lists<'a, H> {
             modified,
             reinserted: &[],
             unmoved: &[],
+            swept: &[],
             removed,
         }
     }
@@ -43,7 +46,7 @@ impl<'a, H> Lists<'a, H> {
 
     /// How many colliders are listed; those that are reinserted are among the modified ones.
     pub(crate) fn len(&self) -> usize {
-        self.modified.len() + self.unmoved.len() + self.removed.len()
+        self.modified.len() + self.unmoved.len() + self.swept.len() + self.removed.len()
     }
 }
 
@@ -57,6 +60,12 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
 
     /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
     fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
+
+    /// By how much the volumes of all colliders are extended.
+    fn reach(&self) -> R;
+
+    /// Whether anything has changed of a collider that is listed as [unmoved](Lists::unmoved), and that was read before.
+    fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo) -> bool;
 
     /// Whether keys differ at all. If not, they need not be compared.
     fn has_keys(&self) -> bool;

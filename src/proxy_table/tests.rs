@@ -48,6 +48,14 @@ impl BoxSource<f32, 2> for Colliders {
     type Memo = Memo;
     type Key = Side;
 
+    fn reach(&self) -> f32 {
+        0.0
+    }
+
+    fn has_changed_unmoved(&self, _: Id, _: &Memo) -> bool {
+        true
+    }
+
     fn has_keys(&self) -> bool {
         true
     }
@@ -82,8 +90,8 @@ fn table(filter: PairFilter) -> Table {
 fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
     let mut events = Vec::new();
     let changes = &mut Changes::new(1);
-    table.finish(2.0 * MARGIN, changes, &mut events, |is_added, ids| {
-        (is_added, ids)
+    table.finish(2.0 * MARGIN, None, changes, |is_added, ids| {
+        events.push((is_added, ids));
     });
     table.validate(Kernel::GridSweep);
     events

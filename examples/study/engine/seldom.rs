@@ -28,15 +28,12 @@ impl<B> Seldom<B> {
     }
 }
 
-impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
-    fn update(
+impl<B: BroadPhase> Seldom<B> {
+    /// Runs an update, about modified and removed colliders, if one is due: with all that was modified since the last one.
+    fn update_if_due(
         &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
+        [modified, removed]: [&[ColliderHandle]; 2],
+        update: impl FnOnce(&mut B, &[ColliderHandle]),
     ) {
         self.pending.extend(modified);
         let is_busy = !modified.is_empty() || std::mem::take(&mut self.has_boxes);
@@ -48,9 +45,24 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
                 .sort_unstable_by_key(|handle| handle.into_raw_parts());
             self.pending.dedup();
             let pending = std::mem::take(&mut self.pending);
-            self.inner
-                .update(params, colliders, bodies, &pending, removed, events);
+            update(&mut self.inner, &pending);
         }
+    }
+}
+
+impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.update_if_due([modified, removed], |inner, modified| {
+            inner.update(params, colliders, bodies, modified, removed, events);
+        });
     }
 
     version::when_boxes_are_handed_over! {
@@ -59,8 +71,16 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
             self.inner.set_aabbs(params, colliders, boxes);
         }
 
-        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-            self.inner.note_changes(reinserted, unmoved);
+        fn update_in_pipeline(&mut self, input: &PipelineInput<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+            self.update_if_due([input.modified, input.removed], |inner, modified| {
+                let mut input = *input;
+                input.modified = modified;
+                inner.update_in_pipeline(&input, events);
+            });
+        }
+
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+            self.inner.visit_unreported(visit);
         }
 
         fn bvh(&self) -> &Bvh {

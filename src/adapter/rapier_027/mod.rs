@@ -32,9 +32,6 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 /// What Rapier's own broad phase leaves out.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 
-/// Whether pipelines ask which neighbors are not reported.
-pub(super) const ASKS_FOR_NEIGHBORS: bool = false;
-
 /// In how many runs pairs that begin take turns. Its solver takes one contact after the other, unless it is built with SIMD.
 pub(super) const RUNS: usize = 2;
 

@@ -30,9 +30,6 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 /// What Rapier's own broad phase leaves out.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
 
-/// Whether pipelines ask which neighbors are not reported.
-pub(super) const ASKS_FOR_NEIGHBORS: bool = true;
-
 /// In how many runs pairs that begin take turns. Its solver takes contacts in groups in which no two share a body.
 pub(super) const RUNS: usize = 1;
 

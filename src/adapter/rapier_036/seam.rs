@@ -3,10 +3,35 @@
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
-    Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase,
+    Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase, PipelineInput,
 };
 use super::rapier::parry::partitioning::Bvh;
 use crate::proxy_table::Lists;
+
+/// Calls `run` with what a pipeline gives.
+fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
+    let is_active = input.narrow_phase.map(|narrow_phase| {
+        |first, second| {
+            let contact = narrow_phase.contact_pair(first, second);
+            contact.is_some_and(|pair| pair.has_any_active_contact())
+                || narrow_phase.intersection_pair(first, second) == Some(true)
+        }
+    });
+    run(&Input {
+        params: input.params,
+        colliders: input.colliders,
+        bodies: input.bodies,
+        lists: Lists {
+            modified: input.modified,
+            reinserted: input.reinserted,
+            unmoved: input.unmoved,
+            swept: input.swept,
+            removed: input.removed,
+        },
+        felt: input.felt,
+        is_active: is_active.as_ref().map(|is_active| is_active as _),
+    });
+}
 
 impl CustomBroadPhase for UnisizeBroadPhase {
     fn update(
@@ -19,12 +44,15 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let lists = Lists::new(modified_colliders, removed_colliders);
-        self.update_as_noted(&Input::new(params, colliders, bodies, lists), events);
+        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
     }
 
-    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-        self.noted.reinserted.extend_from_slice(reinserted);
-        self.noted.unmoved.extend_from_slice(unmoved);
+    fn update_in_pipeline(
+        &mut self,
+        input: &PipelineInput<'_>,
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        with_input(input, |input| Self::update_in_pipeline(self, input, events));
     }
 
     fn is_new(&self) -> bool {
@@ -44,8 +72,10 @@ impl CustomBroadPhase for UnisizeBroadPhase {
         self.hand_over(params, Some(colliders), aabbs);
     }
 
-    fn unreported(&self) -> &[(ColliderHandle, ColliderHandle, bool)] {
-        &self.near
+    fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+        for &(collider, neighbor) in &self.unreported {
+            visit(collider, neighbor);
+        }
     }
 
     fn bvh(&self) -> &Bvh {
@@ -71,10 +101,12 @@ impl CustomBroadPhase for Trial {
         self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 
-    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-        for tried in &mut self.tried {
-            tried.note_changes(reinserted, unmoved);
-        }
+    fn update_in_pipeline(
+        &mut self,
+        input: &PipelineInput<'_>,
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        with_input(input, |input| self.run(input, events));
     }
 
     fn is_new(&self) -> bool {

@@ -46,11 +46,11 @@ fn faults_are_named() {
     let forgets_a_collider = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
         let removed = [handle(1)];
         let lists = Lists::new(&[], &removed);
-        faulty.update_as_noted(&Input { lists, ..*input }, &mut Vec::new());
+        faulty.update_in_pipeline(&Input { lists, ..*input }, &mut Vec::new());
     };
     assert_eq!(difference(forgets_a_collider), Some(([1, 2], true)));
     let loses_events = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
-        faulty.update_as_noted(input, &mut Vec::new());
+        faulty.update_in_pipeline(input, &mut Vec::new());
     };
     assert_eq!(difference(loses_events), Some(([1, 2], true)));
     let has_a_wrong_box = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {

@@ -4,41 +4,44 @@ use core::ops::Range;
 
 use super::state::PairState;
 use super::{Candidates, TOMBSTONE, gather};
-use crate::pair_tracker::policy::{self, CompareMode};
+use crate::pair_tracker::policy::CompareMode;
 use crate::pair_tracker::proxies::Proxies;
-use crate::pair_tracker::{FilterKey, PairChange};
+use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
 use crate::real::Real;
 use crate::stats::Work;
 
 /// The candidates of an update, what decides which of them are held, and whom changes are reported to.
-pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, F> {
+pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
     pub(in crate::pair_tracker) candidates: &'a mut Candidates,
     pub(in crate::pair_tracker) proxies: &'a Proxies<R, D, K>,
-    pub(in crate::pair_tracker) report: &'a mut F,
+    pub(in crate::pair_tracker) observer: &'a mut O,
 }
 
-impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, R, D, K, F> {
+impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
     /// Makes `found` the candidates, and leaves the memory of the former ones there.
     pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
         let Self {
             candidates,
             proxies,
-            report,
+            observer,
         } = self;
         let Candidates {
             pairs,
             states,
             retired,
+            forbidden,
             answers,
             held_count,
             ..
         } = &mut **candidates;
-        if proxies.volumes.are_used() {
+        if proxies.have_history() {
             retired.reserve(*held_count);
-            let rows = pairs.iter().zip(states.iter());
-            let held = rows.filter(|(_, state)| state.is_held());
-            for (&pair, _) in held.filter(|&(&pair, _)| proxies.are_left(pair)) {
-                retired.insert(pair);
+            for (&pair, &state) in pairs.iter().zip(states.iter()) {
+                if state.is_held() && proxies.are_left(pair) {
+                    retired.insert(pair);
+                } else if state == PairState::Near && proxies.is_forbidden(pair) {
+                    forbidden.push(pair);
+                }
             }
         } else {
             answers.ask(pairs.len(), |rows| {
@@ -48,25 +51,39 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
                 })
             });
             let ended = answers.iter();
-            ended.for_each(|row| report(PairChange::Deleted(pairs[row])));
+            ended.for_each(|row| observer.report(PairChange::Deleted(pairs[row])));
         }
         states.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
         candidates.tombstones = 0;
         candidates.lists.forget();
+        self.keep_forbidden(found);
         self.hold_new(found);
         self.candidates.retired.free_if_large();
         std::mem::swap(&mut self.candidates.pairs, found);
     }
 
     /// Adds candidates.
-    pub(in crate::pair_tracker) fn extend(&mut self, found: &[[u32; 2]]) {
+    pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
+        self.keep_forbidden(found);
         self.hold_new(found);
         let Candidates { pairs, lists, .. } = &mut *self.candidates;
         let first = pairs.len();
         pairs.extend_from_slice(found);
         lists.extend(pairs, first, self.proxies.len());
+    }
+
+    /// Appends to what was found the pairs whose boxes overlapped and still do, and that were not found because their keys have come to
+    /// forbid them.
+    fn keep_forbidden(&mut self, found: &mut Vec<[u32; 2]>) {
+        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+        if proxies.are_rekeyed {
+            let held = candidates.retired.iter();
+            let held = held.filter(|&pair| proxies.is_forbidden(pair));
+            let all = held.chain(candidates.forbidden.drain(..));
+            found.extend(all.filter(|&pair| proxies.overlap(pair)));
+        }
     }
 
     /// Appends the states of candidates that were found.
@@ -82,20 +99,22 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         self.candidates.retired.index();
         for i in overlapping.iter() {
             let pair = found[i];
-            // Most pairs that are held were held before. With volumes, boxes cannot tell which.
-            let was_held = match proxies.volumes.are_used() {
+            // Most pairs that are held were held before.
+            let was_held = match proxies.have_history() {
                 true => self.candidates.retired.take(pair),
                 false => proxies.was_held(pair),
             };
             let state = proxies.state_of_overlapping(pair, was_held);
+            let state = self.settled(pair, was_held, state);
             self.candidates.states[first + i] = state;
             self.candidates.held_count += usize::from(state.is_held());
             self.candidates.overlapping_count += 1;
+            self.candidates.note_overlap(pair);
             self.report_change(pair, was_held, state.is_held());
         }
         self.candidates.answers = overlapping;
         let retired = &mut self.candidates.retired;
-        retired.drain(|pair| (self.report)(PairChange::Deleted(pair)));
+        retired.drain(|pair| self.observer.report(PairChange::Deleted(pair)));
     }
 
     /// Brings the candidates of what was touched up to date with the present boxes, and retires those of the leavers. Looks at all
@@ -121,9 +140,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
             CompareMode::Listed => {
                 work.walked = touched.len();
                 if !self.candidates.lists.state.are_made {
-                    self.candidates.compact();
-                    let Candidates { pairs, lists, .. } = &mut *self.candidates;
-                    lists.make(pairs, self.proxies.len());
+                    self.candidates.make_lists(self.proxies.len());
                 }
                 let mut lists = std::mem::take(&mut self.candidates.lists);
                 for &slot in self.proxies.leavers.slots() {
@@ -141,8 +158,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
     pub(in crate::pair_tracker) fn compare_volumes(&mut self) {
         let proxies = self.proxies;
         let revolumed = &proxies.notes.revolumed;
-        let are_listed = self.candidates.lists.state.are_made;
-        if are_listed && policy::is_walking_cheaper(revolumed.len(), self.candidates.rows()) {
+        if self.candidates.walks_lists(revolumed.len(), proxies.len()) {
             let mut lists = std::mem::take(&mut self.candidates.lists);
             for &slot in revolumed {
                 lists.walk(slot, |row| self.compare_row(row));
@@ -150,7 +166,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
             self.candidates.lists = lists;
             return;
         }
-        let mut toggled = std::mem::take(&mut self.candidates.answers);
+        let mut met = std::mem::take(&mut self.candidates.answers);
         let Candidates {
             pairs,
             states,
@@ -160,15 +176,15 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         slots.insert_all(revolumed, proxies.len());
         let is_one = slots.lookup();
         let has_one = |[a, b]: [u32; 2]| is_one(a as usize) | is_one(b as usize);
-        toggled.ask(pairs.len(), |rows| {
-            proxies.toggled_near(&pairs[rows.clone()], &states[rows], has_one)
+        met.ask(pairs.len(), |rows| {
+            proxies.met_of_near(&pairs[rows.clone()], &states[rows], has_one)
         });
         drop(is_one);
         slots.clear_around(revolumed);
-        for row in toggled.iter() {
-            self.set_state(row, PairState::Held);
+        for row in met.iter() {
+            self.compare_row(row);
         }
-        self.candidates.answers = toggled;
+        self.candidates.answers = met;
     }
 
     /// Compares all rows, and removes those of what has left its fat box. No row may be a tombstone.
@@ -247,6 +263,7 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         };
         let former = self.candidates.states[row];
         let state = self.proxies.state_of(pair, former);
+        let state = self.settled(pair, former.is_held(), state);
         if state != former {
             self.set_state(row, state);
         }
@@ -260,11 +277,21 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         self.report_change(pair, former.is_held(), state.is_held());
     }
 
+    /// The state of a pair that is about to have this one: a pair that ends by its volumes alone is held on to while its contact is
+    /// active.
+    #[inline(always)]
+    fn settled(&self, pair: [u32; 2], was_held: bool, state: PairState) -> PairState {
+        match state {
+            PairState::Near if was_held && self.observer.is_active(pair) => PairState::Held,
+            _ => state,
+        }
+    }
+
     #[inline(always)]
     fn report_change(&mut self, pair: [u32; 2], was_held: bool, is_held: bool) {
         match (was_held, is_held) {
-            (false, true) => (self.report)(PairChange::Added(pair)),
-            (true, false) => (self.report)(PairChange::Deleted(pair)),
+            (false, true) => self.observer.report(PairChange::Added(pair)),
+            (true, false) => self.observer.report(PairChange::Deleted(pair)),
             _ => {}
         }
     }
@@ -279,15 +306,19 @@ impl<R: Real, const D: usize, K: FilterKey, F: FnMut(PairChange)> Comparing<'_, 
         let former = candidates.set_state(row, PairState::Apart);
         candidates.pairs[row] = [TOMBSTONE; 2];
         candidates.tombstones += 1;
-        if !former.is_held() {
-            return;
-        }
-        if proxies.volumes.are_used() {
-            if proxies.are_left(pair) {
-                candidates.retired.insert(pair);
+        match former {
+            PairState::Apart => {}
+            PairState::Near if proxies.is_forbidden(pair) => candidates.forbidden.push(pair),
+            PairState::Near => {}
+            PairState::Held if proxies.have_history() => {
+                if proxies.are_left(pair) {
+                    candidates.retired.insert(pair);
+                }
             }
-        } else if proxies.has_ended(pair) {
-            (self.report)(PairChange::Deleted(pair));
+            PairState::Held if proxies.has_ended(pair) => {
+                self.observer.report(PairChange::Deleted(pair));
+            }
+            PairState::Held => {}
         }
     }
 }

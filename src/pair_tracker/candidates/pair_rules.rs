@@ -16,15 +16,16 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         overlap(&self.boxes, pair)
     }
 
-    /// The state of a pair whose boxes overlap: held, unless volumes are in use. Then a pair is held as soon as its volumes meet,
-    /// until one of its boxes is renewed and they are farther apart than the slack.
+    /// The state of a pair whose boxes overlap. It begins once its keys and its volumes let it. The keys are not asked again, as in
+    /// Rapier: a pair that they have come to forbid stays. If volumes are in use, it ends when one of its boxes is renewed and they are
+    /// farther apart than the slack.
     #[inline(always)]
     pub(super) fn state_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> PairState {
-        let is_held = !self.volumes.are_used()
-            || match was_held {
-                false => self.volumes.meet(pair, R::ZERO),
-                true => !self.is_renewed(pair) || self.volumes.meet(pair, self.slack),
-            };
+        let (volumes, are_used) = (&self.volumes, self.volumes.are_used());
+        let is_held = match was_held {
+            false => self.may_begin(pair) && (!are_used || volumes.meet(pair, R::ZERO)),
+            true => !are_used || !self.is_renewed(pair) || volumes.meet(pair, self.slack),
+        };
         match is_held {
             true => PairState::Held,
             false => PairState::Near,
@@ -59,26 +60,26 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     pub(super) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
+        // What has begun or ceased to overlap has toggled in any case.
+        let toggled = overlap ^ (near | held);
         if !self.volumes.are_used() {
-            return overlap ^ held;
+            return toggled;
         }
         let has_toggled = |i: usize| self.has_toggled(pairs[i], held >> i & 1 == 1);
-        let toggled = ones(overlap).fold(0, |word, i| word | u64::from(has_toggled(i)) << i);
-        // What overlaps only now has toggled in any case.
-        (overlap ^ (near | held)) | toggled
+        ones(overlap).fold(toggled, |word, i| word | u64::from(has_toggled(i)) << i)
     }
 
     /// Of up to 64 pairs that are near, and have one of these slots, those whose volumes have met now.
     #[inline(always)]
-    pub(super) fn toggled_near(
+    pub(super) fn met_of_near(
         &self,
         pairs: &[[u32; 2]],
         states: &[PairState],
         is_one: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
         let [near, _] = near_and_held(states);
-        let has_toggled = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
-        ones(near).fold(0, |word, i| word | u64::from(has_toggled(i)) << i)
+        let have_met = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
+        ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
     }
 
     /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.
@@ -102,29 +103,18 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             .all(|&slot| self.previous[slot as usize].is_valid())
     }
 
-    /// Whether a pair that may meet now was held before. It was if and only if its boxes overlapped and it might meet then,
-    /// because kernels are exact.
+    /// Whether a pair that was found was held before, where there is no [history](Self::have_history). It was if and only if its boxes
+    /// overlapped, because kernels are exact.
     #[inline(always)]
     pub(super) fn was_held(&self, pair: [u32; 2]) -> bool {
-        // Keys hardly ever change, so this branch is predicted well; boxes are compared without one.
-        let overlapped = overlap(&self.previous, pair);
-        if self.former_keys.is_empty() {
-            overlapped
-        } else {
-            overlapped && self.might_meet(pair)
-        }
+        overlap(&self.previous, pair)
     }
 
-    /// Whether a held pair whose candidate is retired ends: not if its boxes still overlap and it still may meet, for then
-    /// it is found again. The pairs of removed proxies, which have no box before either, end without an event.
+    /// Whether a held pair whose candidate is retired ends, where there is no [history](Self::have_history): not if its boxes still
+    /// overlap, for then it is found again. The pairs of removed proxies, which have no box before either, end without an event.
     #[inline(always)]
     pub(super) fn has_ended(&self, pair: [u32; 2]) -> bool {
-        let overlapped = overlap(&self.previous, pair);
-        if self.former_keys.is_empty() {
-            !self.overlap(pair) & overlapped
-        } else {
-            !(self.overlap(pair) && self.may_meet(pair)) && overlapped
-        }
+        !self.overlap(pair) & overlap(&self.previous, pair)
     }
 
     /// Whether a pair may meet, by the keys as they are now.
@@ -134,17 +124,23 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         a.may_meet(b)
     }
 
-    #[cold]
-    fn might_meet(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|slot| {
-            let former = self.former_keys.binary_search_by_key(&slot, |key| key.0);
-            former.map_or(self.keys[slot as usize], |i| self.former_keys[i].1)
-        });
-        a.may_meet(b)
+    /// Whether a candidate, of proxies of which neither was removed, is one that the keys have come to forbid.
+    #[inline(always)]
+    pub(super) fn is_forbidden(&self, pair: [u32; 2]) -> bool {
+        self.are_rekeyed && self.are_left(pair) && !self.may_meet(pair)
+    }
+
+    /// Whether a candidate may become a pair, by the keys as they are now. Until a key changes, all candidates may.
+    #[inline(always)]
+    fn may_begin(&self, pair: [u32; 2]) -> bool {
+        !self.are_rekeyed || self.may_meet(pair)
     }
 }
 
 #[inline(always)]
-pub(super) fn overlap<R: Real, const D: usize>(boxes: &[Aabb<R, D>], [a, b]: [u32; 2]) -> bool {
+pub(in crate::pair_tracker) fn overlap<R: Real, const D: usize>(
+    boxes: &[Aabb<R, D>],
+    [a, b]: [u32; 2],
+) -> bool {
     boxes[a as usize].overlaps(&boxes[b as usize])
 }

@@ -33,6 +33,11 @@ impl RetiredPairs {
         self.entries.push(Entry { pair, next: END });
     }
 
+    /// The pairs, before any is taken out.
+    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.entries.iter().map(|entry| entry.pair)
+    }
+
     /// Prepares for taking pairs out.
     pub(super) fn index(&mut self) {
         let count = self.entries.len().next_power_of_two().max(2);

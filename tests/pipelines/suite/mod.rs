@@ -2,7 +2,8 @@
 
 use super::rapier;
 use super::version;
-use super::{Installed, PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
+use super::{Installed, Observed, OwnBroadPhase, PairFilter, Settings, Steppable, Trial};
+use super::{UnisizeBroadPhase, World, install};
 use super::{hinge, mesh_floor, spin};
 use crate::cases::cases;
 
@@ -15,6 +16,7 @@ mod joints;
 mod odd_numbers;
 mod queries;
 pub(super) mod random;
+mod random_worlds;
 mod removals;
 pub(super) mod snapshot;
 mod trial;

@@ -175,15 +175,15 @@ impl Twins {
 
     fn compare(&self, logs: [EventLog; 2]) -> Snapshot {
         self.unisize.validate();
-        let [our_log, their_log] = logs;
-        let ours = Snapshot::of(&self.ours, our_log);
-        let theirs = Snapshot::of(&self.theirs, their_log);
-        if ours != theirs {
-            // Not-a-number is not equal to itself, but looks the same.
-            let [ours, theirs] = [&ours, &theirs].map(|seen| format!("{seen:#?}"));
-            assert_eq!(ours, theirs, "with ours (left) and with Rapier's (right)");
-        }
+        let [ours, theirs] = self.snapshots(logs);
+        assert_alike(&ours, &theirs);
         ours
+    }
+
+    /// What is seen of both worlds after a step, ours first.
+    pub(crate) fn snapshots(&self, [our_log, their_log]: [EventLog; 2]) -> [Snapshot; 2] {
+        let ours = Snapshot::of(&self.ours, our_log);
+        [ours, Snapshot::of(&self.theirs, their_log)]
     }
 
     /// Makes this many steps, and returns what is seen after the last.
@@ -203,6 +203,16 @@ impl Twins {
             }
         }
         panic!("it did not happen within 600 steps");
+    }
+}
+
+/// Panics unless both worlds look the same.
+#[track_caller]
+pub(crate) fn assert_alike(ours: &Snapshot, theirs: &Snapshot) {
+    if ours != theirs {
+        // Not-a-number is not equal to itself, but looks the same.
+        let [ours, theirs] = [ours, theirs].map(|seen| format!("{seen:#?}"));
+        assert_eq!(ours, theirs, "with ours (left) and with Rapier's (right)");
     }
 }
 

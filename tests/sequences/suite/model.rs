@@ -18,8 +18,10 @@ pub(super) struct Model {
     /// The boxes at the end of the last update.
     settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
-    /// The margin of volumes: a sixteenth of the largest that boxes have had.
+    /// The margin of volumes: a sixteenth of that of boxes in the last update.
     volume_margin: Real,
+    /// The prediction distance in the last update.
+    prediction: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
     /// Colliders that the next update has to look for, by index and generation, with the box that the boxes handed over make, and the
@@ -62,6 +64,7 @@ impl Model {
             settled: BTreeMap::new(),
             held: BTreeSet::new(),
             volume_margin: 0.0,
+            prediction: 0.0,
             is_begun: false,
             awaited: BTreeMap::new(),
         }
@@ -77,7 +80,6 @@ impl Model {
     /// at; otherwise the next update looks for the collider.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         self.is_begun = true;
-        self.note_margin(margin);
         let (index, generation) = handle.into_raw_parts();
         if let Some(known) = self.proxies.get(&index).cloned() {
             if known.generation == generation {
@@ -141,11 +143,15 @@ impl Model {
         bodies: &RigidBodySet,
         [modified, removed]: [&[ColliderHandle]; 2],
     ) -> Changes {
-        if std::mem::take(&mut self.is_begun) || !(modified.is_empty() && removed.is_empty()) {
-            self.note_margin(margin);
-        }
+        let is_listed = !(modified.is_empty() && removed.is_empty());
+        let is_begun = std::mem::take(&mut self.is_begun) || is_listed;
         for &handle in removed {
             self.forget(handle);
+        }
+        let (volume_margin, prediction) = (margin * 0.0625, params.prediction_distance());
+        if is_begun && (self.volume_margin, self.prediction) != (volume_margin, prediction) {
+            (self.volume_margin, self.prediction) = (volume_margin, prediction);
+            self.reset_volumes(colliders, bodies);
         }
         let awaited = std::mem::take(&mut self.awaited).into_iter();
         let awaited = awaited.map(|((index, generation), boxes)| {
@@ -166,12 +172,7 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    // Of very many colliders of a body each keeps its box.
-                    let are_many = body.is_some_and(|body| body.colliders().len() > 32);
-                    let volume = match are_many {
-                        true => Volume::meeting_all(),
-                        false => Volume::of(collider, params.prediction_distance(), &last),
-                    };
+                    let volume = self.volume(collider, bodies, &last);
                     self.renew(handle, aabb, margin, key, volume);
                 }
                 _ => self.forget(handle),
@@ -179,7 +180,11 @@ impl Model {
         }
 
         let mut held = self.overlapping_pairs();
-        held.retain(|pair| self.may_meet(pair) && self.volumes_meet(pair, 2.0 * margin));
+        // What is forbidden after it was held stays.
+        held.retain(|pair| {
+            let is_allowed = self.held.contains(pair) || self.may_meet(pair);
+            is_allowed && self.volumes_meet(pair, 2.0 * margin)
+        });
         let sound = self.proxies.iter();
         self.settled = sound
             .filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
@@ -205,8 +210,32 @@ impl Model {
         }
     }
 
-    fn note_margin(&mut self, margin: Real) {
-        self.volume_margin = self.volume_margin.max(margin * 0.0625);
+    /// The volume of a collider in this box.
+    fn volume(&self, collider: &Collider, bodies: &RigidBodySet, aabb: &Aabb) -> Volume {
+        let body = collider.parent().and_then(|body| bodies.get(body));
+        // Of very many colliders of a body each keeps its box, and so does what has soft CCD.
+        let has_volume =
+            |body: &RigidBody| body.colliders().len() <= 32 && body.soft_ccd_prediction() <= 0.0;
+        match body.is_none_or(has_volume) {
+            true => Volume::of(collider, self.prediction, aabb),
+            false => Volume::meeting_all(),
+        }
+    }
+
+    /// Gives all known colliders the volumes that they have now.
+    fn reset_volumes(&mut self, colliders: &ColliderSet, bodies: &RigidBodySet) {
+        for handle in self.known().collect::<Vec<_>>() {
+            let enabled = colliders
+                .get(handle)
+                .filter(|collider| collider.is_enabled());
+            if let Some(collider) = enabled {
+                let aabb = collider.compute_collision_aabb(self.prediction / 2.0);
+                let volume = self.volume(collider, bodies, &aabb);
+                let index = handle.into_raw_parts().0;
+                let proxy = self.proxies.get_mut(&index).expect("it is known");
+                (proxy.volume, proxy.is_slow) = (volume, false);
+            }
+        }
     }
 
     /// Whether a pair whose boxes overlap is held, by its volumes: as soon as they meet, until one of its boxes is renewed and

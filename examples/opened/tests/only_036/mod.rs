@@ -7,5 +7,7 @@ use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, in
 mod changes;
 mod exchange;
 mod looking_on;
+mod near_misses;
 mod physics_world;
+mod reach;
 mod recycling;

@@ -183,10 +183,52 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
         removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
+        self.observe([modified, removed], events, |inner, events| {
+            inner.update(params, colliders, bodies, modified, removed, events);
+        });
+    }
+
+    version::when_boxes_are_handed_over! {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+            let start = self.timing.is_some().then(Instant::now);
+            self.inner.set_aabbs(params, colliders, boxes);
+            if let (Some(timing), Some(start)) = (&mut self.timing, start) {
+                timing.record_boxes(start.elapsed());
+            }
+        }
+
+        fn update_in_pipeline(&mut self, input: &PipelineInput<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+            self.observe([input.modified, input.removed], events, |inner, events| {
+                inner.update_in_pipeline(input, events);
+            });
+        }
+
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+            self.inner.visit_unreported(visit);
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.inner.bvh()
+        }
+
+        // A copy is not observed.
+        fn clone_box(&self) -> Box<dyn BroadPhase> {
+            self.inner.clone_box()
+        }
+    }
+}
+
+impl<B: BroadPhase> Observed<B> {
+    /// Runs an update, about modified and removed colliders, and writes down what is asked for.
+    fn observe(
+        &mut self,
+        [modified, removed]: [&[ColliderHandle]; 2],
+        events: &mut Vec<BroadPhasePairEvent>,
+        update: impl FnOnce(&mut B, &mut Vec<BroadPhasePairEvent>),
+    ) {
         let first = events.len();
         let start = self.timing.is_some().then(Instant::now);
-        self.inner
-            .update(params, colliders, bodies, modified, removed, events);
+        update(&mut self.inner, events);
         if let (Some(timing), Some(start)) = (&mut self.timing, start) {
             let is_busy = !modified.is_empty() || !removed.is_empty();
             timing.record(start.elapsed(), is_busy);
@@ -213,29 +255,6 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
                 let event = PairEvent::from(&event);
                 events.extend((0..copies(event)).map(|_| BroadPhasePairEvent::from(event)));
             }
-        }
-    }
-
-    version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
-            let start = self.timing.is_some().then(Instant::now);
-            self.inner.set_aabbs(params, colliders, boxes);
-            if let (Some(timing), Some(start)) = (&mut self.timing, start) {
-                timing.record_boxes(start.elapsed());
-            }
-        }
-
-        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-            self.inner.note_changes(reinserted, unmoved);
-        }
-
-        fn bvh(&self) -> &Bvh {
-            self.inner.bvh()
-        }
-
-        // A copy is not observed.
-        fn clone_box(&self) -> Box<dyn BroadPhase> {
-            self.inner.clone_box()
         }
     }
 }

@@ -53,9 +53,13 @@ impl<B: BroadPhase> BroadPhase for OnRapiersTree<B> {
         self.events.set_aabbs(params, colliders, boxes);
     }
 
-    fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-        self.tree.note_changes(reinserted, unmoved);
-        self.events.note_changes(reinserted, unmoved);
+    fn update_in_pipeline(
+        &mut self,
+        input: &PipelineInput<'_>,
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.tree.update_in_pipeline(input, &mut Vec::new());
+        self.events.update_in_pipeline(input, events);
     }
 
     fn bvh(&self) -> &Bvh {

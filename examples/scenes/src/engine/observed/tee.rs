@@ -27,15 +27,12 @@ impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
     }
 }
 
-impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
-    fn update(
+impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
+    /// Runs an update on both.
+    fn update_both(
         &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified: &[ColliderHandle],
-        removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
+        update: impl Fn(&mut dyn BroadPhase, &mut Vec<BroadPhasePairEvent>),
     ) {
         // The one that goes second finds the colliders in the cache. Most steps have two updates, of which only
         // the second has much to do: the turn has to change from step to step.
@@ -48,8 +45,24 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
             } else {
                 (&mut self.unheard, &mut self.unheard_events)
             };
-            broad_phase.update(params, colliders, bodies, modified, removed, events);
+            update(broad_phase, events);
         }
+    }
+}
+
+impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
+    fn update(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+        events: &mut Vec<BroadPhasePairEvent>,
+    ) {
+        self.update_both(events, |broad_phase, events| {
+            broad_phase.update(params, colliders, bodies, modified, removed, events);
+        });
     }
 
     version::when_boxes_are_handed_over! {
@@ -64,9 +77,14 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
             }
         }
 
-        fn note_changes(&mut self, reinserted: &[ColliderHandle], unmoved: &[ColliderHandle]) {
-            self.heard.note_changes(reinserted, unmoved);
-            self.unheard.note_changes(reinserted, unmoved);
+        fn update_in_pipeline(&mut self, input: &PipelineInput<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+            self.update_both(events, |broad_phase, events| {
+                broad_phase.update_in_pipeline(input, events);
+            });
+        }
+
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+            self.heard.visit_unreported(visit);
         }
 
         fn bvh(&self) -> &Bvh {
