@@ -24,6 +24,7 @@ struct Playground {
     random: Random,
     bodies: Vec<RigidBodyHandle>,
     colliders: Vec<ColliderHandle>,
+    filter: Option<PairFilter>,
     /// The bodies that slept after the last step.
     asleep: BTreeSet<u32>,
 }
@@ -79,6 +80,7 @@ impl Playground {
             random,
             bodies: Vec::new(),
             colliders: Vec::new(),
+            filter,
             asleep: BTreeSet::new(),
         };
         for _ in 0..10 {
@@ -231,26 +233,33 @@ impl Playground {
 
     /// Makes one step, after which both worlds must look the same.
     ///
-    /// Returns the bodies that were awake before it in both worlds, and that have fallen asleep in one of them: of several islands that may
-    /// be split, Rapier splits one in a step, and which one depends on its list of pairs. They are not compared.
-    fn step(&mut self) -> BTreeSet<u32> {
+    /// Returns whether all bodies have moved alike. By default, the list of pairs without contact differs, and its order decides what Rapier
+    /// leaves to chance: of several islands that may be split, it splits one in a step, so that bodies fall asleep, are woken or stop a step
+    /// sooner or later; and joints are solved in an order that depends on that of the contacts. Contacts, intersections and events are the
+    /// same even then.
+    fn step(&mut self) -> bool {
         let logs = [EventLog::default(), EventLog::default()];
         let Twins { ours, theirs, .. } = &mut self.twins;
         ours.step(self.ours.for_step(), &(), &logs[0]);
         theirs.step(self.theirs.for_step(), &(), &logs[1]);
         self.ours.inner.validate();
         let [mut ours, mut theirs] = self.twins.snapshots(logs);
-        let differing = ours.asleep.symmetric_difference(&theirs.asleep);
-        let fallen_asleep = differing.filter(|body| !self.asleep.contains(body));
-        let fallen_asleep: BTreeSet<_> = fallen_asleep.copied().collect();
-        for seen in [&mut ours, &mut theirs] {
-            seen.asleep.retain(|body| !fallen_asleep.contains(body));
-            // What falls asleep stops.
-            seen.poses.retain(|body, _| !fallen_asleep.contains(body));
+        let moved_alike = (&ours.asleep, &ours.poses) == (&theirs.asleep, &theirs.poses);
+        if !moved_alike && self.filter != Some(PairFilter::Groups) {
+            let sleepers = [&ours.asleep, &theirs.asleep, &self.asleep];
+            let mut are_left_out: BTreeSet<u32> = sleepers.into_iter().flatten().copied().collect();
+            for (_, joint) in self.twins.ours.impulse_joints.iter() {
+                let bodies = [joint.body1(), joint.body2()];
+                are_left_out.extend(bodies.map(|body| body.into_raw_parts().0));
+            }
+            for seen in [&mut ours, &mut theirs] {
+                seen.asleep.clear();
+                seen.poses.retain(|body, _| !are_left_out.contains(body));
+            }
         }
         assert_alike(&ours, &theirs);
         self.asleep = ours.asleep;
-        fallen_asleep
+        moved_alike
     }
 
     fn join_or_part(&mut self) {
@@ -282,17 +291,18 @@ fn play(kind: Kind, filter: Option<PairFilter>) {
             for _ in 0..playground.random.pick(&[0, 0, 1, 1, 3]) {
                 playground.act(kind);
             }
-            if !playground.step().is_empty() {
+            if !playground.step() {
                 // From here on, they are two different worlds.
                 differing += 1;
                 break;
             }
         }
     }
+    println!("{kind:?}, {filter:?}: {differing} of {worlds} come to move otherwise");
     match filter {
-        // The lists of pairs are the same.
+        // All pairs come in the same order.
         Some(PairFilter::Groups) => assert_eq!(differing, 0),
-        _ => assert!(differing <= 1 + worlds / 10, "{differing} of {worlds}"),
+        _ => assert!(differing <= 1 + worlds / 100, "{differing} of {worlds}"),
     }
 }
 
