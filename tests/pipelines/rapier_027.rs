@@ -3,11 +3,18 @@
 use super::rapier::math;
 use super::rapier::parry::query::{ShapeCastHit, ShapeCastOptions};
 use super::rapier::prelude::*;
-use super::{AnyBroadPhase, Installed, UnisizeBroadPhase, World};
+use super::{AnyBroadPhase, Installed, PairFilter, UnisizeBroadPhase, World};
 
 pub(crate) type AngVector = math::AngVector<Real>;
 pub(crate) type Vector = math::Vector<Real>;
 pub(crate) type Pose = Isometry<Real>;
+
+/// The level at which the pairs are those of Rapier's own broad phase.
+pub(crate) const LEVEL_OF_OWN: PairFilter = PairFilter::Off;
+
+/// Whether unisize sees what has changed of a collider. If not, it looks at all that were changed, and may find contacts sooner than
+/// Rapier's own once these reach farther.
+pub(crate) const ARE_CHANGES_SEEN: bool = false;
 
 /// A gap between boxes at which Rapier's broad phase holds a pair all the same.
 pub(crate) const NEAR: Real = 0.01;
@@ -47,6 +54,15 @@ pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 
 /// Has every step look at every contact, which this version does.
 pub(crate) fn look_at_contacts_anew(_: &mut IntegrationParameters) {}
+
+/// Sets the skin and says that the collider has moved, so that Rapier's own broad phase looks at it.
+pub(crate) fn set_contact_skin(collider: &mut Collider, skin: Real) {
+    collider.set_contact_skin(skin);
+    let place = collider
+        .position_wrt_parent()
+        .map(|pose| pose.translation.vector);
+    collider.set_translation_wrt_parent(place.unwrap_or_default());
+}
 
 /// Whether the solver would see a contact of this pair.
 pub(crate) fn touches(pair: &ContactPair) -> bool {

@@ -4,11 +4,18 @@
 use super::rapier::math;
 use super::rapier::parry::query::{ShapeCastHit, ShapeCastOptions};
 use super::rapier::prelude::*;
-use super::{AnyBroadPhase, Installed, Steppable, UnisizeBroadPhase, World};
+use super::{AnyBroadPhase, Installed, PairFilter, Steppable, UnisizeBroadPhase, World};
 
 pub(crate) type AngVector = math::AngVector;
 pub(crate) type Vector = math::Vector;
 pub(crate) type Pose = math::Pose;
+
+/// The level at which the pairs are those of Rapier's own broad phase.
+pub(crate) const LEVEL_OF_OWN: PairFilter = PairFilter::Groups;
+
+/// Whether unisize sees what has changed of a collider. If not, it looks at all that were changed, and may find contacts sooner than
+/// Rapier's own once these reach farther.
+pub(crate) const ARE_CHANGES_SEEN: bool = true;
 
 /// A gap between boxes at which Rapier's broad phase holds a pair all the same.
 pub(crate) const NEAR: Real = 0.05;
@@ -49,6 +56,11 @@ pub(crate) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
 /// Has every step look at every contact, though the two have hardly moved.
 pub(crate) fn look_at_contacts_anew(params: &mut IntegrationParameters) {
     params.normalized_contact_recycle_distance = 0.0;
+}
+
+/// Sets the skin.
+pub(crate) fn set_contact_skin(collider: &mut Collider, skin: Real) {
+    collider.set_contact_skin(skin);
 }
 
 /// Whether the solver would see a contact of this pair.

@@ -141,15 +141,7 @@ impl Stepped {
         let contacts = contacts.map(|pair| raw(pair.collider1, pair.collider2));
         let meetings = narrow_phase.intersection_pairs();
         let meetings = meetings.map(|(first, second, _)| raw(first, second));
-        // It keeps a pair that groups have ruled out since it was reported until the boxes part.
-        let may_meet = |pair: &Pair| {
-            let [first, second] = pair.map(|(index, generation)| {
-                let handle = ColliderHandle::from_raw_parts(index, generation);
-                self.world.colliders[handle].collision_groups()
-            });
-            first.test(second)
-        };
-        let theirs: BTreeSet<_> = contacts.chain(meetings).filter(may_meet).collect();
+        let theirs: BTreeSet<_> = contacts.chain(meetings).collect();
         let ours = self.ours.pairs();
         let ours = ours.map(|pair| raw(pair.collider1, pair.collider2));
         let ours: BTreeSet<_> = ours.collect();
