@@ -18,7 +18,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use unisize::$unisize::{Settings, UnisizeBroadPhase};
+            use unisize::$unisize::{PairFilter, Settings, UnisizeBroadPhase};
             use $rapier as rapier;
 
             mod suite;
