@@ -168,8 +168,10 @@ impl<R: Real, const D: usize> Volume<R, D> {
         ..Self::BOX
     };
 
+    /// A negative radius counts as 0.
     #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
+        let radius = if radius < R::ZERO { R::ZERO } else { radius };
         let mut volume = Self {
             kind,
             ball: Ball { center, radius },
@@ -196,19 +198,24 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
         let mut volume = Self { kind, ..Self::BOX };
-        match numbers {
-            [] => {}
-            &[radius] => volume.ball.radius = radius,
-            [radius, rest @ ..] => {
-                volume.ball.radius = *radius;
-                let (center, numbers) = rest.split_first_chunk()?;
-                volume.ball.center = *center;
-                let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
-                let is_complete = half_axes.len() == numbers.len();
-                is_complete.then(|| half_axes.copy_from_slice(numbers))?;
-            }
+        let Some((&radius, numbers)) = numbers.split_first() else {
+            return Some(volume);
+        };
+        let is_boundless = matches!(kind, VolumeKind::Box | VolumeKind::Part);
+        if is_boundless {
+            return (radius == R::ZERO && numbers.is_empty()).then_some(volume);
         }
-        Some(volume)
+        (radius >= R::ZERO && radius.is_finite()).then(|| volume.ball.radius = radius)?;
+        if numbers.is_empty() {
+            return Some(volume);
+        }
+        let (center, numbers) = numbers.split_first_chunk()?;
+        volume.ball.center = *center;
+        let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
+        let is_complete = half_axes.len() == numbers.len();
+        is_complete.then(|| half_axes.copy_from_slice(numbers))?;
+        let is_finite = center.iter().chain(numbers).all(|x| x.is_finite());
+        is_finite.then_some(volume)
     }
 
     /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but

@@ -156,7 +156,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             let volume = Volume::of_numbers(kind, &numbers);
             self.set(
                 slot,
-                &volume.ok_or("snapshot: a volume lacks a number")?,
+                &volume.ok_or("snapshot: a volume has other numbers than its kind can have")?,
                 true,
             );
             self.are_slow[slot as usize] = is_slow;

@@ -85,7 +85,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if !(is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were handed over for no update");
         }
-        if listed.max(moved) > u32::MAX as usize {
+        // What is handed over later must not overflow, even where a word has 32 bits.
+        if listed.max(moved) > (u32::MAX / 2) as usize {
             return Err("snapshot: more boxes were handed over than can be counted");
         }
         table.has_warned = snapshot.has_warned;

@@ -212,6 +212,11 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
         let numbers = volume.as_ref().numbers();
         assert_eq!(Volume::of_numbers(kind, &numbers), Some(volume));
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers[..3]), None);
+        for (i, wrong) in [(0, -1.0), (0, f32::NAN), (1, f32::NAN), (3, f32::INFINITY)] {
+            let mut numbers = numbers.clone();
+            numbers[i] = wrong;
+            assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers), None);
+        }
         let radius = volume.ball.radius;
         for (radius, kept) in [(radius, vec![radius]), (f32::INFINITY, vec![])] {
             let mut lost = Volume::new(kind, [f32::NAN; 3], radius, &volume.half_axes);
@@ -221,4 +226,17 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
             assert!(found.kind == kind && found.meets(&volume, 0.0));
         }
     }
+    let of_numbers = Volume::<f32, 3>::of_numbers;
+    for meets_all in [Volume::<f32, 3>::BOX, Volume::PART] {
+        let numbers = meets_all.as_ref().numbers();
+        let found = of_numbers(meets_all.kind, &numbers).unwrap();
+        assert!(found.kind == meets_all.kind && found.meets(&found, 0.0));
+        for wrong in [&[1.0][..], &[-1.0], &[0.0; 4]] {
+            assert_eq!(of_numbers(meets_all.kind, wrong), None);
+        }
+    }
+    // What Rapier makes of a negative radius can be written as well.
+    let volume = Volume::new(VolumeKind::Ball, [0.0; 3], -1.0, &[]);
+    let numbers = volume.as_ref().numbers();
+    assert_eq!(of_numbers(VolumeKind::Ball, &numbers), Some(volume));
 }
