@@ -47,7 +47,8 @@ impl Assignment {
         };
         self.parts.resize_with(part_count, Part::default);
         for (i, part) in self.parts.iter_mut().enumerate() {
-            part.range = i * count / part_count..(i + 1) * count / part_count;
+            let [start, end] = [i, i + 1].map(|i| parallel::start_of_part(i, part_count, count));
+            part.range = start..end;
         }
         if is_scattered {
             grid.extend::<D>();
@@ -152,7 +153,7 @@ impl Assignment {
             if cut == count {
                 break;
             }
-            if self.entries_before(tube) >= total * cut / count {
+            if self.entries_before(tube) >= parallel::start_of_part(cut, count, total) {
                 ranges.push(start..tube);
                 start = tube;
             }
