@@ -106,6 +106,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// A kernel that cuts its work into this many slabs of tubes, whatever the number of boxes and of threads: one
     /// to use no threads at all, or more to share a small number of boxes as well. The pairs are the same, in the
     /// same order.
+    ///
+    /// More than 16 slabs are fewer where they would have less than 64 boxes each, so that memory stays **O(n + pairs)**.
     pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {
         Self {
             slab_count: Some(count.get()),

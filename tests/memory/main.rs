@@ -70,6 +70,8 @@ mod soak {
     soak!(dim3, rapier3d_027);
 }
 
+mod slabs;
+
 /// Waits until no other test of this program is running.
 #[allow(dead_code)] // Without an engine there is nothing to wait for.
 fn turn() -> MutexGuard<'static, ()> {
