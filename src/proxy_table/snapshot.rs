@@ -38,7 +38,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Of the last update; what is held is counted again.
             stats: Stats {
                 times: PhaseTimes::default(),
-                refused: self.known - self.stats.proxies,
+                refused: self.refused(),
                 ..self.stats
             },
             has_warned: self.has_warned,
@@ -68,6 +68,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         table.known_slots = table.generations.len();
         if table.known_slots > slots {
             return Err("snapshot: there are more generations than slots");
+        }
+        if table.known_slots > table.most_known_slots {
+            return Err("snapshot: there are more colliders than a broad phase takes");
         }
         table.generations.resize(slots, None);
         table.memos.resize(slots, M::default());
