@@ -29,7 +29,7 @@ use emitter::Emitter;
 use members::{Everyone, Members};
 
 /// Entries are numbered with 32 bits, and a box may have four.
-const MAX_BOXES: usize = 1 << 29;
+pub(crate) const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
@@ -106,6 +106,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// A kernel that cuts its work into this many slabs of tubes, whatever the number of boxes and of threads: one
     /// to use no threads at all, or more to share a small number of boxes as well. The pairs are the same, in the
     /// same order.
+    ///
+    /// More than 16 slabs are fewer where they would have less than 64 boxes each, so that memory stays **O(n + pairs)**.
     pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {
         Self {
             slab_count: Some(count.get()),
@@ -127,9 +129,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
-    /// order of the members for [`look_up`](Self::look_up).
-    ///
-    /// If there are more boxes than there are numbers for, it logs so, finds no pair and remembers no order.
+    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`].
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
@@ -138,10 +138,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
-        self.class_count = 0;
-        if let Err(error) = check_count(boxes.len(), MAX_BOXES) {
-            return log::error!("no pairs are found: {error}");
-        }
+        debug_assert!(boxes.len() <= MAX_BOXES);
         let run = Run {
             boxes,
             slab_count: self.slab_count(members.len()),

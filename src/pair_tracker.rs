@@ -25,6 +25,7 @@ mod volumes;
 
 use std::fmt::Debug;
 
+use crate::grid_sweep::MAX_BOXES;
 use crate::kernel::Kernel;
 use crate::real::Real;
 use crate::stats::{Stats, Work};
@@ -38,6 +39,9 @@ use policy::Cost;
 pub(crate) use proxies::{Notes, Proxies};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
+
+/// The most slots that there may be: every kernel takes so many boxes.
+pub(crate) const MOST_SLOTS: usize = MAX_BOXES;
 
 /// A change of the pair set, by slots, smaller first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,7 +125,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.candidates.held()
     }
 
-    /// Makes room for this number of slots, if there is less.
+    /// Makes room for this number of slots, at most [`MOST_SLOTS`], if there is less.
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
         if self.proxies.volumes().are_used() {

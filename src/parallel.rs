@@ -11,6 +11,12 @@ pub(crate) fn threads() -> usize {
     return 1;
 }
 
+/// Where the part `i` of so many equal ones begins among the items; the part after the last begins at their end.
+pub(crate) fn start_of_part(i: usize, parts: usize, items: usize) -> usize {
+    // The product may need more than the 32 bits that some processors have.
+    (i as u64 * items as u64 / parts as u64) as usize
+}
+
 /// Does two things at once, or one after the other.
 pub(crate) fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
@@ -31,4 +37,24 @@ pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + 
         return;
     }
     parts.iter_mut().for_each(work);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_of_many_items_follow_each_other() {
+        // Products of 2^41, of more than 2^32, and of less.
+        for (parts, items) in [(1 << 20, 1 << 21), (8192, 1 << 21), (7, 1 << 29), (3, 2)] {
+            let mut end = 0;
+            for i in 0..parts {
+                let [start, next] = [i, i + 1].map(|i| start_of_part(i, parts, items));
+                let len = next - start;
+                assert!(start == end && (items / parts..=items.div_ceil(parts)).contains(&len));
+                end = next;
+            }
+            assert_eq!(end, items);
+        }
+    }
 }

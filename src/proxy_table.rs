@@ -19,14 +19,19 @@ mod source;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
+
 use crate::aabb::Aabb;
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
-use crate::pair_tracker::{BoxUpdate, FilterKey, PairChange, PairObserver, PairTracker};
+use crate::pair_tracker::{
+    BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
+};
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
+use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
 use hand_over::Pending;
 use reading::Reader;
@@ -34,6 +39,9 @@ use reading::Reader;
 pub(crate) use snapshot::TableSnapshot;
 use source::Reading;
 pub(crate) use source::{BoxSource, Handle, Lists};
+
+/// The most slots that known colliders may have. So many more may be made for boxes that are handed over.
+const MOST_KNOWN_SLOTS: usize = MOST_SLOTS - ROOM_AHEAD;
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
@@ -47,6 +55,10 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     memos: Vec<M>,
     /// How many colliders are known.
     known: usize,
+    /// The most slots that known colliders may have.
+    most_known_slots: usize,
+    /// Slot and generation of each collider beyond them. It is refused, and counts as not known.
+    beyond: BTreeMap<u32, u32>,
     /// `proxies`, the known colliders that have a box, is current; the rest is as of the last update.
     stats: Stats,
     has_warned: bool,
@@ -81,6 +93,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             known_slots: 0,
             memos: Vec::new(),
             known: 0,
+            most_known_slots: MOST_KNOWN_SLOTS,
+            beyond: BTreeMap::new(),
             stats: Stats::default(),
             has_warned: false,
             gathered: Gathered::default(),
@@ -92,10 +106,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// What it holds, and what the last update did. **O(1)**.
     pub(crate) fn stats(&self) -> Stats {
         let mut stats = self.stats;
-        // What has no box is refused.
-        stats.refused = self.known - stats.proxies;
+        stats.refused = self.refused();
         self.tracker.describe(&mut stats);
         stats
+    }
+
+    fn refused(&self) -> usize {
+        // What has no box is refused.
+        self.known - self.stats.proxies + self.beyond.len()
     }
 
     /// The boxes by slot; invalid where there is none.
@@ -164,6 +182,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// Removes a collider, if its slot is known to have it. Its pairs end without an event.
     fn remove(&mut self, handle: impl Handle) {
         let Some(slot) = self.slot_of(handle) else {
+            let (slot, generation) = handle.into_raw_parts();
+            if self.beyond.get(&slot) == Some(&generation) {
+                self.beyond.remove(&slot);
+            }
             return;
         };
         let index = slot as usize;
@@ -240,7 +262,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Usually it is listed as removed as well; if not, it is treated as removed all the same.
             return self.remove(handle);
         };
-        let slot = slot.unwrap_or_else(|| self.add(handle));
+        let Some(slot) = slot.or_else(|| self.add(handle)) else {
+            return self.refuse_slot(handle);
+        };
         self.memos[slot as usize] = memo;
         let proxies = &mut self.tracker.proxies;
         let renews_box = key.renews_box(proxies.key(slot));
@@ -263,11 +287,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Adds a collider that is not known, without a box. Returns its slot.
+    /// Adds a collider that is not known, without a box. Returns its slot; `None`, and adds nothing, if there may be no such slot.
     #[inline(always)]
-    fn add<H: Handle>(&mut self, handle: H) -> u32 {
+    fn add<H: Handle>(&mut self, handle: H) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
+        if index >= self.most_known_slots {
+            return None;
+        }
         // Needed even if the box is invalid: updates are planned by the number of slots.
         self.make_room(index + 1);
         if let Some(outdated) = self.generations[index] {
@@ -277,7 +304,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.generations[index] = Some(generation);
         self.known_slots = self.known_slots.max(index + 1);
         self.known += 1;
-        slot
+        Some(slot)
     }
 
     /// Places or moves the proxy of a slot. `aabb` must be valid.
@@ -298,11 +325,29 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.gathered.moved += 1;
             self.stats.proxies -= 1;
         }
-        if !self.has_warned {
-            self.has_warned = true;
+        self.warn(
+            handle,
+            format_args!("until its box is valid again: {aabb:?}"),
+        );
+    }
+
+    /// Leaves a collider out, because there may be no such slot.
+    #[cold]
+    fn refuse_slot(&mut self, handle: impl Handle) {
+        let (slot, generation) = handle.into_raw_parts();
+        self.beyond.insert(slot, generation);
+        let most = self.most_known_slots;
+        self.warn(
+            handle,
+            format_args!("because its index is not less than {most}"),
+        );
+    }
+
+    /// Says of the first collider that is left out why it is, or until when.
+    fn warn(&mut self, handle: impl Handle, why: std::fmt::Arguments<'_>) {
+        if !std::mem::replace(&mut self.has_warned, true) {
             log::warn!(
-                "collider {handle:?} is left out of the broad phase until its box is valid again: \
-                 {aabb:?}. Further ones are only counted, in Stats::refused."
+                "collider {handle:?} is left out of the broad phase {why}. Further ones are only counted, in Stats::refused."
             );
         }
     }
@@ -339,6 +384,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
+        assert!(self.known_slots <= self.most_known_slots);
         let unknown = self.generations.get(self.known_slots..);
         let unknown = unknown.expect("there are at least as many slots as known ones");
         assert!(unknown.iter().all(Option::is_none));

@@ -25,6 +25,8 @@ mod sealed {
         const NAN: Self;
         /// The distance from 1 to the next number.
         const EPSILON: Self;
+        /// A sum of products may have lost digits to underflow if it is less.
+        const LEAST_EXACT: Self;
 
         fn abs(self) -> Self;
         fn sqrt(self) -> Self;
@@ -79,6 +81,7 @@ macro_rules! impl_real {
             const MAX: Self = $real::MAX;
             const NAN: Self = $real::NAN;
             const EPSILON: Self = $real::EPSILON;
+            const LEAST_EXACT: Self = $real::MIN_POSITIVE / $real::EPSILON;
 
             #[inline]
             fn abs(self) -> Self {

@@ -15,8 +15,8 @@ use crate::stopwatch::PhaseTimes;
 pub struct Stats {
     /// Colliders that have a box.
     pub proxies: usize,
-    /// Colliders that are left out because their box has a NaN or is inverted. They return by themselves once it is
-    /// valid again.
+    /// Colliders that are left out. Those whose box has a NaN or is inverted return by themselves once it is valid again. Those whose
+    /// index is not less than 2²⁹ - 2¹⁶ never do, as no kernel takes so many boxes; a snapshot does not count them.
     pub refused: usize,
     /// Pairs held.
     pub pairs: usize,

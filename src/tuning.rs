@@ -95,6 +95,15 @@ pub(crate) mod kernel {
     /// a virtual machine, costs more than it saves. Debug builds have less to do before they share, so that tests need not be long.
     pub(crate) const THREADS_FROM: usize = 1 << if cfg!(debug_assertions) { 13 } else { 17 };
 
+    /// Slabs, and boxes a slab. Work may be cut into so many slabs, and one more for each so many boxes: a slab has room for about a
+    /// hundred entries of its own. Above: threads idle that could share few boxes. Below: memory, if a user asks for very many slabs.
+    pub(crate) const SLABS_UP_TO: usize = 16;
+    pub(crate) const BOXES_A_SLAB: usize = 64;
+
+    /// Entries of all tables of tubes for each box. Each part of the boxes has a table of its own. Above: memory. Below: where boxes lie
+    /// so far apart that there are about as many tubes as boxes, fewer threads deal them into tubes.
+    pub(crate) const TABLED_TUBES_A_BOX: u64 = 8;
+
     /// Boxes. With fewer, `RankSweep` does not sort its two axes at once in two threads. Above: the second thread idles. Below:
     /// waking it takes longer than the sort.
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;

@@ -13,7 +13,8 @@
 //! | with a half-space | its normal |
 //!
 //! Volumes that are apart have an axis that proves it, whichever it is and however inexactly it was found. So an axis that
-//! was badly chosen costs a pair that need not be, and never one that must be.
+//! was badly chosen costs a pair that need not be, and never one that must be. An axis so short that its square is lost to underflow
+//! tells nothing apart.
 //!
 //! The idea of intervals along more axes than those of the world is that of k-DOPs (Klosowski and others 1998); axes that
 //! are chosen for each pair are those of the separating-axis test (Gottschalk and others 1996). Both need a fraction of the
@@ -115,7 +116,7 @@ impl<R: Real, const D: usize> Ball<R, D> {
         let between = sub(other.center, self.center);
         let reach = self.loosened(&[]) + other.loosened(&[]) + slack;
         // False if that cannot be told.
-        let are_apart = dot(between, between) > reach * reach;
+        let are_apart = dot(between, between) > at_least_exact(reach * reach);
         !are_apart
     }
 
@@ -167,8 +168,10 @@ impl<R: Real, const D: usize> Volume<R, D> {
         ..Self::BOX
     };
 
+    /// A negative radius counts as 0.
     #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
+        let radius = if radius < R::ZERO { R::ZERO } else { radius };
         let mut volume = Self {
             kind,
             ball: Ball { center, radius },
@@ -195,19 +198,24 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
         let mut volume = Self { kind, ..Self::BOX };
-        match numbers {
-            [] => {}
-            &[radius] => volume.ball.radius = radius,
-            [radius, rest @ ..] => {
-                volume.ball.radius = *radius;
-                let (center, numbers) = rest.split_first_chunk()?;
-                volume.ball.center = *center;
-                let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
-                let is_complete = half_axes.len() == numbers.len();
-                is_complete.then(|| half_axes.copy_from_slice(numbers))?;
-            }
+        let Some((&radius, numbers)) = numbers.split_first() else {
+            return Some(volume);
+        };
+        let is_boundless = matches!(kind, VolumeKind::Box | VolumeKind::Part);
+        if is_boundless {
+            return (radius == R::ZERO && numbers.is_empty()).then_some(volume);
         }
-        Some(volume)
+        (radius >= R::ZERO && radius.is_finite()).then(|| volume.ball.radius = radius)?;
+        if numbers.is_empty() {
+            return Some(volume);
+        }
+        let (center, numbers) = numbers.split_first_chunk()?;
+        volume.ball.center = *center;
+        let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
+        let is_complete = half_axes.len() == numbers.len();
+        is_complete.then(|| half_axes.copy_from_slice(numbers))?;
+        let is_finite = center.iter().chain(numbers).all(|x| x.is_finite());
+        is_finite.then_some(volume)
     }
 
     /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but
@@ -326,7 +334,17 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     /// False if that cannot be told.
     #[inline(always)]
     fn is_apart(&self, axis: [R; D], segments: R) -> bool {
-        dot(self.between, axis).abs() > self.reach * dot(axis, axis).sqrt() + segments
+        self.are_beyond_reach(dot(self.between, axis).abs(), axis, segments)
+    }
+
+    /// Whether a distance along an axis is more than the reach and that of segments; both are given times the length of the axis. False
+    /// if that cannot be told.
+    #[inline(always)]
+    fn are_beyond_reach(&self, distance: R, axis: [R; D], segments: R) -> bool {
+        let squared = dot(axis, axis);
+        // An axis is no longer than all numbers of both volumes are together. So if its square is exact, the rounding that they are
+        // loosened by is more than what underflow has done to any of the products.
+        squared >= R::LEAST_EXACT && is_beyond(distance, self.reach * squared.sqrt() + segments)
     }
 
     /// Whether they are apart along an axis of the world.
@@ -339,7 +357,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
                 reach[k] = reach[k] + half[k].abs();
             }
         }
-        (0..D).any(|k| self.between[k].abs() > reach[k])
+        (0..D).any(|k| is_beyond(self.between[k].abs(), reach[k]))
     }
 
     /// Whether they are apart along an axis of this one of them, if it is a cuboid.
@@ -356,7 +374,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     fn is_behind_other(&self, [half_space, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
         let normal = half_space.half_axes[0];
         let height = dot(sub(other.ball.center, half_space.ball.center), normal);
-        height > self.reach * dot(normal, normal).sqrt() + other.reach_of_segments(normal)
+        self.are_beyond_reach(height, normal, other.reach_of_segments(normal))
     }
 
     /// Whether they are apart along the line to one centre from where the segments of the other volume, which is given, are nearest to
@@ -382,8 +400,8 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
             .volumes
             .map(|volume| core(volume).unwrap_or([R::ZERO; D]));
         let between = self.between;
-        let [ud, vd, dd] = [dot(u, between), dot(v, between), dot(between, between)];
-        if dd > self.reach * dd.sqrt() + (ud.abs() + vd.abs()) {
+        let (dd, [ud, vd]) = (dot(between, between), [u, v].map(|half| dot(half, between)));
+        if self.are_beyond_reach(dd, between, ud.abs() + vd.abs()) {
             return true;
         }
         let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
@@ -392,6 +410,23 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         let s = clamped(t * uv + ud, uu);
         let axis = core::array::from_fn(|k| between[k] + t * v[k] - s * u[k]);
         self.is_apart(axis, dot(u, axis).abs() + dot(v, axis).abs())
+    }
+}
+
+/// Whether a sum of products that overflow may have made infinite is more than another one, whatever underflow has done to both. False if
+/// that cannot be told.
+#[inline(always)]
+fn is_beyond<R: Real>(distance: R, reach: R) -> bool {
+    distance > at_least_exact(reach) && distance.is_finite()
+}
+
+/// The number itself, NaN included, or the least one of which underflow has not taken any digits.
+#[inline(always)]
+fn at_least_exact<R: Real>(number: R) -> R {
+    if number < R::LEAST_EXACT {
+        R::LEAST_EXACT
+    } else {
+        number
     }
 }
 

@@ -268,6 +268,55 @@ mod tests {
         }
     }
 
+    /// Shapes of about this size, turned in many ways.
+    fn turned_shapes(size: Real) -> Vec<Collider> {
+        let vector = |numbers: [Real; 3]| {
+            let numbers: [Real; DIM] = std::array::from_fn(|k| size * numbers[k]);
+            Vector::from(numbers)
+        };
+        let [a, b, c] = [[-0.4, -0.2, 0.1], [0.5, 0.3, -0.2], [-0.1, 0.4, 0.2]].map(vector);
+        let shapes = [
+            SharedShape::ball(0.4 * size),
+            SharedShape::new(Cuboid::new(vector([0.3, 0.5, 0.4]))),
+            SharedShape::new(Cuboid::new(vector([0.3, 0.0, 0.4]))),
+            SharedShape::new(Capsule::new(a.into(), b.into(), 0.2 * size)),
+            SharedShape::segment(a.into(), b.into()),
+            SharedShape::triangle(a.into(), b.into(), c.into()),
+        ];
+        let turned = |i: usize| {
+            let shape = shapes[i % shapes.len()].clone();
+            let i = i as Real;
+            let turn = Turn::of([0.37 * i, 1.3 * i - 5.0, 0.11 * i]);
+            ColliderBuilder::new(shape).rotation(turn).build()
+        };
+        (0..24).map(turned).collect()
+    }
+
+    #[test]
+    fn what_intersects_in_parry_meets_however_small() {
+        let exponents = if size_of::<Real>() == 4 {
+            0..46
+        } else {
+            0..324
+        };
+        let mut count = 0;
+        for size in exponents.map(|exponent| (10.0 as Real).powi(-exponent)) {
+            let smalls = turned_shapes(size);
+            let larges = [1.0, size].map(turned_shapes).concat();
+            for [a, b] in smalls
+                .iter()
+                .flat_map(|small| larges.iter().map(move |large| [small, large]))
+            {
+                if version::intersect(a, b) {
+                    let [a, b] = [a, b].map(|collider| Outline::default().volume(collider, 0.0));
+                    assert!(a.meets(&b, 0.0) && b.meets(&a, 0.0), "{a:?} {b:?}");
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 10_000);
+    }
+
     #[test]
     fn a_shape_that_is_exchanged_or_changed_in_place_is_noticed() {
         let mut outline = Outline::default();

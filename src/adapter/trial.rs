@@ -50,8 +50,8 @@ const LEVELS: [PairFilter; 4] = [
 pub struct Trial {
     pub(crate) own: DefaultBroadPhase,
     own_cost: Cost,
-    pub(crate) tried: [UnisizeBroadPhase; 4],
-    costs: [Cost; 4],
+    pub(crate) tried: [UnisizeBroadPhase; LEVELS.len()],
+    costs: [Cost; LEVELS.len()],
     updates: u64,
     /// Whether boxes were handed over since the last update.
     is_prepared: bool,
@@ -93,7 +93,7 @@ impl Trial {
             own_cost: Cost::default(),
             tried: LEVELS
                 .map(|level| UnisizeBroadPhase::with_settings(settings.with_filter(level))),
-            costs: [Cost::default(); 4],
+            costs: [Cost::default(); LEVELS.len()],
             updates: 0,
             is_prepared: false,
             total: Duration::ZERO,
@@ -122,16 +122,13 @@ impl Trial {
     /// What has been found out so far. **O(1)**.
     pub fn report(&self) -> TrialReport {
         let measured = |cost: &Cost, level| cost.measured(level, self.updates);
-        let levels = LEVELS.into_iter().zip(&self.costs);
         let own = measured(&self.own_cost, None);
         TrialReport {
             updates: self.updates,
             colliders: self.tried[0].stats().proxies,
             overhead: self.total.saturating_sub(own.total),
             own,
-            levels: levels
-                .map(|(level, cost)| measured(cost, Some(level)))
-                .collect(),
+            levels: std::array::from_fn(|i| measured(&self.costs[i], Some(LEVELS[i]))),
             default_level: version::PAIR_FILTER,
             compared_level: version::FILTER_OF_OWN,
             first_difference: self.first_difference,

@@ -13,12 +13,15 @@ use super::part::Part;
 use crate::parallel;
 use crate::radix_sort::RadixSort;
 use crate::real::Real;
+use crate::tuning::kernel::{BOXES_A_SLAB, SLABS_UP_TO, TABLED_TUBES_A_BOX};
 
 /// Scratch memory: the entries of each tube. The members are [counted](Self::count), then [placed](Self::place).
 #[derive(Clone, Debug, Default)]
 pub(super) struct Assignment {
     /// One for each thread; only one if boxes are scattered.
     pub(super) parts: Vec<Part>,
+    /// How many slabs the tubes are cut into, at most.
+    slab_count: usize,
     /// How many tubes have a number.
     tubes: u32,
     /// How many tubes are in a row; 0 if boxes are scattered.
@@ -41,13 +44,20 @@ impl Assignment {
     ) {
         let count = members.count();
         let is_scattered = !grid.fits_table(count);
+        // So that memory grows with the boxes alone, whatever was asked for.
+        self.slab_count = run.slab_count.min(SLABS_UP_TO + count / BOXES_A_SLAB);
         let part_count = match is_scattered {
             true => 1,
-            false => run.slab_count.min(count).max(1),
+            false => {
+                let tabled = TABLED_TUBES_A_BOX * count as u64 / grid.tube_count();
+                let most = count.min(usize::try_from(tabled).unwrap_or(usize::MAX));
+                self.slab_count.min(most).max(1)
+            }
         };
         self.parts.resize_with(part_count, Part::default);
         for (i, part) in self.parts.iter_mut().enumerate() {
-            part.range = i * count / part_count..(i + 1) * count / part_count;
+            let [start, end] = [i, i + 1].map(|i| parallel::start_of_part(i, part_count, count));
+            part.range = start..end;
         }
         if is_scattered {
             grid.extend::<D>();
@@ -140,10 +150,14 @@ impl Assignment {
         self.parts.iter().any(|part| !part.tube(tube).is_empty())
     }
 
-    /// Cuts the tubes into at most `count` ranges that are about equally full; scattered ones, which are searched for every box that
-    /// is looked up, into one.
-    pub(super) fn split(&self, count: usize) -> Vec<Range<u32>> {
-        let count = if self.columns == 0 { 1 } else { count };
+    /// Cuts the tubes into ranges that are about equally full; scattered ones, which are searched for every box that is looked up, into
+    /// one.
+    pub(super) fn split(&self) -> Vec<Range<u32>> {
+        let count = if self.columns == 0 {
+            1
+        } else {
+            self.slab_count
+        };
         let total = self.entries_before(self.tubes);
         let mut ranges = vec![];
         let mut start = 0;
@@ -152,7 +166,7 @@ impl Assignment {
             if cut == count {
                 break;
             }
-            if self.entries_before(tube) >= total * cut / count {
+            if self.entries_before(tube) >= parallel::start_of_part(cut, count, total) {
                 ranges.push(start..tube);
                 start = tube;
             }

@@ -3,6 +3,7 @@
 use super::grid::{Grid, Strips, cut_axes};
 use super::members::Members;
 use crate::aabb::Aabb;
+use crate::parallel;
 use crate::real::Real;
 use crate::tuning::kernel::{
     BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
@@ -107,7 +108,7 @@ pub(super) fn sample_indices(n: usize, sample: Sample) -> impl Iterator<Item = u
     let count = (n / sample.one_in).clamp(least, most).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
-        let [first, next] = [i, i + 1].map(|i| i * n / count);
+        let [first, next] = [i, i + 1].map(|i| parallel::start_of_part(i, count, n));
         let hash = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
         first + hash as usize % (next - first)
     })

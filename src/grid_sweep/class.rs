@@ -81,7 +81,7 @@ impl<R: Real, const D: usize> Class<R, D> {
     pub(super) fn sweep(&mut self, assignment: &Assignment, run: &mut Run<R, D>) {
         let (boxes, slabs) = (run.boxes, &mut self.slabs);
         let keeps = run.keeps || !self.oversized.is_empty();
-        let ranges = assignment.split(run.slab_count);
+        let ranges = assignment.split();
         slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in slabs.iter_mut().zip(ranges) {
             slab.tubes.clear(range, assignment.columns);

@@ -37,6 +37,34 @@ fn a_sample_that_misleads_costs_time_and_nothing_else() {
     }
 }
 
+/// How many pairs are found among the cubes in so many places.
+fn count_pairs<const D: usize>(count: usize, place: fn(usize) -> [f32; D]) -> usize {
+    let boxes: Vec<_> = (0..count).map(|i| cube(place(i))).collect();
+    let mut pairs = Vec::new();
+    GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
+    pairs.len()
+}
+
+/// The product of the sample and of all does not fit in the 32 bits that some processors have.
+#[test]
+fn millions_are_sampled() {
+    const COUNT: usize = 1 << 21;
+    const ROW: usize = 1 << 11;
+    let found = [
+        count_pairs(COUNT, |i| [0.75 * i as f32; 2]),
+        count_pairs(COUNT, |i| [0.75 * i as f32; 3]),
+    ];
+    assert_eq!(found, [COUNT - 1; 2]);
+    fn row(i: usize) -> [f32; 2] {
+        [0.75 * (i % ROW) as f32, 4.0 * (i / ROW) as f32]
+    }
+    let found = [
+        count_pairs(COUNT, row),
+        count_pairs(COUNT, |i| [row(i)[0], row(i)[1], 0.0]),
+    ];
+    assert_eq!(found, [COUNT - COUNT / ROW; 2]);
+}
+
 #[test]
 fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
     let along = |step: f32, place: fn(f32) -> [f32; 3]| -> Vec<_> {

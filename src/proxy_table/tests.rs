@@ -221,3 +221,44 @@ fn boxes_for_unknown_colliders_make_room_once() {
     assert_eq!(table.boxes().len(), 3 * ROOM_AHEAD);
     table.validate(Kernel::GridSweep);
 }
+
+#[test]
+fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
+    const MOST: u32 = 100;
+    let aabb = Aabb::new([0.0; 2], [1.0; 2]);
+    let ids: Vec<Id> = (0..3 * MOST).map(|slot| (slot, 0)).collect();
+    assert!(ids.len() > READ_AS_LISTED_UP_TO);
+    let mut colliders = vec![(0, Some((aabb, Side(0)))); ids.len()];
+    let mut table = table(PairFilter::Groups);
+    table.most_known_slots = MOST as usize;
+    let check = |table: &mut Table, lists, colliders: &Colliders, refused| {
+        table.update(&lists, colliders, MARGIN);
+        let events = finish(table);
+        let stats = table.stats();
+        let pairs = (MOST * (MOST - 1) / 2) as usize;
+        let counts = [stats.proxies, stats.refused, stats.pairs];
+        assert_eq!(counts, [MOST as usize, refused, pairs]);
+        assert!(table.boxes().len() <= MOST as usize + ROOM_AHEAD);
+        assert!(table.boxes()[MOST as usize..].iter().all(|b| !b.is_valid()));
+        events.len()
+    };
+    // In the order of the list, and by index.
+    let short = &ids[MOST as usize - 20..][..READ_AS_LISTED_UP_TO.min(200)];
+    table.update(&Lists::new(short, &[]), &colliders, MARGIN);
+    check(&mut table, Lists::new(&ids, &[]), &colliders, 200);
+    assert!(table.has_warned);
+    assert_eq!(check(&mut table, Lists::new(&ids, &[]), &colliders, 200), 0);
+
+    // A box is shown to queries until the update.
+    table.hand_over([((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
+    assert!(table.boxes()[250].is_valid());
+    check(&mut table, Lists::new(&[], &[]), &colliders, 200);
+
+    // One is removed, one was never there, one is gone and listed, and one is another collider in the same slot.
+    let removed = [(200, 0), (201, 7)];
+    check(&mut table, Lists::new(&[], &removed), &colliders, 199);
+    (colliders[202].1, colliders[203].0) = (None, 1);
+    let listed = [(202, 0), (203, 1)];
+    check(&mut table, Lists::new(&listed, &[]), &colliders, 198);
+    check(&mut table, Lists::new(&[], &[(203, 1)]), &colliders, 197);
+}

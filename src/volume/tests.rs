@@ -111,6 +111,84 @@ fn volumes_that_touch_meet_whatever_the_rounding() {
     all_that_touch_meet::<f64, 3>();
 }
 
+/// Multiplies all lengths.
+fn scaled<const D: usize>(volume: &Volume<f64, D>, scale: f64) -> Volume<f64, D> {
+    let Ball { center, radius } = volume.ball;
+    Volume {
+        kind: volume.kind,
+        ball: Ball {
+            center: center.map(|x| x * scale),
+            radius: radius * scale,
+        },
+        half_axes: volume.half_axes.map(|half| half.map(|x| x * scale)),
+    }
+}
+
+/// Shrinks volumes by all powers of ten down to this one: both, one where the other has its centre, and one flat.
+fn all_that_intersect_meet_however_small<R: Real, const D: usize>(least: i32) {
+    let mut random = Rand64::new(17);
+    for exponent in 0..=least {
+        let scale = 10_f64.powi(-exponent);
+        for kinds in KINDS
+            .map(|first| KINDS.map(|second| [first, second]))
+            .concat()
+        {
+            for _ in 0..30 {
+                // Their centres are less far apart than their inner balls reach.
+                let [mut a, b] = kinds.map(|kind| volume::<D>(&mut random, kind, 0.001));
+                a.ball.radius += 0.01;
+                let small = scaled(&a, scale);
+                let mut flat = scaled(&b, scale);
+                flat.half_axes = flat.half_axes.map(|half| half.map(|x| x * 1e-6));
+                flat.half_axes[0] = b.half_axes[0].map(|x| x * scale);
+                let mut placed = scaled(&b, scale);
+                placed.ball.center = a.ball.center;
+                for [a, b] in [
+                    [&small, &scaled(&b, scale)],
+                    [&small, &flat],
+                    [&a, &scaled(&b, scale)],
+                    [&a, &flat],
+                    [&a, &placed],
+                ] {
+                    let [a, b] = [a, b].map(rounded::<R, D>);
+                    assert!(a.meets(&b, R::ZERO), "1e-{exponent}: {a:?} {b:?}");
+                    assert!(b.meets(&a, R::ZERO), "1e-{exponent}: {b:?} {a:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn volumes_that_intersect_meet_however_small() {
+    all_that_intersect_meet_however_small::<f32, 2>(46);
+    all_that_intersect_meet_however_small::<f32, 3>(46);
+    all_that_intersect_meet_however_small::<f64, 2>(324);
+    all_that_intersect_meet_however_small::<f64, 3>(324);
+}
+
+#[test]
+fn what_has_no_size_is_told_apart_and_what_is_tiny_meets() {
+    let cuboid = |x: f32, half: f32| {
+        let halves = [[half, 0.0], [0.0, half]];
+        Volume::new(VolumeKind::Cuboid, [x, 0.0], 0.0, &halves)
+    };
+    let ball = |x: f32, radius: f32| Volume::new(VolumeKind::Ball, [x, 0.0], radius, &[]);
+    assert!(!ball(0.0, 0.0).meets(&ball(1.0, 0.0), 0.0));
+    assert!(!cuboid(0.0, 0.0).meets(&cuboid(1.0, 0.0), 0.0));
+    assert!(!cuboid(0.0, 0.0).meets(&ball(1.0, 0.5), 0.0));
+    assert!(cuboid(0.1, 0.0).meets(&ball(0.0, 0.6), 0.0));
+    assert!(ball(0.0, 1e-23).meets(&ball(2.65e-23, 2e-23), 0.0));
+}
+
+#[test]
+fn a_product_that_is_infinite_before_it_cancels_tells_nothing_apart() {
+    let ball = Volume::new(VolumeKind::Ball, [3.5e20_f32, 1e20], 2.2e20, &[]);
+    let halves = [[1e18, -1e18], [2e20, 2e20]];
+    let cuboid = Volume::new(VolumeKind::Cuboid, [0.0; 2], 0.0, &halves);
+    assert!(ball.meets(&cuboid, 0.0) && cuboid.meets(&ball, 0.0));
+}
+
 #[test]
 fn what_does_not_fill_its_box_or_has_no_numbers_meets_all() {
     let ball = |x: f32| Volume::new(VolumeKind::Ball, [x, 0.0], 0.5, &[]);
@@ -134,6 +212,11 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
         let numbers = volume.as_ref().numbers();
         assert_eq!(Volume::of_numbers(kind, &numbers), Some(volume));
         assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers[..3]), None);
+        for (i, wrong) in [(0, -1.0), (0, f32::NAN), (1, f32::NAN), (3, f32::INFINITY)] {
+            let mut numbers = numbers.clone();
+            numbers[i] = wrong;
+            assert_eq!(Volume::<f32, 3>::of_numbers(kind, &numbers), None);
+        }
         let radius = volume.ball.radius;
         for (radius, kept) in [(radius, vec![radius]), (f32::INFINITY, vec![])] {
             let mut lost = Volume::new(kind, [f32::NAN; 3], radius, &volume.half_axes);
@@ -143,4 +226,17 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
             assert!(found.kind == kind && found.meets(&volume, 0.0));
         }
     }
+    let of_numbers = Volume::<f32, 3>::of_numbers;
+    for meets_all in [Volume::<f32, 3>::BOX, Volume::PART] {
+        let numbers = meets_all.as_ref().numbers();
+        let found = of_numbers(meets_all.kind, &numbers).unwrap();
+        assert!(found.kind == meets_all.kind && found.meets(&found, 0.0));
+        for wrong in [&[1.0][..], &[-1.0], &[0.0; 4]] {
+            assert_eq!(of_numbers(meets_all.kind, wrong), None);
+        }
+    }
+    // What Rapier makes of a negative radius can be written as well.
+    let volume = Volume::new(VolumeKind::Ball, [0.0; 3], -1.0, &[]);
+    let numbers = volume.as_ref().numbers();
+    assert_eq!(of_numbers(VolumeKind::Ball, &numbers), Some(volume));
 }

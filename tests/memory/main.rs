@@ -18,7 +18,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use unisize::$unisize::{Settings, UnisizeBroadPhase};
+            use unisize::$unisize::{PairFilter, Settings, UnisizeBroadPhase};
             use $rapier as rapier;
 
             mod suite;
@@ -69,6 +69,8 @@ mod soak {
     #[cfg(feature = "rapier3d-027")]
     soak!(dim3, rapier3d_027);
 }
+
+mod slabs;
 
 /// Waits until no other test of this program is running.
 #[allow(dead_code)] // Without an engine there is nothing to wait for.

@@ -3,8 +3,8 @@
 
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use super::{Settings, UnisizeBroadPhase, rapier};
-use crate::memory::live_bytes;
+use super::{PairFilter, Settings, UnisizeBroadPhase, rapier};
+use crate::memory::{live_bytes, reallocations};
 use crate::turn;
 use desk::Desk;
 
@@ -98,5 +98,72 @@ fn a_tree_is_kept_while_it_is_asked_for() {
             advance_last(&mut desk);
         }
         assert!(live_bytes() < with_tree - LEAST);
+    }
+}
+
+/// The kinds of shapes that a world is built of: cuboids, capsules, and both with balls between them.
+fn kinds() -> [Vec<SharedShape>; 3] {
+    let cuboid = SharedShape::new(rapier::parry::shape::Cuboid::new([0.4; DIM].into()));
+    let capsule = SharedShape::capsule_y(0.3, 0.1);
+    let ball = SharedShape::ball(0.4);
+    let mixed = vec![ball.clone(), cuboid.clone(), ball, capsule.clone()];
+    [vec![cuboid], vec![capsule], mixed]
+}
+
+/// How many times lists are reallocated while this many colliders are added that do not meet, in updates of `step` each, and while their
+/// broad phase is read from a snapshot.
+fn reallocated(kinds: &[SharedShape], count: usize, step: usize) -> [usize; 2] {
+    let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Shapes));
+    let types = ActiveCollisionTypes::all();
+    let all: Vec<_> = (0..count)
+        .map(|i| {
+            let collider = ColliderBuilder::new(kinds[i % kinds.len()].clone());
+            let handle = desk
+                .colliders
+                .insert(collider.active_collision_types(types));
+            desk.place(handle, [2.0 * i as Real, 0.0]);
+            handle
+        })
+        .collect();
+    let before = reallocations();
+    for listed in all.chunks(step) {
+        let (colliders, bodies) = (&desk.colliders, &desk.bodies);
+        let events = &mut Vec::new();
+        desk.broad_phase
+            .update(&desk.params, colliders, bodies, listed, &[], events);
+    }
+    let while_adding = reallocations() - before;
+    [while_adding, reallocated_by_reading(&desk.broad_phase)]
+}
+
+#[cfg(feature = "serde-serialize")]
+fn reallocated_by_reading(broad_phase: &UnisizeBroadPhase) -> usize {
+    let bytes = postcard::to_stdvec(broad_phase).unwrap();
+    let before = reallocations();
+    let _read: UnisizeBroadPhase = postcard::from_bytes(&bytes).unwrap();
+    reallocations() - before
+}
+
+#[cfg(not(feature = "serde-serialize"))]
+fn reallocated_by_reading(_: &UnisizeBroadPhase) -> usize {
+    0
+}
+
+/// Beside balls, which have no half axes, other shapes take one reallocation for each doubling of the number of colliders.
+#[test]
+fn reallocations_of_volumes_grow_with_the_logarithm_of_colliders() {
+    const COUNT: usize = 1 << 12;
+    let _turn = turn();
+    // And some by the harness's other threads.
+    let most = 3 * COUNT.ilog2() as usize;
+    let balls = [SharedShape::ball(0.4)];
+    for step in [COUNT, 1] {
+        let of_balls = reallocated(&balls, COUNT, step);
+        for kinds in kinds() {
+            let found = reallocated(&kinds, COUNT, step);
+            for (found, of_balls) in found.into_iter().zip(of_balls) {
+                assert!(found <= of_balls + most, "{found} beside {of_balls}");
+            }
+        }
     }
 }

@@ -12,6 +12,12 @@ pub(crate) fn live_bytes() -> usize {
     stats.bytes_allocated.wrapping_sub(stats.bytes_deallocated)
 }
 
+/// How often a list of the program has been moved or resized so far.
+#[allow(dead_code)] // Only tests ask.
+pub(crate) fn reallocations() -> usize {
+    ALLOCATOR.stats().reallocations
+}
+
 /// The peak numbers of bytes held, early in a run and later.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Peaks {

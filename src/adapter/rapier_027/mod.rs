@@ -11,6 +11,8 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Isometry, Point, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;
+#[cfg(test)]
+use super::rapier::parry::query::intersection_test;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::aabb::Aabb;
@@ -44,6 +46,13 @@ pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
 #[cfg(test)]
 pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
     vec![InteractionGroups::new(memberships, filter)]
+}
+
+/// Whether the shapes of two colliders intersect.
+#[cfg(test)]
+pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
+    let test = intersection_test(a.position(), a.shape(), b.position(), b.shape());
+    test == Ok(true)
 }
 
 /// The origin of a pose.

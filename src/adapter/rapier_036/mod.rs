@@ -10,6 +10,8 @@ use super::rapier::geometry::{
     InteractionGroups, InteractionTestMode,
 };
 use super::rapier::math::{DIM, Real};
+#[cfg(test)]
+use super::rapier::parry::query::intersection_test;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
 use crate::aabb::Aabb;
@@ -45,6 +47,13 @@ pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGr
     let modes = [InteractionTestMode::And, InteractionTestMode::Or];
     let groups = modes.map(|mode| InteractionGroups::new(memberships, filter, mode));
     groups.to_vec()
+}
+
+/// Whether the shapes of two colliders intersect.
+#[cfg(test)]
+pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
+    let test = intersection_test(a.position(), a.shape(), b.position(), b.shape());
+    test.is_ok_and(|found| found.intersecting)
 }
 
 /// The origin of a pose.

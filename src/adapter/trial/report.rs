@@ -4,6 +4,7 @@ use core::fmt;
 use std::time::Duration;
 
 use super::super::rapier::geometry::ColliderHandle;
+use super::LEVELS;
 use crate::pair_filter::PairFilter;
 
 /// The share of pairs by which a level of the filter must differ from another for it to matter.
@@ -21,8 +22,7 @@ pub struct TrialReport {
     pub overhead: Duration,
     /// Rapier's own broad phase.
     pub own: Measured,
-    /// unisize at each level of the filter, from the one that leaves out nothing.
-    pub levels: Vec<Measured>,
+    pub(super) levels: [Measured; LEVELS.len()],
     /// The level that unisize has by default with this version of Rapier.
     pub default_level: PairFilter,
     /// The level at which the pairs are Rapier's own: these were compared.
@@ -67,10 +67,12 @@ impl TrialReport {
         self.first_difference.is_none()
     }
 
+    /// unisize at each level of the filter, from the one that leaves out nothing.
+    pub fn levels(&self) -> &[Measured] {
+        &self.levels
+    }
+
     /// unisize at this level.
-    ///
-    /// # Panics
-    /// Never: there is one for each level.
     pub fn level(&self, level: PairFilter) -> &Measured {
         &self.levels[level as usize]
     }

@@ -137,7 +137,7 @@ fn first_slot(value: &mut Value) -> usize {
 }
 
 /// What the error must say, and the damage.
-const DAMAGES: [(&str, Change); 18] = [
+const DAMAGES: [(&str, Change); 21] = [
     ("no collider", |value| drop(generations(value).pop())),
     ("generations", |value| generations(value).push(json!(7))),
     ("no collider", |value| {
@@ -166,14 +166,23 @@ const DAMAGES: [(&str, Change); 18] = [
         let one = volumes(value)[0].clone();
         volumes(value).push(one);
     }),
-    ("lacks a number", |value| {
+    ("other numbers", |value| {
         list(&mut volume(value, "Cuboid")[2]).pop();
     }),
-    ("lacks a number", |value| {
+    ("other numbers", |value| {
         volume(value, "Capsule")[0] = json!("Cuboid")
     }),
-    ("lacks a number", |value| {
+    ("other numbers", |value| {
         volume(value, "Ball")[0] = json!("Capsule")
+    }),
+    ("other numbers", |value| {
+        volume(value, "Ball")[2][0] = json!(-0.5);
+    }),
+    ("other numbers", |value| {
+        volume(value, "Ball")[0] = json!("Box")
+    }),
+    ("other numbers", |value| {
+        volume(value, "Ball")[0] = json!("Part")
     }),
     // They meet all whose boxes they overlap.
     ("although its volumes meet", |value| {
