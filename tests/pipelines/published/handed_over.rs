@@ -1,6 +1,7 @@
 //! Boxes that are handed over, for colliders that are known and for others, and what a snapshot has of them.
 
 use super::super::by_hand::Desk;
+use super::super::rapier::parry::query::DefaultQueryDispatcher;
 use super::*;
 
 impl Desk {
@@ -86,4 +87,30 @@ fn what_is_in_a_snapshot_must_make_sense() {
     assert_eq!(desk.update(&handles, &[]), []);
     let said = complaint(&desk, |table| table["tracker"]["near"] = json!([[0, 1]]));
     assert!(said.contains("near"), "{said}");
+}
+
+/// Many times between two updates, and each time beyond the margin.
+#[test]
+fn queries_see_the_boxes_of_every_hand_over() {
+    let mut desk = Desk::default();
+    let handles: Vec<_> = (0..8)
+        .map(|i| desk.ball(0.5, [2.0 * i as Real, 0.0]))
+        .collect();
+    desk.update(&handles, &[]);
+    for round in 1..=12 {
+        let height = 10.0 * round as Real;
+        for (i, &handle) in handles.iter().enumerate() {
+            desk.place(handle, [2.0 * i as Real, height]);
+        }
+        desk.hand_over(&handles);
+        let (bodies, colliders) = (&desk.bodies, &desk.colliders);
+        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+        let broad_phase = &desk.broad_phase;
+        let scene = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        let ray = Ray::new(Vector::X * -5.0 + Vector::Y * height, Vector::X);
+        let hit = scene.cast_ray(&ray, Real::MAX, true);
+        let hit = hit.map(|(handle, _)| handle);
+        assert_eq!(hit, Some(handles[0]), "round {round}");
+        broad_phase.validate();
+    }
 }

@@ -76,6 +76,13 @@ impl Model {
         proxies.filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
     }
 
+    /// For how many indices boxes were handed over, though no collider is known there. Each may have a box for queries.
+    pub(super) fn announced(&self) -> usize {
+        let indices = self.awaited.keys().map(|&(index, _)| index);
+        let unknown = indices.filter(|index| !self.proxies.contains_key(index));
+        unknown.collect::<BTreeSet<_>>().len()
+    }
+
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
     /// at; otherwise the next update looks for the collider.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
@@ -333,13 +340,17 @@ impl Model {
         let mut pairs = BTreeSet::new();
         for (i, (first, a)) in sound.iter().enumerate() {
             for (second, b) in &sound[i + 1..] {
-                if (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k]) {
+                if overlap(a, b) {
                     pairs.insert([*first, *second]);
                 }
             }
         }
         pairs
     }
+}
+
+pub(super) fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k])
 }
 
 fn is_sound(aabb: &Aabb) -> bool {
