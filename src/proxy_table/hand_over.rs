@@ -102,11 +102,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &self.touched()[first_touched..]
     }
 
-    /// Keeps a box until the next update can look for its collider.
+    /// Keeps a box until the next update can look for its collider. A collider of an earlier generation than the known one is gone, so
+    /// its box is ignored.
     #[cold]
     fn keep_pending(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
+        if self.generations.get(index).copied().flatten() > Some(generation) {
+            return;
+        }
         // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
         if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);

@@ -84,7 +84,7 @@ impl Model {
     }
 
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
-    /// at; otherwise the next update looks for the collider.
+    /// at; otherwise the next update looks for the collider, unless a newer one is known.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         self.is_begun = true;
         let (index, generation) = handle.into_raw_parts();
@@ -96,6 +96,9 @@ impl Model {
                     _ => Volume::meeting_all(),
                 };
                 return self.renew(handle, aabb, margin, known.key, volume);
+            }
+            if known.generation > generation {
+                return;
             }
             self.awaited.insert((index, known.generation), None);
             if is_sound(&aabb) {
