@@ -87,8 +87,6 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 #[derive(Clone, Debug)]
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
-    /// The slots that were touched before the last `finish`; may repeat.
-    pub(crate) last_touched: Vec<u32>,
     foresight: Foresight,
     /// What the last update took.
     work: Work,
@@ -108,7 +106,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>, volumes: bool) -> Self {
         Self {
             proxies: Proxies::new(volumes),
-            last_touched: Vec::new(),
             foresight: Foresight::new(foresight),
             work: Work::default(),
             cost: Cost::default(),

@@ -127,14 +127,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         fat_boxes.iter().filter(|fat| fat.is_valid())
     }
 
-    /// The slots whose boxes have been handed over or taken away since the last update; may repeat.
-    pub(crate) fn touched(&self) -> &[u32] {
+    /// The slots whose boxes were written since the last [finish](Self::finish); may repeat.
+    fn touched(&self) -> &[u32] {
         self.tracker.proxies.touched()
-    }
-
-    /// The slots whose boxes the last update has renewed or taken away; may repeat.
-    pub(crate) fn last_touched(&self) -> &[u32] {
-        &self.tracker.last_touched
     }
 
     /// The held pairs, the collider in the smaller slot first.
@@ -197,12 +192,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
-    /// renewed is loosened by `margin`.
-    pub(crate) fn update<S>(&mut self, lists: &Lists<'_, S::Handle>, source: &S, margin: R)
+    /// renewed is loosened by `margin`. Returns the slots whose boxes it has written; some may repeat.
+    pub(crate) fn update<S>(
+        &mut self,
+        lists: &Lists<'_, S::Handle>,
+        source: &S,
+        margin: R,
+    ) -> &[u32]
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin();
+        let touched = self.touched().len();
         self.gathered.listed += lists.len();
         self.tracker.stopwatch.enter(Phase::Read);
         // Removals first: a listed collider may already have the slot of a removed one.
@@ -223,6 +224,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.read_unmoved(lists.unmoved, source);
         self.read_swept(lists.swept, source);
         self.tracker.stopwatch.leave();
+        &self.touched()[touched..]
     }
 
     /// Whether there is an update to finish, because boxes were handed over.

@@ -157,7 +157,8 @@ impl UnisizeBroadPhase {
         self.table.fat_boxes().map(|&aabb| aabb.into())
     }
 
-    /// Checks the internal invariants: the records of colliders, and the pairs held, by a full search. For tests.
+    /// Checks the internal invariants: the records of colliders, the pairs held, by a full search, and the leaves of the tree for
+    /// queries, if there is one. For tests.
     ///
     /// # Panics
     /// If an invariant is broken, which would be a bug.
@@ -167,6 +168,7 @@ impl UnisizeBroadPhase {
             Kernel::RankSweep => Kernel::GridSweep,
             _ => Kernel::RankSweep,
         });
+        self.query_tree.validate(self.table.boxes());
     }
 
     /// Which pairs are left out.
@@ -217,15 +219,13 @@ impl UnisizeBroadPhase {
         }
         let margin = self.margin(params);
         let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
-        let touched = self.table.touched().len();
-        self.table
+        let written = self
+            .table
             .hand_over(aabbs, margin, |handle, outline, aabb| {
                 let collider = colliders.and_then(|colliders| colliders.get(handle));
                 volume(collider, params, outline, aabb)
             });
-        if self.table.touched().len() > touched {
-            self.query_tree.unsettle();
-        }
+        self.query_tree.note(written);
     }
 
     /// One update.
@@ -243,7 +243,9 @@ impl UnisizeBroadPhase {
             half_distance: input.params.prediction_distance() / 2.0,
             filter: self.filter(),
         };
-        self.table.update(&input.lists, &boxes, margin);
+        let written = self.table.update(&input.lists, &boxes, margin);
+        self.query_tree.note(written);
+        self.query_tree.grow_older();
         let event = |is_added, [first, second]: [_; 2]| match is_added {
             true => BroadPhasePairEvent::AddPair(ColliderPair::new(first, second)),
             false => BroadPhasePairEvent::DeletePair(ColliderPair::new(first, second)),
@@ -257,7 +259,5 @@ impl UnisizeBroadPhase {
                 events.push(event(is_added, pair));
             },
         );
-        let (touched, slots) = (self.table.last_touched(), self.table.boxes().len());
-        self.query_tree.note(touched, slots);
     }
 }

@@ -14,6 +14,7 @@ use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
 use super::rapier::parry::query::QueryDispatcher;
 use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
+use crate::slot_set::SlotSet;
 use crate::tuning::queries::{
     BUILD_FROM_GIRTH, FEW_UP_TO_ONE_IN, JUDGE_FROM_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
     TIGHTEN_FROM_ONE_IN,
@@ -65,16 +66,16 @@ impl UnisizeBroadPhase {
     }
 
     pub(crate) fn tree(&self) -> &Bvh {
-        self.query_tree.of(self.table.boxes(), self.table.touched())
+        self.query_tree.of(self.table.boxes())
     }
 }
 
 /// The tree, if it was asked for recently.
 #[derive(Default)]
 pub(super) struct QueryTree {
-    /// As of the last update.
+    /// With the present boxes.
     current: OnceLock<Tree>,
-    /// As of an earlier update.
+    /// With earlier boxes.
     outdated: Mutex<Option<Tree>>,
     /// Updates since it was last asked for.
     unasked: u32,
@@ -90,10 +91,8 @@ struct Tree {
     girth: u64,
     /// Leaves written alone or removed since the nodes were last put in order.
     loose: usize,
-    /// How many of the boxes handed over since the last update it has.
-    seen: usize,
-    /// If it is outdated, the slots whose boxes have changed since; some may occur more than once.
-    renewed: Vec<u32>,
+    /// The slots whose boxes were written since; none if it is current.
+    outdated: SlotSet,
 }
 
 /// Scratch memory of Parry's, which cannot be cloned.
@@ -117,57 +116,63 @@ impl Clone for QueryTree {
 }
 
 impl QueryTree {
-    /// Takes note of the boxes that an update has renewed, of this number of slots. A tree that is no longer asked for is
-    /// given up in the end.
-    pub(super) fn note(&mut self, renewed: &[u32], slots: usize) {
-        if let Some(tree) = self.current.get_mut() {
-            if tree.seen >= renewed.len() {
-                // It is still up to date.
-                tree.seen = 0;
-                self.unasked = 0;
-                return;
-            }
+    /// Takes note that the boxes of these slots were written. **O(1)** each, and **O(1)** in all if there is no tree.
+    pub(super) fn note(&mut self, written: &[u32]) {
+        if written.is_empty() {
+            return;
         }
-        self.unsettle();
-        self.unasked = self.unasked.saturating_add(1);
-        let mut outdated = self.lock();
-        if self.unasked > KEEP_UNASKED {
-            *outdated = None;
-        } else if let Some(tree) = &mut *outdated {
-            let all = &mut tree.renewed;
-            all.extend_from_slice(&renewed[std::mem::take(&mut tree.seen).min(renewed.len())..]);
-            if all.len() > slots {
-                // The list has repeats; list each slot once instead.
-                all.clear();
-                all.extend(0..slots as u32);
-            }
-        }
-    }
-
-    /// Takes note that boxes have been handed over since it was last asked for.
-    pub(super) fn unsettle(&mut self) {
+        let outdated = self.outdated.get_mut();
+        let outdated = outdated.unwrap_or_else(PoisonError::into_inner);
         if let Some(tree) = self.current.take() {
             self.unasked = 0;
-            *self.lock() = Some(tree);
+            *outdated = Some(tree);
+        }
+        if let Some(tree) = outdated {
+            let highest = written.iter().fold(0, |highest, &slot| highest.max(slot));
+            tree.outdated.make_room(highest as usize + 1);
+            for &slot in written {
+                tree.outdated.insert(slot);
+            }
         }
     }
 
-    /// The tree of these boxes, of which those of the `touched` slots were handed over since the last update.
-    /// **O(n log n)** at first, then **O(n)** with a small constant once after boxes were renewed, and **O(1)** otherwise.
-    pub(super) fn of(&self, boxes: Boxes, touched: &[u32]) -> &Bvh {
-        let tree = self.current.get_or_init(|| {
-            let mut tree = match self.lock().take() {
-                Some(mut tree) => {
-                    let mut renewed = std::mem::take(&mut tree.renewed);
-                    renewed.extend_from_slice(&touched[tree.seen.min(touched.len())..]);
-                    tree.refreshed(boxes, &renewed)
-                }
-                None => Tree::new(boxes),
-            };
-            tree.seen = touched.len();
-            tree
+    /// Takes note of an update. A tree that is no longer asked for is given up in the end.
+    pub(super) fn grow_older(&mut self) {
+        if self.current.get().is_some() {
+            self.unasked = 0;
+            return;
+        }
+        self.unasked = self.unasked.saturating_add(1);
+        if self.unasked > KEEP_UNASKED {
+            *self.lock() = None;
+        }
+    }
+
+    /// The tree of these boxes. **O(n log n)** at first, then **O(n)** with a small constant once after boxes were renewed, and
+    /// **O(1)** otherwise.
+    pub(super) fn of(&self, boxes: Boxes) -> &Bvh {
+        let tree = self.current.get_or_init(|| match self.lock().take() {
+            Some(tree) => tree.refreshed(boxes),
+            None => Tree::new(boxes),
         });
         &tree.bvh
+    }
+
+    /// Panics unless the leaves of the tree, if there is one, are these boxes, once it is brought up to date.
+    pub(super) fn validate(&self, boxes: Boxes) {
+        let outdated = || Some(self.lock().clone()?.refreshed(boxes));
+        let Some(tree) = self.current.get().cloned().or_else(outdated) else {
+            return;
+        };
+        assert!(tree.outdated.slots().is_empty(), "it is brought up to date");
+        let valid = (0..).zip(boxes).filter(|(_, aabb)| aabb.is_valid());
+        let mut count = 0;
+        for (slot, &aabb) in valid {
+            let leaf = tree.bvh.leaf_node(slot).map(|leaf| leaf.aabb());
+            assert_eq!(leaf, Some(aabb.into()), "the leaf of slot {slot}");
+            count += 1;
+        }
+        assert_eq!(tree.bvh.leaf_count(), count, "leaves");
     }
 
     fn lock(&self) -> MutexGuard<'_, Option<Tree>> {
@@ -196,17 +201,24 @@ impl Tree {
             workspace: Workspace::default(),
             placed: boxes.to_vec(),
             loose: 0,
-            seen: 0,
-            renewed: Vec::new(),
+            outdated: SlotSet::default(),
         }
     }
 
-    /// The tree with the leaves of these slots brought up to date.
+    /// The tree with its outdated leaves brought up to date.
     ///
     /// A leaf that has gone far from where its place was chosen makes its ancestors large, and rays visit more of the
     /// tree. If few have moved, it gets a new place. If many have, they go far at about the same time: then, unless what was near
     /// each other has gone together, the tree is built afresh.
-    fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
+    fn refreshed(mut self, boxes: Boxes) -> Self {
+        let mut outdated = std::mem::take(&mut self.outdated);
+        let mut tree = self.with_renewed(boxes, outdated.slots());
+        outdated.clear();
+        tree.outdated = outdated;
+        tree
+    }
+
+    fn with_renewed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
         let leaves = self.bvh.leaf_count() as usize;
         let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
         self.placed.resize(boxes.len(), Aabb::ABSENT);
@@ -316,15 +328,16 @@ mod tests {
     /// Whether the tree of boxes is built afresh once they are others, all of which have left their places.
     fn is_built_afresh(before: Boxes, now: Boxes) -> bool {
         let mut tree = Tree::new(before);
-        // A new one has seen nothing.
-        tree.seen = 1;
-        let renewed: Vec<_> = (0..COUNT as u32).collect();
-        let tree = tree.refreshed(now, &renewed);
+        // A new one has no loose leaves.
+        tree.loose = 1;
+        tree.outdated.make_room(COUNT);
+        (0..COUNT as u32).for_each(|slot| tree.outdated.insert(slot));
+        let tree = tree.refreshed(now);
         for (slot, aabb) in now.iter().enumerate() {
             let leaf = tree.bvh.leaf_node(slot as u32).map(|node| node.aabb());
             assert_eq!(leaf, Some((*aabb).into()));
         }
-        tree.seen == 0
+        tree.loose == 0
     }
 
     #[test]

@@ -283,9 +283,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         });
     }
 
-    /// Makes the present boxes the previous ones, and forgets the notes, except that it swaps what was touched with
-    /// `last_touched`.
-    pub(super) fn commit(&mut self, last_touched: &mut Vec<u32>) {
+    /// Makes the present boxes the previous ones, and forgets the notes.
+    pub(super) fn commit(&mut self) {
         let touched = &self.notes.touched;
         if are_most_touched(touched.len(), self.boxes.len()) {
             let slots = slots_a_task(self.boxes.len());
@@ -303,7 +302,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             self.renewed.clear_around(touched);
         }
         let notes = &mut self.notes;
-        std::mem::swap(&mut notes.touched, last_touched);
         for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
             noted.clear();
         }

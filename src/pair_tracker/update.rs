@@ -11,7 +11,7 @@
 //! 5. **Compare.** Candidates of the leavers are retired, those of the other touched proxies are compared, and what was found
 //!    is taken in; after a full run, what was found replaces all. Wherever the answer for a pair differs from what was held,
 //!    a change is reported.
-//! 6. **Commit.** The present boxes become the previous ones, and the touched the last touched.
+//! 6. **Commit.** The present boxes become the previous ones, and the notes are forgotten.
 //!
 //! The fat boxes that were not left stay as they are, and with them the candidates: that is what the next updates live on.
 
@@ -47,7 +47,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         });
         match plan {
             Plan::Nothing => {
-                self.last_touched.clear();
                 self.stopwatch.leave();
                 return;
             }
@@ -66,7 +65,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
         }
         self.cost.add(&self.work);
-        self.proxies.commit(&mut self.last_touched);
+        self.proxies.commit();
         self.stopwatch.leave();
     }
 

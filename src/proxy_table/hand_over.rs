@@ -38,7 +38,7 @@ pub(super) struct HandedOver<R, const D: usize> {
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
-    /// their filter keys. **O(1)** each.
+    /// their filter keys. Returns the slots whose boxes it has written; some may repeat. **O(1)** each.
     ///
     /// `volume` is asked for volumes, if they are in use, but not of balls, which are where their boxes are, and of parts.
     pub(crate) fn hand_over<H: Handle>(
@@ -46,10 +46,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         boxes: impl IntoIterator<Item = (H, Aabb<R, D>)>,
         margin: R,
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
-    ) {
+    ) -> &[u32] {
         self.begin();
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
+        let first_touched = self.touched().len();
         let mut boxes = boxes.into_iter();
         loop {
             let touched = self.touched().len();
@@ -98,13 +99,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             });
         }
         self.tracker.stopwatch.leave();
+        &self.touched()[first_touched..]
     }
 
-    /// Keeps a box until the next update can look for its collider.
+    /// Keeps a box until the next update can look for its collider. A collider of an earlier generation than the known one is gone, so
+    /// its box is ignored.
     #[cold]
     fn keep_pending(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
+        if self.generations.get(index).copied().flatten() > Some(generation) {
+            return;
+        }
         // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
         if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);

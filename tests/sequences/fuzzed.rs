@@ -135,9 +135,14 @@ impl<'a> Bytes<'a> {
             32 => Op::Hook(self.pick(), self.flag()),
             33 => Op::LengthUnit(self.one_of(&LENGTH_UNITS)),
             34 => Op::Carry(self.pick(), self.triple(&SMALL)),
-            35 | 36 => Op::Carry(self.pick(), self.triple(&LARGE)),
-            37 | 43 => Op::Announce(self.new_collider(), self.triple(&SMALL)),
+            35 => Op::Carry(self.pick(), self.triple(&LARGE)),
+            36 => Op::CarryAll(1 + self.below(6), self.triple(&LARGE), self.flag()),
+            37 => Op::Announce(self.new_collider(), self.triple(&SMALL)),
             38 => Op::HandOver(self.pick(), self.flag().then(|| self.place())),
+            43 => match self.below(4) {
+                0 => Op::Renew(self.flag()),
+                _ => Op::Ask,
+            },
             _ => match self.below(2) {
                 0 => Op::HandOverStale(self.pick(), self.place()),
                 _ => Op::HandOverBogus(self.index(), self.below(4) as u32, self.place()),

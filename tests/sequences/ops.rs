@@ -160,6 +160,13 @@ pub(crate) enum Op {
     Announce(NewCollider, Triple),
     /// Moves a collider, with its body if it has one, and hands the boxes over that it has then, where the engine does so.
     Carry(Pick, Triple),
+    /// Moves all colliders, with their bodies, by this. Hands over their boxes. Does so a number of times, and has queries see
+    /// the boxes after each time or not.
+    CarryAll(usize, Triple, bool),
+    /// Has queries see the boxes that were handed over so far.
+    Ask,
+    /// Puts a clone in the place of the broad phase, and then, or not, one that was written and read.
+    Renew(bool),
     /// Hands over a box that is another one than the collider has: around this place, or all NaN.
     HandOver(Pick, Option<Triple>),
     /// Hands over a box of a collider that was removed some time ago.

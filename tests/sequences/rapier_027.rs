@@ -78,8 +78,6 @@ pub(super) fn hand_over(
     false
 }
 
-pub(super) fn check_leaves(_: &UnisizeBroadPhase, _: impl Iterator<Item = (u32, Aabb)>) {}
-
 /// How far apart two colliders are, where there is an answer.
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     query::distance(a.position(), a.shape(), b.position(), b.shape()).ok()

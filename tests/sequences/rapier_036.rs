@@ -78,22 +78,6 @@ pub(super) fn hand_over(
     true
 }
 
-/// Checks that the leaves of queries are these boxes.
-pub(super) fn check_leaves(
-    broad_phase: &UnisizeBroadPhase,
-    boxes: impl Iterator<Item = (u32, Aabb)>,
-) {
-    let (bodies, colliders) = (RigidBodySet::new(), ColliderSet::new());
-    let dispatcher = query::DefaultQueryDispatcher;
-    let filter = QueryFilter::default();
-    let queries = broad_phase.as_query_pipeline(&dispatcher, &bodies, &colliders, filter);
-    for (index, aabb) in boxes {
-        let leaf = queries.bvh.leaf_node(index);
-        let leaf = leaf.expect("there is a leaf for it").aabb();
-        assert_eq!(leaf, aabb, "the leaf {index} and its box");
-    }
-}
-
 /// How far apart two colliders are, where there is an answer.
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());

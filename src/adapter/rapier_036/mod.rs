@@ -125,8 +125,9 @@ impl UnisizeBroadPhase {
     ///
     /// `aabb` is that of `Collider::compute_broad_phase_aabb`, or at least contains it; the margin is added if the collider
     /// has left the box that is held. Only its position may have changed: for anything else it must be listed. A box for a
-    /// collider that the broad phase does not know counts once the next update finds it in the set; an invalid box
-    /// leaves the collider out, as [`Stats::refused`](crate::Stats::refused), until a valid one comes. Only of a ball does the box tell
+    /// collider that the broad phase does not know counts once the next update finds it in the set. A box for a collider whose
+    /// index a newer one has is ignored. An invalid box leaves the collider out, as
+    /// [`Stats::refused`](crate::Stats::refused), until a valid one comes. Only of a ball does the box tell
     /// where the shape is: other colliders are pairs by their boxes until they are listed. **O(1)**.
     pub fn set_aabb(
         &mut self,

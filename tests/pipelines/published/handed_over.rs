@@ -1,6 +1,7 @@
 //! Boxes that are handed over, for colliders that are known and for others, and what a snapshot has of them.
 
 use super::super::by_hand::Desk;
+use super::super::rapier::parry::query::DefaultQueryDispatcher;
 use super::*;
 
 impl Desk {
@@ -86,4 +87,54 @@ fn what_is_in_a_snapshot_must_make_sense() {
     assert_eq!(desk.update(&handles, &[]), []);
     let said = complaint(&desk, |table| table["tracker"]["near"] = json!([[0, 1]]));
     assert!(said.contains("near"), "{said}");
+}
+
+/// What a ray along the first axis hits first at this height, which comes from far outside.
+fn hit(desk: &Desk, height: Real) -> Option<ColliderHandle> {
+    let (bodies, colliders) = (&desk.bodies, &desk.colliders);
+    let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+    let broad_phase = &desk.broad_phase;
+    let scene = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter);
+    let ray = Ray::new(Vector::X * -99.0 + Vector::Y * height, Vector::X);
+    let (handle, _) = scene.cast_ray(&ray, Real::MAX, true)?;
+    Some(handle)
+}
+
+/// Many times between two updates, and each time beyond the margin.
+#[test]
+fn queries_see_the_boxes_of_every_hand_over() {
+    let mut desk = Desk::default();
+    let place = |i| 2.0 * i as Real;
+    let handles: Vec<_> = (0..8).map(|i| desk.ball(0.5, [place(i), 0.0])).collect();
+    desk.update(&handles, &[]);
+    for round in 1..=12 {
+        let height = 10.0 * round as Real;
+        for (i, &handle) in handles.iter().enumerate() {
+            desk.place(handle, [place(i), height]);
+        }
+        desk.hand_over(&handles);
+        assert_eq!(hit(&desk, height), Some(handles[0]), "round {round}");
+        desk.broad_phase.validate();
+    }
+}
+
+/// The index of what is gone may have another collider by now, which stays where it is.
+#[test]
+fn a_box_for_an_earlier_generation_is_ignored() {
+    let mut desk = Desk::default();
+    let [other, gone] = [9.0, 0.0].map(|height| desk.ball(0.5, [0.0, height]));
+    desk.update(&[other, gone], &[]);
+    let aabb = desk.colliders[other].compute_aabb();
+    let (islands, bodies) = (&mut IslandManager::new(), &mut desk.bodies);
+    let colliders = &mut desk.colliders;
+    colliders.remove(gone, islands, bodies, &mut SoftBodySet::new(), false);
+    let present = desk.ball(0.5, [0.0, 0.0]);
+    assert_eq!(gone.into_raw_parts().0, present.into_raw_parts().0);
+    desk.update(&[present], &[gone]);
+    for _ in 0..2 {
+        desk.broad_phase.set_aabb(&desk.params, gone, aabb);
+        assert_eq!(hit(&desk, 0.0), Some(present));
+        assert_eq!(desk.update(&[], &[]), []);
+    }
+    assert_eq!(desk.counts(), [2, 0, 0]);
 }

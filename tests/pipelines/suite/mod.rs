@@ -21,4 +21,5 @@ mod removals;
 pub(super) mod snapshot;
 mod trial;
 pub(super) mod twins;
+mod upheavals;
 mod wake_ups;

@@ -2,7 +2,7 @@
 
 use super::Kernel;
 use super::checked::CheckedBroadPhase;
-use super::world::World;
+use super::world::{Ahead, World};
 use crate::ops::Sequence;
 
 pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
@@ -12,8 +12,13 @@ pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
         for &op in ops {
             world.apply(op);
         }
-        let handed_over = std::mem::take(&mut world.handed_over);
-        broad_phase.check_hand_over(&world.params, &handed_over);
+        for ahead in std::mem::take(&mut world.ahead) {
+            match ahead {
+                Ahead::HandOver(boxes) => broad_phase.check_hand_over(&world.params, &boxes),
+                Ahead::Ask => broad_phase.check_leaves(),
+                Ahead::Renew(is_written) => broad_phase.renew(is_written),
+            }
+        }
         list_silent_removals(&mut world, &broad_phase);
         broad_phase.check_update(
             &world.params,

@@ -76,8 +76,15 @@ impl Model {
         proxies.filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
     }
 
+    /// For how many indices boxes were handed over, though no collider is known there. Each may have a box for queries.
+    pub(super) fn announced(&self) -> usize {
+        let indices = self.awaited.keys().map(|&(index, _)| index);
+        let unknown = indices.filter(|index| !self.proxies.contains_key(index));
+        unknown.collect::<BTreeSet<_>>().len()
+    }
+
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
-    /// at; otherwise the next update looks for the collider.
+    /// at; otherwise the next update looks for the collider, unless a newer one is known.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         self.is_begun = true;
         let (index, generation) = handle.into_raw_parts();
@@ -89,6 +96,9 @@ impl Model {
                     _ => Volume::meeting_all(),
                 };
                 return self.renew(handle, aabb, margin, known.key, volume);
+            }
+            if known.generation > generation {
+                return;
             }
             self.awaited.insert((index, known.generation), None);
             if is_sound(&aabb) {
@@ -333,13 +343,17 @@ impl Model {
         let mut pairs = BTreeSet::new();
         for (i, (first, a)) in sound.iter().enumerate() {
             for (second, b) in &sound[i + 1..] {
-                if (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k]) {
+                if overlap(a, b) {
                     pairs.insert([*first, *second]);
                 }
             }
         }
         pairs
     }
+}
+
+pub(super) fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k])
 }
 
 fn is_sound(aabb: &Aabb) -> bool {

@@ -15,13 +15,20 @@ pub(crate) struct World {
     pub(crate) params: IntegrationParameters,
     pub(crate) modified: Vec<ColliderHandle>,
     pub(crate) removed: Vec<ColliderHandle>,
-    /// In the order in which they are to be handed over.
-    pub(crate) handed_over: Vec<HandedOver>,
+    /// What is to be done before the next update, in this order.
+    pub(crate) ahead: Vec<Ahead>,
     /// Whether an engine's pipeline propagates the changes of a body to its colliders.
     pub(crate) engine_follows_bodies: bool,
     live: Vec<ColliderHandle>,
     live_bodies: Vec<RigidBodyHandle>,
     gone: Vec<ColliderHandle>,
+}
+
+/// What is done between two updates.
+pub(crate) enum Ahead {
+    HandOver(Vec<HandedOver>),
+    Ask,
+    Renew(bool),
 }
 
 /// A box to hand over.
@@ -82,6 +89,20 @@ impl World {
                     self.hand_over_from(listed);
                 }
             }
+            Op::CarryAll(times, by, is_asked) => {
+                for _ in 0..times {
+                    self.ahead.push(Ahead::HandOver(Vec::new()));
+                    for pick in 0..self.live.len() {
+                        self.apply(Op::Carry(pick, by));
+                    }
+                    self.ahead.push(match is_asked {
+                        true => Ahead::Ask,
+                        false => Ahead::HandOver(Vec::new()),
+                    });
+                }
+            }
+            Op::Ask => self.ahead.push(Ahead::Ask),
+            Op::Renew(is_written) => self.ahead.push(Ahead::Renew(is_written)),
             Op::HandOver(pick, at) => {
                 if let Some(handle) = nth(&self.live, pick) {
                     self.hand_over_at(handle, at.unwrap_or([f32::NAN; 3]));
@@ -136,7 +157,7 @@ impl World {
     fn hand_over(&mut self, handle: ColliderHandle) {
         let collider = &self.colliders[handle];
         match version::handed_over_box(collider, &self.params, &self.bodies) {
-            Some(aabb) => self.handed_over.push(HandedOver {
+            Some(aabb) => self.hand_over_box(HandedOver {
                 handle,
                 aabb,
                 prediction: Some(self.params.prediction_distance()),
@@ -145,10 +166,18 @@ impl World {
         }
     }
 
+    /// Hands over a box, together with those before.
+    fn hand_over_box(&mut self, handed_over: HandedOver) {
+        match self.ahead.last_mut() {
+            Some(Ahead::HandOver(boxes)) => boxes.push(handed_over),
+            _ => self.ahead.push(Ahead::HandOver(vec![handed_over])),
+        }
+    }
+
     /// Hands over a box around some place.
     fn hand_over_at(&mut self, handle: ColliderHandle, at: Triple) {
         let aabb = SharedShape::ball(0.5).compute_aabb(&translation(at));
-        self.handed_over.push(HandedOver {
+        self.hand_over_box(HandedOver {
             handle,
             aabb,
             prediction: None,
