@@ -3,9 +3,9 @@
 /// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
 ///
 /// A pair that is left out is dropped as soon as a search finds it, and costs nothing between searches or in the narrow
-/// phase. It is reported as soon as it may
-/// have an effect and one of its colliders is listed as modified, and ends as soon as it no longer may. Rapier's
-/// `PhysicsPipeline` lists a collider whenever what the filter looks at has changed.
+/// phase. It is reported as soon as it may have an effect and one of its colliders is listed as modified. Rapier's
+/// `PhysicsPipeline` lists a collider whenever what the filter looks at has changed. A reported pair that bodies, types or groups come to
+/// forbid stays until its boxes part, as with Rapier 0.36's own broad phase.
 ///
 /// | world | leaves out |
 /// |---|---|
@@ -45,7 +45,7 @@ pub enum PairFilter {
     ///
     /// A pair begins when the two are within the prediction distance and their contact skins, by their boxes *and* by bounding
     /// volumes of their shapes, as they are in this update. It ends when the boxes with their margins part, or the volumes are
-    /// farther apart than both margins. So the margin saves work and costs no pairs. What has moved by less than a sixteenth of the margin
+    /// farther apart than both margins and the narrow phase has no contact of the two that is still active. So the margin saves work and costs no pairs. What has moved by less than a sixteenth of the margin
     /// in a step is *slow* until it leaves its box: then its volume is loosened by as much, and looked at again only when it has moved by more.
     ///
     /// | shape | volume |
@@ -60,8 +60,8 @@ pub enum PairFilter {
     ///
     /// Contacts and intersections are the same. Rapier 0.36 looks at a pair again only when the two have moved by some hundredths of a
     /// length unit, counted from when the pair began: of two that are still apart, a contact may be foreseen some steps earlier or later.
-    /// Rapier also wakes what it holds pairs with, whether they touch or not: the opened copy
-    /// of Rapier 0.36 does so with what is left out here. In Rapier 0.27, and in 0.36 without the copy, changing or removing a
-    /// collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
+    /// Rapier also wakes the body of a changed collider if its narrow phase has ever had a pair of it, and the bodies that it holds pairs
+    /// with. The opened copy of Rapier 0.36 does so for the pairs that are left out here as well. In Rapier 0.27, and in 0.36 without the
+    /// copy, changing or removing a collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
     Shapes,
 }

@@ -41,6 +41,8 @@ pub(super) struct Candidates {
     forbidden: Vec<[u32; 2]>,
     /// The slots of proxies whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
     acquainted: BitSet,
+    /// How many rows were passed over, in all updates, to find those of a few slots whose boxes have not changed.
+    pub(super) passed_over: usize,
     /// Scratch: the slots whose candidates are compared.
     slots: BitSet,
     /// Scratch: answers about rows, or about what was found.
@@ -167,6 +169,7 @@ impl Candidates {
             }
             return;
         }
+        self.passed_over += self.rows();
         self.slots.insert_all(listed, slots);
         for [a, b] in self.near() {
             for pair in [[a, b], [b, a]] {

@@ -200,6 +200,47 @@ fn drifting_boxes_agree_with_brute_force() {
     }
 }
 
+/// Balls in a checkerboard, whose boxes overlap and that do not touch, and of which only few change.
+#[test]
+fn a_few_that_change_among_many_at_rest_cost_no_pass_over_all() {
+    const SIDE: u32 = 60;
+    for changing in [1, 10] {
+        let mut world = World::new(Kernel::GridSweep, SIDE * SIDE, true);
+        let ball = |slot: u32, radius: f32| {
+            let (x, y) = (slot % SIDE, slot / SIDE);
+            let corner = [x, y].map(|i| 0.74 * i as f32);
+            let aabb = Aabb::new(corner, corner.map(|x| x + 1.0));
+            let center = corner.map(|x| x + 0.5);
+            (aabb, Volume::new(VolumeKind::Ball, center, radius, &[]))
+        };
+        let is_there = |slot: &u32| (slot % SIDE + slot / SIDE) % 2 == 0;
+        let slots: Vec<_> = (0..SIDE * SIDE).filter(is_there).collect();
+        for &slot in &slots {
+            let (aabb, volume) = ball(slot, 0.5);
+            world.tracker.proxies.place(slot, aabb);
+            world.tracker.proxies.set_volume(slot, &volume, true);
+        }
+        world.finish();
+        let candidates = &world.tracker.candidates;
+        assert!(candidates.len() > 3_000 && world.held.is_empty());
+        let listed: Vec<_> = slots.iter().copied().step_by(97).take(changing).collect();
+        let mut passed_over = Vec::new();
+        for update in 0..200 {
+            let mut neighbors = 0;
+            world.tracker.visit_near(&listed, |_| neighbors += 1);
+            assert!(neighbors >= 2 * changing);
+            for &slot in &listed {
+                let (_, volume) = ball(slot, if update % 2 == 0 { 0.49 } else { 0.5 });
+                world.tracker.proxies.set_volume(slot, &volume, false);
+            }
+            world.finish();
+            passed_over.push(world.tracker.candidates.passed_over);
+        }
+        assert!(passed_over[0] > 0, "lists are only made once they pay");
+        assert_eq!(passed_over[100], passed_over[199]);
+    }
+}
+
 /// Huge boxes on their way to small ones would have a candidate with each of them.
 #[test]
 fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {

@@ -8,7 +8,7 @@ use bevy_rapier3d::prelude::RapierContextSimulation;
 use bevy_rapier3d::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use bevy_rapier3d::rapier::geometry::{
     Aabb, BroadPhasePairEvent, Bvh, ColliderHandle, ColliderSet, CustomBroadPhase,
-    DefaultBroadPhase,
+    DefaultBroadPhase, PipelineInput,
 };
 use bevy_rapier3d::rapier::parry::query;
 use unisize::rapier3d_036::UnisizeBroadPhase;
@@ -56,6 +56,41 @@ impl Both {
         self.fault.as_deref()
     }
 
+    /// Updates Rapier's own, and keeps its pairs.
+    fn update_own(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified: &[ColliderHandle],
+        removed: &[ColliderHandle],
+    ) {
+        let mut events = vec![];
+        self.default
+            .update(params, colliders, bodies, modified, removed, &mut events);
+        for event in events {
+            match event {
+                BroadPhasePairEvent::AddPair(added) => {
+                    self.pairs.insert(pair(added.collider1, added.collider2));
+                }
+                BroadPhasePairEvent::DeletePair(deleted) => {
+                    self.pairs
+                        .remove(&pair(deleted.collider1, deleted.collider2));
+                }
+            }
+        }
+        // Those of removed colliders end without an event.
+        self.pairs
+            .retain(|pair| !pair.iter().any(|handle| removed.contains(handle)));
+    }
+
+    /// Notes the first fault.
+    fn check(&mut self, colliders: &ColliderSet) {
+        if self.fault.is_none() {
+            self.fault = self.compare(colliders);
+        }
+    }
+
     /// Every pair of unisize must be one of Rapier's own, and every other one of Rapier's must be of two colliders that are apart.
     fn compare(&self, colliders: &ColliderSet) -> Option<String> {
         let held: HashSet<_> = self
@@ -99,29 +134,13 @@ impl CustomBroadPhase for Both {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let mut own = vec![];
-        self.default.update(
+        self.update_own(
             params,
             colliders,
             bodies,
             modified_colliders,
             removed_colliders,
-            &mut own,
         );
-        for event in own {
-            match event {
-                BroadPhasePairEvent::AddPair(added) => {
-                    self.pairs.insert(pair(added.collider1, added.collider2));
-                }
-                BroadPhasePairEvent::DeletePair(deleted) => {
-                    self.pairs
-                        .remove(&pair(deleted.collider1, deleted.collider2));
-                }
-            }
-        }
-        // Those of removed colliders end without an event.
-        self.pairs
-            .retain(|pair| !pair.iter().any(|handle| removed_colliders.contains(handle)));
         self.unisize.update(
             params,
             colliders,
@@ -130,9 +149,23 @@ impl CustomBroadPhase for Both {
             removed_colliders,
             events,
         );
-        if self.fault.is_none() {
-            self.fault = self.compare(colliders);
-        }
+        self.check(colliders);
+    }
+
+    fn update_in_pipeline(&mut self, input: &PipelineInput, events: &mut Vec<BroadPhasePairEvent>) {
+        self.update_own(
+            input.params,
+            input.colliders,
+            input.bodies,
+            input.modified,
+            input.removed,
+        );
+        CustomBroadPhase::update_in_pipeline(&mut self.unisize, input, events);
+        self.check(input.colliders);
+    }
+
+    fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+        self.unisize.visit_unreported(visit);
     }
 
     fn is_new(&self) -> bool {

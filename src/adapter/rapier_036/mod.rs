@@ -104,8 +104,8 @@ impl UnisizeBroadPhase {
     ///
     /// By default it reports no pairs that the narrow phase would drop, like Rapier's own, and none whose shapes cannot meet: see
     /// [`PairFilter::Shapes`](crate::PairFilter::Shapes). Once a pair that groups or types forbade is allowed, it is reported by the next update in
-    /// which one of the two is listed as modified, and once it is forbidden, it ends by such an update. (Rapier's own keeps a
-    /// reported pair until the boxes part.)
+    /// which one of the two is listed as modified. A reported pair that they come to forbid stays until the boxes part, as with Rapier's
+    /// own.
     pub fn update(
         &mut self,
         params: &IntegrationParameters,

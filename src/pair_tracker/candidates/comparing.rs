@@ -166,6 +166,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             self.candidates.lists = lists;
             return;
         }
+        self.candidates.passed_over += self.candidates.rows();
         let mut met = std::mem::take(&mut self.candidates.answers);
         let Candidates {
             pairs,
