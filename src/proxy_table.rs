@@ -210,7 +210,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for &handle in lists.removed {
             self.remove(handle);
         }
-        self.admit_pending(lists.removed, source, margin);
         if self
             .tracker
             .proxies
@@ -219,6 +218,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         {
             self.reset_volumes(source);
         }
+        self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
         self.read_unmoved(lists.unmoved, source);
