@@ -13,7 +13,9 @@ macro_rules! flavour {
         mod $name {
             use flavour::{hinge, mesh_floor, spin};
             use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
-            use unisize_scenes::$name::{AnyBroadPhase, Installed, Observed, OwnBroadPhase, Steppable, World, install};
+            use unisize_scenes::$name::{
+                AnyBroadPhase, Installed, Observed, OwnBroadPhase, Steppable, World, install,
+            };
             use $rapier as rapier;
 
             #[path = $dim]

@@ -162,7 +162,7 @@ fn a_world_that_goes_back_repeats_its_events_in_order() {
         world.insert(dynamic(place[0], place[1]), cube().active_events(events));
     }
     let mut count = 0;
-    for _ in 0..4 {
+    for _ in 0..8 {
         play(&mut world, &mut unisize, 15);
         let mut former = World {
             params: world.params,

@@ -87,7 +87,12 @@ fn types_that_are_emptied_and_given_back() {
         let mut twins = Twins::weightless();
         twins.insert(fixed(0.0, 0.0), cube());
         let body = RigidBodyBuilder::kinematic_position_based().translation(at(0.3, 0.0));
-        let (_, zone) = twins.insert(body, cube().sensor(sensor).active_collision_types(ActiveCollisionTypes::all()));
+        let (_, zone) = twins.insert(
+            body,
+            cube()
+                .sensor(sensor)
+                .active_collision_types(ActiveCollisionTypes::all()),
+        );
         let is_seen = |twins: &mut Twins| {
             let seen = twins.step();
             seen.contacts.len() + seen.intersections.len() == 1

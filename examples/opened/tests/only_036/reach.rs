@@ -49,7 +49,8 @@ const CHANGES: [fn(&mut Flight); 5] = [
         flight.twins.change(wall, |it| it.set_contact_skin(0.5));
     },
     |flight| {
-        let params = |params: &mut IntegrationParameters| params.normalized_prediction_distance = 1.0;
+        let params =
+            |params: &mut IntegrationParameters| params.normalized_prediction_distance = 1.0;
         flight.twins.both(|world| params(&mut world.params));
     },
     |flight| {
