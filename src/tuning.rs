@@ -228,9 +228,11 @@ pub(crate) mod prices {
     /// lists are left unused where few move.
     pub(crate) const PICKED: u64 = 10;
 
-    /// Walking the list of a proxy: waiting for memory at each step. Above: lists are left unused where few move. Below: lists are
-    /// walked where picking is faster.
-    pub(crate) const WALKED: u64 = 500;
+    /// Finding the list of a proxy. Above: lists are left unused where few move. Below: lists are walked where picking is faster.
+    pub(crate) const LISTED: u64 = 300;
+
+    /// Walking along a list, for each candidate: waiting for memory. Above and below: the same.
+    pub(crate) const WALKED: u64 = 50;
 
     /// Looking a box up in a sorted layer. Above: full runs where a look-up would do. Below: tens of thousands are looked up one
     /// by one.

@@ -344,7 +344,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         let squared = dot(axis, axis);
         // An axis is no longer than all numbers of both volumes are together. So if its square is exact, the rounding that they are
         // loosened by is more than what underflow has done to any of the products.
-        squared >= R::LEAST_EXACT && is_beyond(distance, self.reach * squared.sqrt() + segments)
+        (squared >= R::LEAST_EXACT) & is_beyond(distance, self.reach * squared.sqrt() + segments)
     }
 
     /// Whether they are apart along an axis of the world.
@@ -417,7 +417,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
 /// that cannot be told.
 #[inline(always)]
 fn is_beyond<R: Real>(distance: R, reach: R) -> bool {
-    distance > at_least_exact(reach) && distance.is_finite()
+    (distance > at_least_exact(reach)) & distance.is_finite()
 }
 
 /// The number itself, NaN included, or the least one of which underflow has not taken any digits.

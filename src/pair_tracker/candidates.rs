@@ -184,7 +184,7 @@ impl Candidates {
     /// Whether the candidates of a number of slots are found by lists, rather than picked from all. Makes the lists once they have been
     /// missed often enough.
     fn walks_lists(&mut self, walked: usize, slots: usize) -> bool {
-        if !self.lists.state.pay(walked, self.rows()) {
+        if !self.lists.state.pay(walked, slots, self.rows()) {
             return false;
         }
         if !self.lists.state.are_made {

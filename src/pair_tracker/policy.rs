@@ -9,7 +9,7 @@ mod tests;
 use super::foresight::Foresight;
 use super::layers::AboveBase;
 use crate::stats::Work;
-use crate::tuning::prices::{FOUND, LOOKED_UP, PICKED, SEARCHED, WALKED};
+use crate::tuning::prices::{FOUND, LISTED, LOOKED_UP, PICKED, SEARCHED, WALKED};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, FULL_RUN_SLACK, LISTS_COST, MOST_CANDIDATES};
 
 /// What decides the plan of an update.
@@ -71,9 +71,12 @@ impl ListState {
     /// The most rows that 32-bit links can tell apart.
     pub(super) const MOST_ROWS: usize = 1 << 30;
 
-    /// Whether walking the lists of some slots is cheaper than picking their candidates from all rows.
-    pub(super) fn pay(self, slots: usize, rows: usize) -> bool {
-        WALKED * to_u64(slots) < PICKED * to_u64(rows) && rows <= Self::MOST_ROWS
+    /// Whether walking the lists of some of all slots is cheaper than picking their candidates from all rows.
+    pub(super) fn pay(self, walked: usize, slots: usize, rows: usize) -> bool {
+        let [listed, slots, all] = [walked, slots, rows].map(to_u64);
+        // Each candidate is in two lists.
+        let candidates = 2 * all * listed / slots.max(1);
+        LISTED * listed + WALKED * candidates < PICKED * all && rows <= Self::MOST_ROWS
     }
 
     /// Whether they have been missed often enough to be made.
@@ -125,7 +128,7 @@ impl PlanInputs {
             return CompareMode::All;
         }
         let lists = self.lists;
-        let pay = lists.pay(self.touched, self.rows);
+        let pay = lists.pay(self.touched, self.slots, self.rows);
         match pay && (lists.are_made || lists.are_due()) {
             true => CompareMode::Listed,
             false => CompareMode::Picked {

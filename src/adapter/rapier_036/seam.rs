@@ -12,9 +12,11 @@ use crate::proxy_table::Lists;
 fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
     let is_active = input.narrow_phase.map(|narrow_phase| {
         |first, second| {
-            let contact = narrow_phase.contact_pair(first, second);
-            contact.is_some_and(|pair| pair.has_any_active_contact())
-                || narrow_phase.intersection_pair(first, second) == Some(true)
+            // It has one or the other.
+            match narrow_phase.contact_pair(first, second) {
+                Some(pair) => pair.has_any_active_contact(),
+                None => narrow_phase.intersection_pair(first, second) == Some(true),
+            }
         }
     });
     run(&Input {

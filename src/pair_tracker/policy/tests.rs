@@ -1,6 +1,7 @@
 //! The plan at every border between one decision and another.
 
 use super::*;
+use crate::tuning::prices;
 
 /// A world of 1000 slots at rest, with lists out of date, and one full run that has cost as much as one does.
 fn world() -> PlanInputs {
@@ -40,7 +41,7 @@ const SLACK: u64 = FULL_RUN / FULL_RUN_SLACK;
 /// candidates a slot.
 const LOOK_UP: u64 = LOOKED_UP + SEARCHED + 8 * FOUND;
 
-const LISTED: Plan = Plan::Compare(CompareMode::Listed);
+const BY_LISTS: Plan = Plan::Compare(CompareMode::Listed);
 
 /// Candidates are picked, whether lists are missed or not.
 fn picked(lists_are_missed: bool) -> Plan {
@@ -57,13 +58,16 @@ fn is_full_run(inputs: PlanInputs) -> bool {
 
 #[test]
 fn candidates_are_compared_as_far_as_slots_were_touched() {
-    // Walking is worth picking from more rows than this.
-    let rows = (100 * WALKED).div_ceil(PICKED) as usize;
+    // Walking the lists of 20 slots, with their share of the rows, is worth picking from more rows than this.
+    let rows = (20 * prices::LISTED * 1000 / (1000 * PICKED - 2 * 20 * WALKED)) as usize;
+    // There are so many in the lists of as many slots as this that it never is.
+    let many = (1000 * PICKED / (2 * WALKED)) as usize;
     for (touched, rows, expected) in [
         (333, 5000, Plan::Compare(CompareMode::All)),
         (332, 5000, picked(false)),
-        (100, rows + 1, picked(true)),
-        (100, rows, picked(false)),
+        (20, rows + 1, picked(true)),
+        (20, rows, picked(false)),
+        (many, 1 << 30, picked(false)),
     ] {
         // What has another volume changes nothing about it.
         for revolumed in [0, 500] {
@@ -84,10 +88,10 @@ fn candidates_are_compared_as_far_as_slots_were_touched() {
 fn lists_are_made_once_they_were_missed_often_enough() {
     for (are_made, missed, rows, expected) in [
         (false, LISTS_COST - 1, 5000, picked(true)),
-        (false, LISTS_COST, 5000, LISTED),
-        (true, 0, 5000, LISTED),
+        (false, LISTS_COST, 5000, BY_LISTS),
+        (true, 0, 5000, BY_LISTS),
         // Links could not tell more apart.
-        (true, 8, ListState::MOST_ROWS, LISTED),
+        (true, 8, ListState::MOST_ROWS, BY_LISTS),
         (true, 8, ListState::MOST_ROWS + 1, picked(false)),
     ] {
         let (world, lists) = (world(), ListState { are_made, missed });
