@@ -28,6 +28,9 @@ named! {
         Wall "wall" "a brick wall that is left to stand"
         Pyramids "pyramids" "pyramids of 55 cuboids that come to rest and sleep"
         Chains "chains" "slanting chains of capsules, held at both ends, side by side"
+        Touched "touched" "sleeping balls, all borrowed to be changed at every step, and not changed"
+        Restated "restated" "fixed boxes whose positions are set to what they are at every step"
+        Breathing "breathing" "balls whose radius changes at every step"
     }
 }
 
@@ -42,12 +45,12 @@ impl SceneKind {
     /// Of [`Ships`](Self::Ships) it is the number of colliders that move.
     pub const fn default_bodies(self) -> usize {
         match self {
-            Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping => 10_000,
-            Self::Pyramids => 8_000,
+            Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping | Self::Restated => 10_000,
+            Self::Pyramids | Self::Touched => 8_000,
             Self::Stacks => 6_776,
             Self::Wall => 6_000,
             Self::Ships => 5_184,
-            Self::Chains => 5_000,
+            Self::Chains | Self::Breathing => 5_000,
             Self::Ghosts => 3_000,
             Self::TileMap => 500,
             Self::Pyramid | Self::Ropes | Self::Bullets | Self::Shapes | Self::Soft => 1_000,

@@ -70,6 +70,7 @@ macro_rules! scene_tests {
                     let bodies = scene.world.bodies.iter();
                     let movable = bodies.filter(|(_, body)| !body.is_fixed());
                     let movable: usize = match kind {
+                        SceneKind::Restated => scene.world.bodies.len(),
                         SceneKind::Ships => movable.map(|(_, body)| body.colliders().len()).sum(),
                         _ => movable.count(),
                     };
@@ -112,6 +113,8 @@ macro_rules! scene_tests {
                 let (scene, _) = run(SceneKind::TileMap, 60, 1, 5 * STEPS);
                 let on_map = |body: &RigidBody| (0.0..4.0).contains(&place(body)[1]);
                 assert!(scene.world.bodies.iter().all(|(_, body)| on_map(body)));
+                let (scene, _) = run(SceneKind::Touched, 120, 1, STEPS);
+                assert_eq!(scene.sanity().sleeping, 120);
             }
 
             #[test]

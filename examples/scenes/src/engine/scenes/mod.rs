@@ -17,6 +17,7 @@ mod churn;
 mod crowd;
 mod gas;
 mod grains;
+mod habits;
 mod hopper;
 mod masonry;
 mod mixed;
@@ -58,6 +59,9 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Wall => masonry::build_wall(bodies, random),
         SceneKind::Pyramids => masonry::build_pyramids(bodies, random),
         SceneKind::Chains => ropes::build_chains(bodies, random),
+        SceneKind::Touched => habits::build_touched(bodies, random),
+        SceneKind::Restated => habits::build_restated(bodies, random),
+        SceneKind::Breathing => habits::build_breathing(bodies, random),
     }
 }
 
