@@ -31,6 +31,11 @@ pub(crate) fn triple(xyz: [Real; 3]) -> Vector {
     Vector::from_fn(|i, _| xyz[i])
 }
 
+/// The indices of a voxel.
+pub(crate) fn voxel(xyz: [Real; 3]) -> Point<i32> {
+    triple(xyz).map(|index| index as i32).into()
+}
+
 pub(crate) fn unit(vector: Vector) -> UnitVector<Real> {
     UnitVector::new_normalize(vector)
 }

@@ -32,6 +32,11 @@ pub(crate) fn triple(xyz: [Real; 3]) -> Vector {
     Vector::from(std::array::from_fn(|i| xyz[i]))
 }
 
+/// The indices of a voxel.
+pub(crate) fn voxel(xyz: [Real; 3]) -> math::IVector {
+    math::vect_to_ivect(triple(xyz))
+}
+
 pub(crate) fn unit(vector: Vector) -> Vector {
     vector.normalize()
 }

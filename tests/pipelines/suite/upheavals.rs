@@ -1,10 +1,11 @@
 //! What users of other engines have reported as defects: much that changes at once, or again and again.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
-use super::snapshot::{Event, EventLog, pair};
+use super::snapshot::{Event, EventLog, Snapshot, pair};
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed, triple};
 use super::version::{self, remove_collider};
 use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
@@ -222,6 +223,44 @@ fn what_carried_sleepers_goes_away() {
         let seen = twins.steps(60);
         assert!(sleepers.iter().all(|&body| seen.height(body) < -1.0));
     }
+}
+
+#[test]
+fn voxels_are_dug_away_and_put_back() {
+    let mut twins = Twins::heavy();
+    // One row alone: in debug builds, Parry 0.22 panics at the others.
+    let voxels = |columns: Range<usize>| columns.map(|x| version::voxel([x as Real, -1.0, 0.0]));
+    let ground = ColliderBuilder::voxels(triple([1.0; 3]), &voxels(0..24).collect::<Vec<_>>());
+    let ground = ground.translation(triple([0.0, 0.0, -0.5]));
+    let (_, ground) = twins.insert(RigidBodyBuilder::fixed(), ground);
+    let drop_cube = |twins: &mut Twins, x| twins.insert(dynamic(x, 0.5), cube());
+    let cubes: Vec<_> = (0..6)
+        .map(|i| drop_cube(&mut twins, 4.0 * i as Real + 1.5))
+        .collect();
+    let seen = twins.steps(20);
+    let touch = |seen: &Snapshot, cube: usize| seen.touches(cubes[cube].1, ground);
+    assert!((0..6).all(|cube| touch(&seen, cube)));
+    let edit = |twins: &mut Twins, columns: Range<usize>, is_filled| {
+        twins.change(ground, |ground| {
+            let shape = ground.shape_mut().as_voxels_mut();
+            let shape = shape.expect("it is of voxels");
+            for voxel in voxels(columns.clone()) {
+                shape.set_voxel(voxel, is_filled);
+            }
+        });
+    };
+    // The ground under two cubes goes, in its middle and at its end.
+    for (cube, columns) in [(2, 8..12), (5, 20..24)] {
+        edit(&mut twins, columns, false);
+        let seen = twins.steps(30);
+        assert!(!touch(&seen, cube) && seen.height(cubes[cube].0) < -0.5);
+        assert!([0, 1, 3].iter().all(|&cube| touch(&seen, cube)));
+    }
+    // It comes back, and goes on where its box did not reach.
+    edit(&mut twins, 8..32, true);
+    let others = [9.5, 21.5, 30.5].map(|x| drop_cube(&mut twins, x).1);
+    let seen = twins.steps(30);
+    assert!(others.iter().all(|&cube| seen.touches(cube, ground)));
 }
 
 #[test]
