@@ -1,7 +1,6 @@
 //! The plan at every border between one decision and another.
 
 use super::*;
-use crate::tuning::prices;
 
 /// A world of 1000 slots at rest, with lists out of date, and one full run that has cost as much as one does.
 fn world() -> PlanInputs {
@@ -59,7 +58,7 @@ fn is_full_run(inputs: PlanInputs) -> bool {
 #[test]
 fn candidates_are_compared_as_far_as_slots_were_touched() {
     // Walking the lists of 20 slots, with their share of the rows, is worth picking from more rows than this.
-    let rows = (20 * prices::LISTED * 1000 / (1000 * PICKED - 2 * 20 * WALKED)) as usize;
+    let rows = (20 * LISTED * 1000 / (1000 * PICKED - 2 * 20 * WALKED)) as usize;
     // There are so many in the lists of as many slots as this that it never is.
     let many = (1000 * PICKED / (2 * WALKED)) as usize;
     for (touched, rows, expected) in [
