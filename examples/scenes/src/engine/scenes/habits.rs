@@ -30,7 +30,7 @@ pub(super) fn build_breathing(bodies: usize, random: &mut Random) -> Stage {
     })
 }
 
-/// Fixed boxes in a plate, each with a position that is set to what it is at every step.
+/// Fixed boxes in a plate, and a sleeping ball among a hundred, each with a position that is set to what it is at every step.
 pub(super) fn build_restated(bodies: usize, random: &mut Random) -> Stage {
     let columns = match DIM {
         2 => (bodies as Real).sqrt(),
@@ -41,14 +41,20 @@ pub(super) fn build_restated(bodies: usize, random: &mut Random) -> Stage {
     let mut world = floating();
     let boxes: Vec<_> = (0..bodies)
         .map(|index| {
-            let body = RigidBodyBuilder::fixed().translation(place(&lattice, index, random));
-            world.insert(body, cube(RADIUS))
+            let place = place(&lattice, index, random);
+            if index % 100 == 50 {
+                let ball = RigidBodyBuilder::dynamic()
+                    .translation(place)
+                    .sleeping(true);
+                return world.insert(ball, ColliderBuilder::ball(RADIUS));
+            }
+            world.insert(RigidBodyBuilder::fixed().translation(place), cube(RADIUS))
         })
         .collect();
     Stage::new(world, container_of(&lattice)).with_script(move |world: &mut World, _: &mut Cue| {
         for &handle in &boxes {
             let body = &mut world.bodies[handle];
-            body.set_position(*body.position(), true);
+            body.set_position(*body.position(), false);
         }
     })
 }
