@@ -33,8 +33,8 @@ pub(crate) fn triple(xyz: [Real; 3]) -> Vector {
 }
 
 /// The indices of a voxel.
-pub(crate) fn voxel(xyz: [Real; 3]) -> math::IVector {
-    math::vect_to_ivect(triple(xyz))
+pub(crate) fn voxel(xyz: [Real; 3]) -> IVector {
+    vect_to_ivect(triple(xyz))
 }
 
 pub(crate) fn unit(vector: Vector) -> Vector {
