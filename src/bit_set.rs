@@ -1,7 +1,6 @@
 //! A set of small numbers: one bit each.
 
-use crate::parallel;
-use crate::tuning::update::{ITEMS_A_TASK, THREADS_FROM};
+use crate::parallel::Section;
 
 /// A set of numbers below a capacity. Its memory is kept when it is cleared.
 #[derive(Clone, Debug, Default)]
@@ -53,6 +52,13 @@ impl BitSet {
         self.words[i / 64] >> (i % 64) & 1 == 1
     }
 
+    /// Whether a number is below the capacity and not in the set.
+    #[inline(always)]
+    pub(crate) fn has_room_without(&self, i: usize) -> bool {
+        let word = self.words.get(i / 64);
+        word.is_some_and(|word| word >> (i % 64) & 1 == 0)
+    }
+
     /// Tells whether a number is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is
     /// unspecified.
     pub(crate) fn lookup(&self) -> impl Fn(usize) -> bool + Send + Sync + '_ {
@@ -65,15 +71,6 @@ impl BitSet {
     pub(crate) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
         let numbered = self.words.iter().enumerate();
         numbered.flat_map(|(i, &word)| ones(word).map(move |bit| 64 * i + bit))
-    }
-
-    /// The numbers in the set, descending.
-    pub(crate) fn iter_backwards(&self) -> impl Iterator<Item = usize> + '_ {
-        let numbered = self.words.iter().enumerate().rev();
-        numbered.flat_map(|(i, &word)| {
-            let backwards = ones(word.reverse_bits());
-            backwards.map(move |bit| 64 * i + 63 - bit)
-        })
     }
 
     /// Adds all numbers of a set of the same capacity.
@@ -106,24 +103,22 @@ impl BitSet {
 
     /// Makes it the set of the numbers below `count` for which the answer is yes.
     ///
-    /// `ask` answers for up to 64 numbers, from the first of its range on, in the lowest bits. With the feature `parallel`
-    /// it is called by several threads if the numbers are many.
+    /// `ask` answers for up to 64 numbers, from the first of its range on, in the lowest bits, which takes about `price` for each. It is
+    /// called by several threads if that is much.
     pub(crate) fn ask(
         &mut self,
         count: usize,
+        price: u64,
         ask: impl Fn(core::ops::Range<usize>) -> u64 + Send + Sync,
     ) {
+        let section = Section::of(count, price);
         self.words.resize(count.div_ceil(64), 0);
-        let answer = |i: usize, word: &mut u64| *word = ask(64 * i..count.min(64 * (i + 1)));
-        if count < THREADS_FROM || parallel::threads() == 1 {
-            let numbered = self.words.iter_mut().enumerate();
-            return numbered.for_each(|(i, word)| answer(i, word));
-        }
-        const WORDS_A_TASK: usize = ITEMS_A_TASK / 64;
-        let mut tasks: Vec<_> = self.words.chunks_mut(WORDS_A_TASK).enumerate().collect();
-        parallel::for_each(&mut tasks, |(task, words)| {
-            let numbered = (*task * WORDS_A_TASK..).zip(words.iter_mut());
-            numbered.for_each(|(i, word)| answer(i, word));
+        let words_a_part = self.words.len().div_ceil(section.parts()).max(1);
+        let mut parts: Vec<_> = self.words.chunks_mut(words_a_part).enumerate().collect();
+        section.for_each(&mut parts, |(part, words)| {
+            for (i, word) in (*part * words_a_part..).zip(words.iter_mut()) {
+                *word = ask(64 * i..count.min(64 * (i + 1)));
+            }
         });
     }
 }
@@ -137,4 +132,16 @@ pub(crate) fn ones(word: u64) -> impl Iterator<Item = usize> {
         rest &= rest - 1;
         Some(bit)
     })
+}
+
+/// The answers for up to 64 items, the first one lowest. Without a branch, because answers are practically random.
+#[inline(always)]
+pub(crate) fn gather<T>(
+    items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,
+    ask: impl Fn(T) -> bool,
+) -> u64 {
+    let items = items.into_iter();
+    let unused = 64 - items.len();
+    let word = items.fold(0, |word, item| word >> 1 | u64::from(ask(item)) << 63);
+    word >> unused
 }

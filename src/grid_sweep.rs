@@ -19,11 +19,12 @@ mod tubes;
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, check_count};
-use crate::parallel;
+use crate::parallel::{self, Section};
 use crate::real::Real;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
-use crate::tuning::kernel::THREADS_FROM;
+use crate::tuning::prices::{LOOKED_UP, SEARCHED};
 use assignment::Assignment;
+pub(crate) use class::retain_from;
 use class::{Class, FoundInvalid, Run};
 use emitter::Emitter;
 use members::{Everyone, Members};
@@ -83,16 +84,22 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         check_count(boxes.len(), MAX_BOXES)?;
         let mut stopwatch = self.stopwatch.reset();
         let members = Everyone(boxes.len());
-        let found = self.run(
-            members,
-            Run {
-                boxes,
-                slab_count: self.slab_count(boxes.len()),
-                keeps: false,
-                pairs,
-                stopwatch: &mut stopwatch,
-            },
-        );
+        let work = SEARCHED * boxes.len() as u64;
+        let found = parallel::enter(work, || {
+            self.run(
+                members,
+                &mut Run {
+                    boxes,
+                    slab_count: self.slab_count,
+                    section: Section::default(),
+                    keeps: false,
+                    pairs,
+                    wanted: None::<fn([u32; 2]) -> bool>,
+                    unwanted: 0,
+                    stopwatch: &mut stopwatch,
+                },
+            )
+        });
         stopwatch.leave();
         self.stopwatch = stopwatch;
         found.or_else(|FoundInvalid| {
@@ -128,63 +135,65 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.stopwatch.times
     }
 
-    /// Appends the overlapping pairs among `members`, which are indices of valid boxes, and remembers the
-    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`].
+    /// Appends the overlapping pairs among `members`, which are indices of valid boxes, that are wanted, and remembers the
+    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`]. Returns how many pairs were not
+    /// wanted; if no condition is given, all are.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
+        wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
+    ) -> usize {
         debug_assert!(boxes.len() <= MAX_BOXES);
-        let run = Run {
+        let mut run = Run {
             boxes,
-            slab_count: self.slab_count(members.len()),
+            slab_count: self.slab_count,
+            section: Section::default(),
             keeps: true,
             pairs,
+            wanted,
+            unwanted: 0,
             stopwatch,
         };
         // The boxes are valid.
-        let _ = self.run(members, run);
-    }
-
-    /// How many slabs the work on so many boxes is cut into, at most.
-    fn slab_count(&self, boxes: usize) -> usize {
-        match self.slab_count {
-            Some(count) => count,
-            None if boxes < THREADS_FROM => 1,
-            None => parallel::threads(),
-        }
+        let _ = self.run(members, &mut run);
+        run.unwanted
     }
 
     /// Appends the overlapping pairs among the members, class by class.
-    fn run(&mut self, members: impl Members, mut run: Run<R, D>) -> Result<(), FoundInvalid> {
+    fn run<F: Fn([u32; 2]) -> bool + Sync>(
+        &mut self,
+        members: impl Members,
+        run: &mut Run<R, D, F>,
+    ) -> Result<(), FoundInvalid> {
         const { assert!(D > 0, "boxes have at least one axis") };
         self.class_count = 0;
-        self.run_class(members, &mut run)?;
+        self.run_class(members, run)?;
         loop {
             let class = &mut self.classes[self.class_count - 1];
             if class.oversized.is_empty() {
                 return Ok(());
             }
             let oversized = std::mem::take(&mut class.oversized);
-            self.run_class(&oversized[..], &mut run)?;
+            self.run_class(&oversized[..], run)?;
             self.classes[self.class_count - 2].oversized = oversized;
         }
     }
 
     /// Appends the overlapping pairs of the next class, and those of its members with what is too large for it.
-    fn run_class(
+    fn run_class<F: Fn([u32; 2]) -> bool + Sync>(
         &mut self,
         members: impl Members,
-        run: &mut Run<R, D>,
+        run: &mut Run<R, D, F>,
     ) -> Result<(), FoundInvalid> {
         if self.class_count == self.classes.len() {
             self.classes.push(Class::default());
         }
         let class = &mut self.classes[self.class_count];
+        run.section = Section::of(members.count(), SEARCHED);
         class.assign(members, &mut self.assignment, run)?;
         self.class_count += 1;
         class.sweep(&self.assignment, run);
@@ -221,22 +230,41 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
-    /// overlaps. Members have the boxes that they had then; the pair of a member with itself is not left out.
+    /// overlaps, if they are wanted. Members have the boxes that they had then; the pair of a member with itself is not left out.
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
     /// each tube that it spans.
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],
-        queries: impl Iterator<Item = u32>,
+        queries: &[u32],
+        wanted: impl Fn([u32; 2]) -> bool + Sync,
         pairs: &mut Vec<[u32; 2]>,
     ) {
-        let mut emitter = Emitter::new(pairs);
-        for i in queries {
-            for class in &self.classes[..self.class_count] {
-                class.look_up(&boxes[i as usize], i, &mut emitter);
-            }
+        let section = Section::of(queries.len(), LOOKED_UP);
+        let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
+        let parts = queries.chunks(queries_a_part);
+        let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new())).collect();
+        if let [(_, found), ..] = &mut parts[..] {
+            // The first one need not copy its pairs.
+            std::mem::swap(found, pairs);
         }
-        emitter.finish();
+        section.for_each(&mut parts, |(queries, found)| {
+            let first = found.len();
+            let mut emitter = Emitter::new(found);
+            for &i in *queries {
+                let aabb = &boxes[i as usize];
+                for class in &self.classes[..self.class_count] {
+                    class.look_up(aabb, i, &mut emitter);
+                }
+            }
+            emitter.finish();
+            retain_from(found, first, &wanted);
+        });
+        let mut parts = parts.into_iter().map(|(_, found)| found);
+        if let Some(first) = parts.next() {
+            *pairs = first;
+        }
+        parts.for_each(|found| pairs.extend(found));
     }
 }

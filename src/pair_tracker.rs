@@ -51,7 +51,7 @@ pub(crate) enum PairChange {
 }
 
 /// Whom an update tells how the pair set changes, and asks about pairs.
-pub(crate) trait PairObserver {
+pub(crate) trait PairObserver: Sync {
     fn report(&mut self, change: PairChange);
 
     /// Whether the contact of a held pair is active, so that the pair must not end while its boxes overlap: whoever removes an active
@@ -61,7 +61,7 @@ pub(crate) trait PairObserver {
     }
 }
 
-impl<F: FnMut(PairChange)> PairObserver for F {
+impl<F: FnMut(PairChange) + Sync> PairObserver for F {
     fn report(&mut self, change: PairChange) {
         self(change);
     }

@@ -1,9 +1,16 @@
 //! Work on several threads if the feature `parallel` is on, and on one otherwise.
 //!
-//! Nothing here changes a result: work is cut into parts that do not depend on each other, and their
-//! results are put together in the order of the parts.
+//! Nothing here changes a result: work is cut into parts that do not depend on each other, and their results are put together in the
+//! order of the parts. Whether a section is shared is decided by an estimate of its work, from counts and prices, and never by a clock.
 
-/// The number of parts into which work is best cut.
+use core::cell::Cell;
+use core::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use crate::stopwatch;
+use crate::tuning::threads::{ENTER_FROM, PART_FROM, SECTION_FROM};
+
+/// The number of threads that work is cut for.
 pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();
@@ -28,8 +35,74 @@ pub(crate) fn join<A: Send, B: Send>(
     return (a(), b());
 }
 
+/// Does something that consists of sections and takes about this much `work`, in tenths of a nanosecond.
+///
+/// If it is much, it is done on a thread of the pool: from there the other threads are woken within microseconds, from outside it takes
+/// ten times as long, and each section would wait for it.
+pub(crate) fn enter<T: Send>(work: u64, run: impl FnOnce() -> T + Send) -> T {
+    #[cfg(feature = "parallel")]
+    if work >= ENTER_FROM && threads() > 1 && is_outside() {
+        return rayon::scope(|_| run());
+    }
+    let _ = work >= ENTER_FROM;
+    run()
+}
+
+/// Whether this is no thread of the pool.
+fn is_outside() -> bool {
+    #[cfg(feature = "parallel")]
+    return rayon::current_thread_index().is_none();
+    #[cfg(not(feature = "parallel"))]
+    return true;
+}
+
+/// A part of an update that several threads can share.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Section {
+    /// How many threads it is worth, however many there are.
+    worth: u64,
+}
+
+impl Section {
+    /// A section of `count` items, each of which takes about `price` tenths of a nanosecond on one thread.
+    pub(crate) fn of(count: usize, price: u64) -> Self {
+        let work = price.saturating_mul(count as u64);
+        Self {
+            worth: if work < SECTION_FROM {
+                1
+            } else {
+                work / PART_FROM
+            },
+        }
+    }
+
+    /// Into how many parts it is best cut.
+    pub(crate) fn parts(self) -> usize {
+        let least = if is_outside() {
+            ENTER_FROM / PART_FROM
+        } else {
+            2
+        };
+        match self.worth {
+            worth if worth < least => 1,
+            worth => usize::try_from(worth).unwrap_or(usize::MAX).min(threads()),
+        }
+    }
+
+    /// Calls `work` with each part.
+    pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
+        if self.worth < 2 || !IS_TIMED.load(Ordering::Relaxed) {
+            return for_each(parts, work);
+        }
+        let began = stopwatch::now();
+        for_each(parts, work);
+        let time = stopwatch::since(began);
+        SHARED.with(|shared| shared.set(shared.get() + time));
+    }
+}
+
 /// Calls `work` with each part.
-pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
+fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
     #[cfg(feature = "parallel")]
     if parts.len() > 1 && threads() > 1 {
         use rayon::prelude::*;
@@ -37,6 +110,40 @@ pub(crate) fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + 
         return;
     }
     parts.iter_mut().for_each(work);
+}
+
+/// Whether anybody wants to know how long sections take.
+static IS_TIMED: AtomicBool = AtomicBool::new(false);
+
+thread_local! {
+    /// How long sections have taken that began on this thread and are worth a second one, whether there is one or not.
+    static SHARED: Cell<Duration> = const { Cell::new(Duration::ZERO) };
+}
+
+/// Has sections timed from now on.
+pub(crate) fn time_sections() {
+    IS_TIMED.store(true, Ordering::Relaxed);
+}
+
+/// How long sections have taken so far that began on this thread and that several threads share, or would if there were several; zero
+/// unless they are [timed](time_sections).
+pub(crate) fn shared_time() -> Duration {
+    SHARED.with(Cell::get)
+}
+
+/// Runs a test with this number of threads, or with one where there are no others.
+#[cfg(test)]
+pub(crate) fn with_threads<T: Send>(count: usize, test: impl FnOnce() -> T + Send) -> T {
+    #[cfg(feature = "parallel")]
+    {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+        return pool.expect("there are threads to be had").install(test);
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        let _ = count;
+        test()
+    }
 }
 
 #[cfg(test)]
@@ -56,5 +163,15 @@ mod tests {
             }
             assert_eq!(end, items);
         }
+    }
+
+    #[test]
+    fn only_what_is_much_is_cut() {
+        assert_eq!(Section::of(0, u64::MAX).parts(), 1);
+        assert_eq!(Section::of(1, SECTION_FROM - 1).parts(), 1);
+        for work in [ENTER_FROM, u64::MAX] {
+            assert!((1..=threads()).contains(&Section::of(1, work).parts()));
+        }
+        assert_eq!(Section::of(usize::MAX, u64::MAX).parts(), threads());
     }
 }

@@ -27,10 +27,12 @@ use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{
     BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
 };
+use crate::parallel;
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
+use crate::tuning::prices::READ;
 use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
 use hand_over::Pending;
@@ -203,6 +205,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin();
+        let shared = parallel::shared_time();
         let touched = self.touched().len();
         self.gathered.listed += lists.len();
         self.tracker.stopwatch.enter(Phase::Read);
@@ -224,7 +227,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.read_unmoved(lists.unmoved, source);
         self.read_swept(lists.swept, source);
         self.tracker.stopwatch.leave();
+        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
         &self.touched()[touched..]
+    }
+
+    /// About how much work an update will be, in tenths of a nanosecond.
+    pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
+        let touched = self.touched().len() + lists.modified.len();
+        let reading = READ.saturating_mul(lists.len() as u64);
+        reading.saturating_add(self.tracker.work_ahead(touched))
     }
 
     /// Whether there is an update to finish, because boxes were handed over.
@@ -368,7 +379,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             is_active,
             changes,
         };
+        let shared = parallel::shared_time();
         self.tracker.finish(slack, &mut observer);
+        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
         self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);

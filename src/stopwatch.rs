@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use crate::parallel;
+
 /// How long each phase of finding pairs has taken, in wall-clock time. Zero unless it was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
@@ -20,6 +22,9 @@ pub struct PhaseTimes {
     pub difference: Duration,
     /// Writing the changes as events.
     pub events: Duration,
+    /// Of all that, what several threads share, or would if there were several.
+    #[doc(hidden)]
+    pub shared: Duration,
 }
 
 impl PhaseTimes {
@@ -31,6 +36,7 @@ impl PhaseTimes {
             sweep,
             difference,
             events,
+            shared: _,
         } = *self;
         [
             ("read", read),
@@ -81,6 +87,9 @@ pub(crate) struct Stopwatch {
 
 impl Stopwatch {
     pub(crate) fn new(is_on: bool) -> Self {
+        if is_on {
+            parallel::time_sections();
+        }
         Self {
             is_on: is_on && IS_CLOCK,
             ..Self::default()

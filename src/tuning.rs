@@ -91,10 +91,6 @@ pub(crate) mod kernel {
     /// crowd. Below: a call where a few moves would do.
     pub(crate) const CROWDED_BUCKET: u32 = 24;
 
-    /// Boxes. Fewer are not worth a second thread. Above: the second core idles. Below: waking a thread, a tenth of a millisecond on
-    /// a virtual machine, costs more than it saves. Debug builds have less to do before they share, so that tests need not be long.
-    pub(crate) const THREADS_FROM: usize = 1 << if cfg!(debug_assertions) { 13 } else { 17 };
-
     /// Slabs, and boxes a slab. Work may be cut into so many slabs, and one more for each so many boxes: a slab has room for about a
     /// hundred entries of its own. Above: threads idle that could share few boxes. Below: memory, if a user asks for very many slabs.
     pub(crate) const SLABS_UP_TO: usize = 16;
@@ -120,11 +116,6 @@ pub(crate) mod update {
     /// Listed colliders. So many are read by index in whatever order they are listed: they are most of a large world.
     pub(crate) const READ_BY_INDEX_FROM: usize = 1 << 14;
 
-    /// Items: listed colliders, candidates, slots. Fewer are not worth a second thread. Below: slower, because waking a thread takes a
-    /// tenth of a millisecond on a virtual machine, and the work moves to a core whose caches are cold. Fewer in debug builds, so that tests
-    /// need not be long.
-    pub(crate) const THREADS_FROM: usize = 1 << if cfg!(debug_assertions) { 14 } else { 16 };
-
     /// Slots. A box may be handed over for a collider that is not known, and that may not exist. Up to this far beyond all
     /// known slots it is shown to queries at once. Above: a wrong handle takes more memory. Below: a program that hands over
     /// the boxes of a new world in any order, and asks before its first update, does not find them all.
@@ -133,16 +124,6 @@ pub(crate) mod update {
     /// Boxes may be handed over any number of times between two updates. From this many notes a slot on, repeated ones are forgotten.
     /// Above: they take more memory. Below: they are sorted more often.
     pub(crate) const MOST_NOTES_A_SLOT: usize = 4;
-
-    /// Items that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
-    pub(crate) const ITEMS_A_TASK: usize = 1 << 12;
-
-    /// Parts for each thread that reads. Above: handing out costs more. Below: threads wait for the one whose part is the
-    /// slowest.
-    pub(crate) const PARTS_A_THREAD: usize = 4;
-
-    /// Slots that a thread is given at a time. Above: threads wait for the last one. Below: handing out costs more.
-    pub(crate) const SLOTS_A_TASK: usize = 1 << 14;
 
     /// One slot in this many. If more were touched, all slots are gone through and all candidates compared, in order; if fewer,
     /// only the touched ones are, and their candidates picked. Above: all candidates are compared though few can have turned.
@@ -234,6 +215,19 @@ pub(crate) mod prices {
     /// Walking along a list, for each candidate: waiting for memory. Above and below: the same.
     pub(crate) const WALKED: u64 = 50;
 
+    /// Reading a collider, or taking in a box that was handed over: shapes and bodies are anywhere in memory. Above: threads are woken for
+    /// little. Below: cores idle.
+    pub(crate) const READ: u64 = 300;
+
+    /// Comparing a candidate. Above and below: the same.
+    pub(crate) const COMPARED: u64 = 20;
+
+    /// Finding out whether a found candidate overlaps and was held. Above and below: the same.
+    pub(crate) const HELD: u64 = 60;
+
+    /// Inflating, comparing or copying the box of a slot. Above and below: the same.
+    pub(crate) const SLOT: u64 = 30;
+
     /// Looking a box up in a sorted layer. Above: full runs where a look-up would do. Below: tens of thousands are looked up one
     /// by one.
     pub(crate) const LOOKED_UP: u64 = 5500;
@@ -244,6 +238,23 @@ pub(crate) mod prices {
     /// A candidate found: writing it down, finding out whether it was held, and comparing it for some updates to come. Above: tens of
     /// thousands of boxes are looked up one by one. Below: full runs where look-ups would do.
     pub(crate) const FOUND: u64 = 350;
+}
+
+/// When work is shared among threads. In tenths of a nanosecond of work on one thread, by estimates.
+pub(crate) mod threads {
+    /// Debug builds share less work, so that tests need not be long.
+    const SCALE: u64 = if cfg!(debug_assertions) { 16 } else { 1 };
+
+    /// An update, or a section of one, that begins outside of the pool. Above: cores idle. Below: waking threads, 15 to 70 microseconds,
+    /// costs more than it saves.
+    pub(crate) const ENTER_FROM: u64 = 1_000_000 / SCALE;
+
+    /// A section of an update that runs in the pool. Above: cores idle. Below: waking the others, 1 to 10 microseconds, costs more than
+    /// it saves.
+    pub(crate) const SECTION_FROM: u64 = 200_000 / SCALE;
+
+    /// A part of a section. Above: cores idle. Below: threads are woken for what the others have done before they come.
+    pub(crate) const PART_FROM: u64 = 100_000 / SCALE;
 }
 
 /// The tree for queries. Shown by `cargo bench --all-features -- queries`, and by the example `compare` with `--rays 1`.

@@ -13,8 +13,10 @@ use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
+use crate::parallel;
 use crate::proxy_table::{Changes, IsActive, Lists, ProxyTable};
 use crate::stats::Stats;
+use crate::tuning::prices::READ;
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
@@ -218,14 +220,14 @@ impl UnisizeBroadPhase {
             return;
         }
         let margin = self.margin(params);
-        let aabbs = aabbs.iter().map(|&(handle, aabb)| (handle, aabb.into()));
-        let written = self
-            .table
-            .hand_over(aabbs, margin, |handle, outline, aabb| {
+        parallel::enter(READ.saturating_mul(aabbs.len() as u64), || {
+            let volume = |handle, outline: &mut _, aabb: &_| {
                 let collider = colliders.and_then(|colliders| colliders.get(handle));
                 volume(collider, params, outline, aabb)
-            });
-        self.query_tree.note(written);
+            };
+            let written = self.table.hand_over(aabbs, margin, volume);
+            self.query_tree.note(written);
+        });
     }
 
     /// One update.
@@ -237,6 +239,11 @@ impl UnisizeBroadPhase {
         if input.lists.are_empty() && !self.table.is_begun() {
             return;
         }
+        let work = self.table.work_ahead(&input.lists);
+        parallel::enter(work, || self.update_all(input, events));
+    }
+
+    fn update_all(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
         let boxes = ColliderBoxes {
             input: *input,

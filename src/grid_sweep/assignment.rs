@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::members::Members;
 use super::owner::Owner;
 use super::part::Part;
-use crate::parallel;
+use crate::parallel::{Section, start_of_part};
 use crate::radix_sort::RadixSort;
 use crate::real::Real;
 use crate::tuning::kernel::{BOXES_A_SLAB, SLABS_UP_TO, TABLED_TUBES_A_BOX};
@@ -36,16 +36,17 @@ pub(super) struct Assignment {
 impl Assignment {
     /// Shares the members out to the parts, and finds their tubes, the oversized, and whether there are invalid ones. If boxes are
     /// scattered, the grid is extended.
-    pub(super) fn count<R: Real, const D: usize>(
+    pub(super) fn count<R: Real, const D: usize, F>(
         &mut self,
         members: impl Members,
         grid: &mut Grid<R>,
-        run: &Run<R, D>,
+        run: &Run<R, D, F>,
     ) {
         let count = members.count();
         let is_scattered = !grid.fits_table(count);
         // So that memory grows with the boxes alone, whatever was asked for.
-        self.slab_count = run.slab_count.min(SLABS_UP_TO + count / BOXES_A_SLAB);
+        self.slab_count = run.slab_count.unwrap_or(run.section.parts());
+        self.slab_count = self.slab_count.min(SLABS_UP_TO + count / BOXES_A_SLAB);
         let part_count = match is_scattered {
             true => 1,
             false => {
@@ -56,7 +57,7 @@ impl Assignment {
         };
         self.parts.resize_with(part_count, Part::default);
         for (i, part) in self.parts.iter_mut().enumerate() {
-            let [start, end] = [i, i + 1].map(|i| parallel::start_of_part(i, part_count, count));
+            let [start, end] = [i, i + 1].map(|i| start_of_part(i, part_count, count));
             part.range = start..end;
         }
         if is_scattered {
@@ -64,15 +65,18 @@ impl Assignment {
             return self.scatter(members, grid, run);
         }
         (self.tubes, self.columns) = (grid.tube_count() as u32, grid.columns());
-        parallel::for_each(&mut self.parts, |part| part.count(run.boxes, members, grid));
+        let boxes = run.boxes;
+        let parts = &mut self.parts;
+        run.section
+            .for_each(parts, |part| part.count(boxes, members, grid));
     }
 
     /// Enters the members into all tubes that they span.
-    fn scatter<R: Real, M: Members, const D: usize>(
+    fn scatter<R: Real, M: Members, const D: usize, F>(
         &mut self,
         members: M,
         grid: &Grid<R>,
-        run: &Run<R, D>,
+        run: &Run<R, D, F>,
     ) {
         let (part, unsorted) = (&mut self.parts[0], &mut self.unsorted);
         self.columns = 0;
@@ -95,10 +99,10 @@ impl Assignment {
     }
 
     /// Places the entries of the members that were counted.
-    pub(super) fn place(&mut self, members: impl Members) {
+    pub(super) fn place(&mut self, members: impl Members, section: Section) {
         match self.columns {
             0 => self.sort_scattered(),
-            _ => parallel::for_each(&mut self.parts, |part| part.place(members)),
+            _ => section.for_each(&mut self.parts, |part| part.place(members)),
         }
     }
 
@@ -161,17 +165,29 @@ impl Assignment {
         let total = self.entries_before(self.tubes);
         let mut ranges = vec![];
         let mut start = 0;
-        for tube in 1..self.tubes {
-            let cut = ranges.len() + 1;
-            if cut == count {
+        for cut in 1..count {
+            let before = start_of_part(cut, count, total);
+            let tube = self.first_with_entries_before(before).max(start + 1);
+            if tube >= self.tubes {
                 break;
             }
-            if self.entries_before(tube) >= parallel::start_of_part(cut, count, total) {
-                ranges.push(start..tube);
-                start = tube;
-            }
+            ranges.push(start..tube);
+            start = tube;
         }
         ranges.push(start..self.tubes);
         ranges
+    }
+
+    /// The first tube before which there are at least so many entries.
+    fn first_with_entries_before(&self, entries: usize) -> u32 {
+        let (mut low, mut high) = (0, self.tubes);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            match self.entries_before(middle) < entries {
+                true => low = middle + 1,
+                false => high = middle,
+            }
+        }
+        low
     }
 }

@@ -7,19 +7,26 @@ use super::lookup::Query;
 use super::members::Members;
 use super::slab::Slab;
 use crate::aabb::Aabb;
-use crate::parallel;
+use crate::parallel::Section;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{ONE_TUBE_UP_TO, OVERSIZED_UP_TO_EIGHTHS, STRIP_WIDENINGS};
+use crate::tuning::prices::SLOT;
 
 /// What a run of the kernel works with, in every class.
-pub(super) struct Run<'a, R, const D: usize> {
+pub(super) struct Run<'a, R, const D: usize, F> {
     pub(super) boxes: &'a [Aabb<R, D>],
-    /// How many slabs the work is cut into, at most.
-    pub(super) slab_count: usize,
+    /// How many slabs the work is cut into, at most, if that is fixed.
+    pub(super) slab_count: Option<usize>,
+    /// The work on the members of the class.
+    pub(super) section: Section,
     /// Whether boxes will be looked up when the run is over.
     pub(super) keeps: bool,
     pub(super) pairs: &'a mut Vec<[u32; 2]>,
+    /// Which pairs are wanted; `None`: all.
+    pub(super) wanted: Option<F>,
+    /// How many pairs were found that are not.
+    pub(super) unwanted: usize,
     pub(super) stopwatch: &'a mut Stopwatch,
 }
 
@@ -41,11 +48,11 @@ impl<R: Real, const D: usize> Class<R, D> {
     ///
     /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
     /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is oversized.
-    pub(super) fn assign(
+    pub(super) fn assign<F>(
         &mut self,
         members: impl Members,
         assignment: &mut Assignment,
-        run: &mut Run<R, D>,
+        run: &mut Run<R, D, F>,
     ) -> Result<(), FoundInvalid> {
         let count = members.count();
         let widenings = match count {
@@ -71,14 +78,18 @@ impl<R: Real, const D: usize> Class<R, D> {
             }
         }
         run.stopwatch.enter(Phase::Sort);
-        assignment.place(members);
+        assignment.place(members, run.section);
         run.stopwatch.leave();
         Ok(())
     }
 
     /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if the run asks for it, or there are oversized boxes to
     /// look up in them.
-    pub(super) fn sweep(&mut self, assignment: &Assignment, run: &mut Run<R, D>) {
+    pub(super) fn sweep<F: Fn([u32; 2]) -> bool + Sync>(
+        &mut self,
+        assignment: &Assignment,
+        run: &mut Run<R, D, F>,
+    ) {
         let (boxes, slabs) = (run.boxes, &mut self.slabs);
         let keeps = run.keeps || !self.oversized.is_empty();
         let ranges = assignment.split();
@@ -89,11 +100,17 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         // The first one need not copy its pairs.
         std::mem::swap(&mut slabs[0].pairs, run.pairs);
-        parallel::for_each(slabs, |slab| slab.sweep(boxes, assignment, keeps));
+        let wanted = run.wanted.as_ref();
+        run.section.for_each(slabs, |slab| {
+            let first = slab.pairs.len();
+            slab.sweep(boxes, assignment, keeps);
+            slab.unwanted = drop_unwanted(&mut slab.pairs, first, wanted);
+        });
         std::mem::swap(&mut slabs[0].pairs, run.pairs);
         for slab in &mut slabs[1..] {
             run.pairs.append(&mut slab.pairs);
         }
+        run.unwanted += slabs.iter().map(|slab| slab.unwanted).sum::<usize>();
         // They have worked at the same time.
         for slab in &*slabs {
             let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
@@ -103,24 +120,28 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     /// Appends the pairs of the oversized boxes with those of the class.
-    pub(super) fn look_up_oversized(&mut self, run: &mut Run<R, D>) {
+    pub(super) fn look_up_oversized<F: Fn([u32; 2]) -> bool>(&mut self, run: &mut Run<R, D, F>) {
         if self.oversized.is_empty() {
             return;
         }
         run.stopwatch.enter(Phase::Sweep);
         self.prepare_lookup();
+        let first = run.pairs.len();
         let mut emitter = Emitter::new(run.pairs);
         for &i in &self.oversized {
             self.look_up(&run.boxes[i as usize], i, &mut emitter);
         }
         emitter.finish();
+        run.unwanted += drop_unwanted(run.pairs, first, run.wanted.as_ref());
         run.stopwatch.leave();
     }
 
     /// Prepares for [`look_up`](Self::look_up), until the next run.
     pub(super) fn prepare_lookup(&mut self) {
         if !self.slabs.iter().all(|slab| slab.tubes.is_prepared()) {
-            parallel::for_each(&mut self.slabs, |slab| slab.tubes.prepare_lookup());
+            let entries = self.slabs.iter().map(|slab| slab.tubes.owners.len()).sum();
+            let section = Section::of(entries, SLOT);
+            section.for_each(&mut self.slabs, |slab| slab.tubes.prepare_lookup());
         }
     }
 
@@ -132,4 +153,33 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.tubes.look_up(&query, emitter);
         }
     }
+}
+
+/// Drops the pairs from `first` on that are not wanted. Returns how many.
+fn drop_unwanted(
+    pairs: &mut Vec<[u32; 2]>,
+    first: usize,
+    wanted: Option<impl Fn([u32; 2]) -> bool>,
+) -> usize {
+    let count = pairs.len();
+    if let Some(wanted) = wanted {
+        retain_from(pairs, first, wanted);
+    }
+    count - pairs.len()
+}
+
+/// Drops the pairs from `first` on that do not meet the condition, without a branch.
+#[inline(always)]
+pub(crate) fn retain_from(
+    pairs: &mut Vec<[u32; 2]>,
+    first: usize,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
+    let mut kept = first;
+    for i in first..pairs.len() {
+        let pair = pairs[i];
+        pairs[kept] = pair;
+        kept += usize::from(keep(pair));
+    }
+    pairs.truncate(kept);
 }

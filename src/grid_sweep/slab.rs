@@ -20,6 +20,8 @@ pub(super) struct Slab<R, const D: usize> {
     /// Scratch: the entries of one tube, and the pairs.
     entries: Vec<Entry<R, D>>,
     pub(super) pairs: Vec<[u32; 2]>,
+    /// How many pairs were found that nobody wants.
+    pub(super) unwanted: usize,
     pub(super) stopwatch: Stopwatch,
 }
 

@@ -9,6 +9,7 @@ mod lists;
 mod pair_rules;
 mod retired;
 mod state;
+mod turns;
 
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
@@ -19,6 +20,7 @@ use lists::CandidateLists;
 pub(super) use pair_rules::overlap;
 use retired::RetiredPairs;
 use state::PairState;
+use turns::Turns;
 
 /// In place of a slot: the candidate is gone.
 const TOMBSTONE: u32 = u32::MAX;
@@ -45,8 +47,10 @@ pub(super) struct Candidates {
     pub(super) passed_over: usize,
     /// Scratch: the slots whose candidates are compared.
     slots: BitSet,
-    /// Scratch: answers about rows, or about what was found.
+    /// Scratch: answers about rows.
     answers: BitSet,
+    /// Scratch: what becomes of rows.
+    turns: Vec<Turns>,
 }
 
 impl Candidates {
@@ -141,6 +145,13 @@ impl Candidates {
         }
     }
 
+    /// Whether one of a pair has never overlapped another that it might meet; never if volumes are not in use.
+    #[inline(always)]
+    fn are_strangers(&self, pair: [u32; 2]) -> bool {
+        pair.iter()
+            .any(|&slot| self.acquainted.has_room_without(slot as usize))
+    }
+
     /// Calls `visit` with the pairs whose boxes overlap, that are not held, and that have one of these slots; that slot comes first.
     pub(super) fn visit_near(
         &mut self,
@@ -224,6 +235,28 @@ impl Candidates {
         }
     }
 
+    /// Moves the last rows to where tombstones are, which must be those of the last turns.
+    fn fill_tombstones(&mut self) {
+        if self.tombstones == 0 {
+            return;
+        }
+        // Backwards, so that the row `swap_remove` moves in has already been looked at.
+        for turn in self
+            .turns
+            .iter()
+            .rev()
+            .flat_map(|part| part.turns.iter().rev())
+        {
+            if turn.state.is_none() {
+                self.pairs.swap_remove(turn.row);
+                self.states.swap_remove(turn.row);
+            }
+        }
+        self.tombstones = 0;
+        // Rows have moved.
+        self.lists.forget();
+    }
+
     /// Removes the tombstones.
     fn compact(&mut self) {
         if self.tombstones == 0 {
@@ -259,16 +292,4 @@ impl Candidates {
         }
         self.lists.validate(&self.pairs);
     }
-}
-
-/// The answers for up to 64 items, the first one lowest. Without a branch, because answers are practically random.
-#[inline(always)]
-fn gather<T>(
-    items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,
-    ask: impl Fn(T) -> bool,
-) -> u64 {
-    let items = items.into_iter();
-    let unused = 64 - items.len();
-    let word = items.fold(0, |word, item| word >> 1 | u64::from(ask(item)) << 63);
-    word >> unused
 }

@@ -11,7 +11,7 @@
 //! boxes up have no layers: with them, every search is a full run.
 
 use crate::aabb::Aabb;
-use crate::grid_sweep::GridSweep;
+use crate::grid_sweep::{GridSweep, retain_from};
 use crate::kernel::Kernel;
 use crate::pair_finder::PairFinder;
 use crate::rank_sweep::RankSweep;
@@ -55,39 +55,35 @@ struct Layer<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Layer<R, D> {
-    /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them.
+    /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them that are wanted. Returns how many are not.
     fn sort(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
+        wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
+    ) -> usize {
         self.outdated.clear();
         self.cost = 0;
         self.is_sorted = true;
-        self.order.find_among(boxes, members, found, stopwatch);
+        self.order
+            .find_among(boxes, members, wanted, found, stopwatch)
     }
 
-    /// Appends the pairs of the leavers that have a valid box with the members that are not outdated. All the leavers must be
-    /// outdated.
+    /// Appends the pairs of the leavers, which must have valid boxes and be outdated, with the members that are not outdated.
     fn look_up(
         &mut self,
         boxes: &[Aabb<R, D>],
-        leavers: &SlotSet,
+        leavers: &[u32],
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
         stopwatch.enter(Phase::Sweep);
-        let queries = leavers.slots().iter().copied();
-        let queries = queries.filter(|&slot| boxes[slot as usize].is_valid());
-        let first = found.len();
         self.order.prepare_lookup();
-        self.order.look_up(boxes, queries, found);
         let outdated = &self.outdated;
-        retain_from(found, first, |[a, b]| {
-            outdated.contains(a) != outdated.contains(b)
-        });
+        let is_current = |[a, b]: [u32; 2]| outdated.contains(a) != outdated.contains(b);
+        self.order.look_up(boxes, leavers, is_current, found);
     }
 }
 
@@ -126,13 +122,15 @@ impl<R: Real, const D: usize> Layers<R, D> {
         stats.strips = if *is_sorted { order.strips() } else { [0; 2] };
     }
 
-    /// Appends to `found` the overlapping pairs among the valid boxes.
+    /// Appends to `found` the overlapping pairs among the valid boxes that are wanted. Returns how many are not.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
+        wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) {
+    ) -> usize {
+        let first = found.len();
         self.base.is_sorted = false;
         self.base.outdated.clear();
         self.delta.is_sorted = false;
@@ -140,11 +138,13 @@ impl<R: Real, const D: usize> Layers<R, D> {
         match self.kernel {
             Kernel::GridSweep if boxes.len() > COMPARE_ALL_UP_TO => {
                 collect_valid(boxes, &mut self.members);
-                self.base.sort(boxes, &self.members, found, stopwatch);
+                let members = &self.members;
+                let unwanted = self.base.sort(boxes, members, wanted, found, stopwatch);
                 if boxes.len() > KEEP_SCRATCH_UP_TO {
                     self.members = Vec::new();
                     self.base.order.free_scratch();
                 }
+                return unwanted;
             }
             Kernel::GridSweep | Kernel::BruteForce => {
                 stopwatch.enter(Phase::Sweep);
@@ -163,6 +163,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 found.extend(pairs.iter().map(|pair| pair.map(|i| slots[i as usize])));
             }
         }
+        let count = found.len();
+        if let Some(wanted) = wanted {
+            retain_from(found, first, wanted);
+        }
+        count - found.len()
     }
 
     /// Appends to `found` the overlapping pairs among the valid boxes that involve one of the `leavers`, which must be all that have
@@ -174,13 +179,18 @@ impl<R: Real, const D: usize> Layers<R, D> {
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> Work {
+        let all = None::<fn([u32; 2]) -> bool>;
+        let queries = leavers.slots().iter().copied();
+        let queries: Vec<_> = queries
+            .filter(|&slot| boxes[slot as usize].is_valid())
+            .collect();
         for layer in [&mut self.base, &mut self.delta] {
             layer.outdated.make_room(boxes.len());
             for &slot in leavers.slots() {
                 layer.outdated.insert(slot);
             }
         }
-        self.base.look_up(boxes, leavers, found, stopwatch);
+        self.base.look_up(boxes, &queries, found, stopwatch);
         let mut work = Work {
             looked_up: leavers.len(),
             ..Work::default()
@@ -200,14 +210,14 @@ impl<R: Real, const D: usize> Layers<R, D> {
         work.searched = due.len();
         let mut first = found.len();
         if is_due {
-            delta.sort(boxes, members, found, stopwatch);
+            delta.sort(boxes, members, all, found, stopwatch);
         } else {
             base.cost += DELTA_LOOKUP_COST * leavers.len();
             delta.cost += due.len();
             work.looked_up += leavers.len();
-            delta.look_up(boxes, leavers, found, stopwatch);
+            delta.look_up(boxes, &queries, found, stopwatch);
             first = found.len();
-            recent.find_among(boxes, members, found, stopwatch);
+            recent.find_among(boxes, members, all, found, stopwatch);
         }
         retain_from(found, first, |[a, b]| {
             leavers.contains(a) | leavers.contains(b)
@@ -233,20 +243,4 @@ fn collect_valid<R: Real, const D: usize>(boxes: &[Aabb<R, D>], slots: &mut Vec<
     slots.clear();
     let numbered = (0..).zip(boxes);
     slots.extend(numbered.filter(|(_, b)| b.is_valid()).map(|(slot, _)| slot));
-}
-
-/// Drops the pairs from `first` on that do not meet the condition, without a branch.
-#[inline(always)]
-pub(super) fn retain_from(
-    pairs: &mut Vec<[u32; 2]>,
-    first: usize,
-    mut keep: impl FnMut([u32; 2]) -> bool,
-) {
-    let mut kept = first;
-    for i in first..pairs.len() {
-        let pair = pairs[i];
-        pairs[kept] = pair;
-        kept += usize::from(keep(pair));
-    }
-    pairs.truncate(kept);
 }

@@ -10,11 +10,12 @@ use super::foresight::Foresight;
 use super::policy::are_most_touched;
 use super::volumes::Volumes;
 use crate::aabb::Aabb;
-use crate::bit_set::BitSet;
-use crate::parallel;
+use crate::bit_set::{BitSet, gather};
+use crate::parallel::Section;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::tuning::update::{MOST_NOTES_A_SLOT, SLOTS_A_TASK, THREADS_FROM};
+use crate::tuning::prices::SLOT;
+use crate::tuning::update::MOST_NOTES_A_SLOT;
 use crate::volume::Volume;
 
 /// What is known of each slot, and what has changed since the last `finish`.
@@ -228,10 +229,19 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             self.leavers.insert(slot);
         }
         if self.volumes.are_used() {
-            self.renewed.resize(self.boxes.len());
+            let (boxes, previous) = (&self.boxes, &self.previous);
+            let slots = boxes.len();
+            if are_most_touched(self.notes.touched.len(), slots) {
+                return self.renewed.ask(slots, SLOT, |slots| {
+                    let boxes = boxes[slots.clone()].iter().zip(&previous[slots]);
+                    // Where there is no box, it does not equal itself.
+                    gather(boxes, |(now, before)| (now != before) & now.is_valid())
+                });
+            }
+            self.renewed.resize(slots);
             for &slot in &self.notes.touched {
                 let i = slot as usize;
-                if self.boxes[i] != self.previous[i] {
+                if boxes[i] != previous[i] {
                     self.renewed.insert(i);
                 }
             }
@@ -271,10 +281,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         foresight: Foresight,
         is_due: impl Fn(&Aabb<R, D>, &Aabb<R, D>, &Aabb<R, D>) -> bool + Send + Sync,
     ) {
-        let slots = slots_a_task(self.boxes.len());
+        let (section, slots) = self.section();
         let boxes = self.boxes.chunks(slots).zip(self.previous.chunks(slots));
         let mut parts: Vec<_> = self.fat_boxes.chunks_mut(slots).zip(boxes).collect();
-        parallel::for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
+        section.for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
             for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
                 if is_due(fat, now, before) {
                     *fat = foresight.fat_box(now, before);
@@ -287,10 +297,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     pub(super) fn commit(&mut self) {
         let touched = &self.notes.touched;
         if are_most_touched(touched.len(), self.boxes.len()) {
-            let slots = slots_a_task(self.boxes.len());
+            let (section, slots) = self.section();
             let boxes = self.boxes.chunks(slots);
             let mut parts: Vec<_> = self.previous.chunks_mut(slots).zip(boxes).collect();
-            parallel::for_each(&mut parts, |(previous, boxes)| {
+            section.for_each(&mut parts, |(previous, boxes)| {
                 previous.copy_from_slice(boxes);
             });
         } else {
@@ -307,13 +317,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
         self.leavers.clear();
     }
-}
 
-/// How many of so many slots each of the threads is given at a time: all, if they are not worth a second thread.
-fn slots_a_task(slots: usize) -> usize {
-    if slots < THREADS_FROM {
-        THREADS_FROM
-    } else {
-        SLOTS_A_TASK
+    /// A section that goes through all slots, and how many of them make a part of it.
+    fn section(&self) -> (Section, usize) {
+        let section = Section::of(self.boxes.len(), SLOT);
+        (section, self.boxes.len().div_ceil(section.parts()).max(1))
     }
 }

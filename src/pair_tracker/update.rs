@@ -17,12 +17,13 @@
 
 use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
-use super::layers::retain_from;
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
 use super::{FilterKey, PairObserver, PairTracker};
+use crate::grid_sweep::retain_from;
 use crate::real::Real;
 use crate::stats::Work;
 use crate::stopwatch::Phase;
+use crate::tuning::prices::{COMPARED, PICKED, SLOT};
 use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO};
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -69,6 +70,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.leave();
     }
 
+    /// About how much work there will be if so many slots are touched, going by the mean of the updates since the last full run.
+    pub(crate) fn work_ahead(&self, touched: usize) -> u64 {
+        if touched == 0 {
+            return 0;
+        }
+        let mean = self.cost.searching / self.cost.updates.max(1);
+        let comparing = match policy::are_most_touched(touched, self.proxies.len()) {
+            true => COMPARED * self.candidates.rows() as u64 + SLOT * self.proxies.len() as u64,
+            false => PICKED * self.candidates.rows() as u64,
+        };
+        mean.saturating_add(comparing)
+    }
+
     fn plan_inputs(&self) -> PlanInputs {
         PlanInputs {
             slots: self.proxies.len(),
@@ -95,7 +109,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             &mut self.stopwatch,
         );
         self.stopwatch.enter(Phase::Difference);
-        self.keep_those_that_may_meet();
+        if self.proxies.are_filtered {
+            let proxies = &self.proxies;
+            retain_from(&mut self.found, 0, |pair| proxies.may_meet(pair));
+        }
     }
 
     /// Compares candidates, retires those of the leavers, and takes in what was found for these.
@@ -153,25 +170,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Appends the overlapping pairs among all fat boxes to what was found.
+    /// Appends the pairs that may meet among all fat boxes that overlap to what was found.
     fn search(&mut self) {
-        self.layers.find_all(
-            &self.proxies.fat_boxes,
+        let proxies = &self.proxies;
+        let may_meet = |pair| proxies.may_meet(pair);
+        let unwanted = self.layers.find_all(
+            &proxies.fat_boxes,
+            proxies.are_filtered.then_some(may_meet),
             &mut self.found,
             &mut self.stopwatch,
         );
-        self.work.searched += self.proxies.len();
-        self.work.found += self.found.len();
+        self.work.searched += proxies.len();
+        self.work.found += self.found.len() + unwanted;
         self.stopwatch.enter(Phase::Difference);
-        self.keep_those_that_may_meet();
-    }
-
-    /// Drops the found pairs that may not meet.
-    fn keep_those_that_may_meet(&mut self) {
-        if self.proxies.are_filtered {
-            let proxies = &self.proxies;
-            retain_from(&mut self.found, 0, |pair| proxies.may_meet(pair));
-        }
     }
 
     /// Whether this number of candidates is more than foresight can be worth.

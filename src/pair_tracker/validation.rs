@@ -2,9 +2,10 @@
 
 use std::collections::HashSet;
 
-use super::layers::{Layers, retain_from};
+use super::layers::Layers;
 use super::{FilterKey, PairTracker};
 use crate::aabb::Aabb;
+use crate::grid_sweep::retain_from;
 use crate::kernel::Kernel;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
@@ -91,7 +92,12 @@ pub(super) fn overlapping<R: Real, const D: usize, K: FilterKey>(
     keys: &[K],
 ) -> Vec<[u32; 2]> {
     let mut found = Vec::new();
-    Layers::new(kernel, true).find_all(boxes, &mut found, &mut Stopwatch::default());
+    Layers::new(kernel, true).find_all(
+        boxes,
+        None::<fn([u32; 2]) -> bool>,
+        &mut found,
+        &mut Stopwatch::default(),
+    );
     retain_from(&mut found, 0, |[a, b]| {
         keys[a as usize].may_meet(keys[b as usize])
     });

@@ -10,9 +10,11 @@ use std::collections::BTreeMap;
 
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::aabb::Aabb;
-use crate::pair_tracker::{BoxUpdate, FilterKey};
+use crate::pair_tracker::{BoxUpdate, FilterKey, Notes, ProxyChunk};
+use crate::parallel::{self, Section};
 use crate::real::Real;
 use crate::stopwatch::Phase;
+use crate::tuning::prices::READ;
 use crate::tuning::update::ROOM_AHEAD;
 use crate::volume::Volume;
 
@@ -36,70 +38,186 @@ pub(super) struct HandedOver<R, const D: usize> {
     pub(super) last: Aabb<R, D>,
 }
 
+/// A run of slots whose boxes are moved.
+struct Followed<'a, R, const D: usize, M, K> {
+    proxies: ProxyChunk<'a, R, D, K>,
+    generations: &'a [Option<u32>],
+    memos: &'a mut [M],
+}
+
+impl<R: Real, const D: usize, M, K> Followed<'_, R, D, M, K> {
+    /// Moves the box at `i` of the run. Returns false, and changes nothing, if it takes more than a move.
+    #[inline(always)]
+    fn follow(
+        &mut self,
+        i: usize,
+        generation: u32,
+        aabb: &Aabb<R, D>,
+        margin: R,
+        volume: impl FnOnce(&mut M, &Aabb<R, D>) -> Volume<R, D>,
+    ) -> bool {
+        let memos = &mut self.memos;
+        is_known(self.generations, i as u32, generation)
+            && self.proxies.follow(i, aabb, margin, |volumes, is_renewed| {
+                let by_box = volumes.set_by_box(i, aabb, is_renewed);
+                by_box.or_else(|| volumes.set(i, &volume(&mut memos[i], aabb), is_renewed))
+            })
+    }
+}
+
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
     /// their filter keys. Returns the slots whose boxes it has written; some may repeat. **O(1)** each.
     ///
     /// `volume` is asked for volumes, if they are in use, but not of balls, which are where their boxes are, and of parts.
-    pub(crate) fn hand_over<H: Handle>(
+    pub(crate) fn hand_over<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
-        boxes: impl IntoIterator<Item = (H, Aabb<R, D>)>,
+        boxes: &[(H, B)],
         margin: R,
-        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
+        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync,
     ) -> &[u32] {
         self.begin();
+        let shared = parallel::shared_time();
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
-        let mut boxes = boxes.into_iter();
-        loop {
-            let touched = self.touched().len();
-            let mut proxies = self.tracker.proxies.all();
-            let (generations, memos) = (&self.generations[..], &mut self.memos[..]);
-            let mut listed = 0;
-            // Moves all up to the first that is more than a move.
-            let unusual = loop {
-                let Some((handle, aabb)) = boxes.next() else {
-                    break None;
-                };
-                listed += 1;
-                let (slot, generation) = handle.into_raw_parts();
-                let i = slot as usize;
-                let is_moved = is_known(generations, slot, generation)
-                    && proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
-                        let by_box = volumes.set_by_box(i, &aabb, is_renewed);
-                        by_box.or_else(|| {
-                            let volume = volume(handle, &mut memos[i], &aabb);
-                            volumes.set(i, &volume, is_renewed)
-                        })
-                    });
-                if !is_moved {
-                    break Some((handle, aabb));
-                }
-            };
-            self.gathered.listed += listed;
-            self.gathered.moved += self.touched().len() - touched;
-            let Some((handle, aabb)) = unusual else {
-                break;
-            };
-            let Some(slot) = self.slot_of(handle) else {
-                self.keep_pending(handle, aabb, margin);
-                continue;
-            };
-            let proxies = &mut self.tracker.proxies;
-            let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
-            let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
-            self.admit(handle, margin, |memo| {
-                let volume = match by_box {
-                    _ if !are_used => Volume::BOX,
-                    Some(volume) => volume,
-                    None => volume(handle, memo, &aabb),
-                };
-                Some(Reading { aabb, key, volume })
-            });
+        let section = Section::of(boxes.len(), READ);
+        self.gathered.listed += boxes.len();
+        if section.parts() > 1 {
+            let unusual = self.follow_in_parts(section, boxes, margin, &volume);
+            self.gathered.moved += self.touched().len() - first_touched;
+            for (handle, aabb) in unusual.into_iter().map(|place| boxes[place]) {
+                self.take_in(handle, aabb.into(), margin, &volume);
+            }
+        } else {
+            let mut boxes = boxes.iter();
+            while let Some(&(handle, aabb)) = self.follow_up_to(&mut boxes, margin, &volume) {
+                self.take_in(handle, aabb.into(), margin, &volume);
+            }
         }
         self.tracker.stopwatch.leave();
+        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
         &self.touched()[first_touched..]
+    }
+
+    /// Moves all up to the first that is more than a move, and returns that.
+    fn follow_up_to<'a, H: Handle, B: Copy + Into<Aabb<R, D>>>(
+        &mut self,
+        boxes: &mut impl Iterator<Item = &'a (H, B)>,
+        margin: R,
+        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
+    ) -> Option<&'a (H, B)> {
+        let touched = self.touched().len();
+        let mut all = Followed {
+            proxies: self.tracker.proxies.all(),
+            generations: &self.generations,
+            memos: &mut self.memos,
+        };
+        let unusual = boxes.find(|&&(handle, aabb)| {
+            let (slot, generation) = handle.into_raw_parts();
+            let is_followed = all.follow(
+                slot as usize,
+                generation,
+                &aabb.into(),
+                margin,
+                |memo, aabb| volume(handle, memo, aabb),
+            );
+            !is_followed
+        });
+        self.gathered.moved += self.touched().len() - touched;
+        unusual
+    }
+
+    /// Moves what is no more than a move, by several threads, each of which has a run of slots. Returns the others by their places,
+    /// ascending, and for each of them what follows it in its run, so that what is handed over for a collider is taken in order.
+    fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
+        &mut self,
+        section: Section,
+        boxes: &[(H, B)],
+        margin: R,
+        volume: &(impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync),
+    ) -> Vec<usize> {
+        let parts = section.parts();
+        let slots_a_part = self.generations.len().div_ceil(parts).max(1);
+        let boxes_a_part = boxes.len().div_ceil(parts).max(1);
+        // First boxes are shared out, to tell whose slots they are of.
+        let starts = (0..).step_by(boxes_a_part).zip(boxes.chunks(boxes_a_part));
+        let mut dealt: Vec<_> = starts
+            .map(|(start, boxes)| (start, boxes, vec![Vec::new(); parts + 1]))
+            .collect();
+        section.for_each(&mut dealt, |(start, boxes, places)| {
+            for (place, (handle, _)) in (*start..).zip(*boxes) {
+                let (slot, _) = handle.into_raw_parts();
+                places[(slot as usize / slots_a_part).min(parts)].push(place);
+            }
+        });
+        let places = |part: usize| {
+            let of_part = dealt.iter().map(move |(_, _, places)| &places[part]);
+            of_part.flatten().copied()
+        };
+        // Then slots are.
+        let notes = &mut self.reader.notes;
+        notes.resize_with(parts, Notes::default);
+        let proxies = self.tracker.proxies.chunks(slots_a_part, &mut *notes);
+        let generations = self.generations.chunks(slots_a_part);
+        let memos = self.memos.chunks_mut(slots_a_part);
+        let followed = proxies.zip(generations.zip(memos)).enumerate();
+        let mut followed: Vec<_> = followed
+            .map(|(part, (proxies, (generations, memos)))| {
+                let followed = Followed {
+                    proxies,
+                    generations,
+                    memos,
+                };
+                (part, followed, Vec::new())
+            })
+            .collect();
+        section.for_each(&mut followed, |(part, followed, unusual)| {
+            let mut places = places(*part);
+            let first = places.find(|&place| {
+                let (handle, aabb) = boxes[place];
+                let (slot, generation) = handle.into_raw_parts();
+                let i = slot as usize - slots_a_part * *part;
+                let is_followed =
+                    followed.follow(i, generation, &aabb.into(), margin, |memo, aabb| {
+                        volume(handle, memo, aabb)
+                    });
+                !is_followed
+            });
+            unusual.extend(first);
+            unusual.extend(places);
+        });
+        let unusual = followed.into_iter().flat_map(|(_, _, unusual)| unusual);
+        let mut unusual: Vec<_> = unusual.chain(places(parts)).collect();
+        unusual.sort_unstable();
+        for notes in notes {
+            self.tracker.proxies.note(notes);
+        }
+        unusual
+    }
+
+    /// Takes a box that is perhaps more than a move.
+    fn take_in<H: Handle>(
+        &mut self,
+        handle: H,
+        aabb: Aabb<R, D>,
+        margin: R,
+        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
+    ) {
+        let Some(slot) = self.slot_of(handle) else {
+            return self.keep_pending(handle, aabb, margin);
+        };
+        let proxies = &mut self.tracker.proxies;
+        let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
+        let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
+        self.admit(handle, margin, |memo| {
+            let volume = match by_box {
+                _ if !are_used => Volume::BOX,
+                Some(volume) => volume,
+                None => volume(handle, memo, &aabb),
+            };
+            Some(Reading { aabb, key, volume })
+        });
     }
 
     /// Keeps a box until the next update can look for its collider. A collider of an earlier generation than the known one is gone, so

@@ -10,11 +10,10 @@ use super::hand_over::HandedOver;
 use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
-use crate::parallel;
+use crate::parallel::Section;
 use crate::real::Real;
-use crate::tuning::update::{
-    PARTS_A_THREAD, READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM, THREADS_FROM,
-};
+use crate::tuning::prices::READ;
+use crate::tuning::update::{READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM};
 
 /// Goes through listed colliders; keeps its memory between updates.
 #[derive(Clone, Debug, Default)]
@@ -22,7 +21,7 @@ pub(super) struct Reader {
     /// The slots to read by index.
     listed: BitSet,
     /// By part.
-    notes: Vec<Notes>,
+    pub(super) notes: Vec<Notes>,
     deferred: Vec<Vec<Deferred>>,
 }
 
@@ -70,15 +69,14 @@ impl Reader {
         &mut self,
         handles: &[H],
         generations: &[Option<u32>],
-        is_shared: bool,
+        section: Section,
     ) -> Vec<H> {
-        let parts = if is_shared { parallel::threads() } else { 1 };
-        let parts = handles.chunks(handles.len().div_ceil(parts).max(1));
+        let parts = handles.chunks(handles.len().div_ceil(section.parts()).max(1));
         // The first part has the memory that was kept.
         let mut lists: Vec<_> = parts
             .map(|handles| (handles, std::mem::take(&mut self.listed), Vec::new()))
             .collect();
-        parallel::for_each(&mut lists, |(handles, listed, unknown)| {
+        section.for_each(&mut lists, |(handles, listed, unknown)| {
             listed.resize(generations.len());
             for &handle in *handles {
                 let (slot, generation) = handle.into_raw_parts();
@@ -109,8 +107,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let mut touched = self.tracker.proxies.touched().len();
         let count = handles.len();
         let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
-        // The order must not depend on the number of threads.
-        if count <= READ_AS_LISTED_UP_TO || count < READ_BY_INDEX_FROM && is_sorted() {
+        let section = Section::of(count, READ);
+        let is_listed = || count < READ_BY_INDEX_FROM && is_sorted();
+        if section.parts() == 1 && (count <= READ_AS_LISTED_UP_TO || is_listed()) {
             self.reader.deferred.resize_with(1, Vec::new);
             let mut all = Part {
                 proxies: self.tracker.proxies.all(),
@@ -127,12 +126,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 }
             }
         } else {
-            let is_shared = count >= THREADS_FROM && parallel::threads() > 1;
-            for handle in self.reader.list(handles, &self.generations, is_shared) {
+            for handle in self.reader.list(handles, &self.generations, section) {
                 self.admit_read(handle, None, source, margin);
             }
             touched = self.tracker.proxies.touched().len();
-            self.read_in_parts(is_shared, source, margin);
+            self.read_in_parts(section, source, margin);
         }
         self.gathered.moved += self.tracker.proxies.touched().len() - touched;
         let mut deferred = std::mem::take(&mut self.reader.deferred);
@@ -144,7 +142,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Reads the listed slots by index.
-    fn read_in_parts<S>(&mut self, is_shared: bool, source: &S, margin: R)
+    fn read_in_parts<S>(&mut self, section: Section, source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
@@ -154,12 +152,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             deferred,
         } = &mut self.reader;
         listed.resize(self.generations.len());
-        // More parts than threads, because some will be faster than others.
-        let parts = match is_shared {
-            true => PARTS_A_THREAD * parallel::threads(),
-            false => 1,
-        };
-        let words_a_part = listed.words().len().div_ceil(parts).max(1);
+        let words_a_part = listed.words().len().div_ceil(section.parts()).max(1);
         let slots_a_part = 64 * words_a_part;
         let words = listed.words().chunks(words_a_part);
         notes.resize_with(words.len(), Notes::default);
@@ -179,7 +172,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 (words, part)
             })
             .collect();
-        parallel::for_each(&mut parts, |(words, part)| {
+        section.for_each(&mut parts, |(words, part)| {
             for (first, &word) in (0..).step_by(64).zip(*words) {
                 for i in ones(word).map(|bit| first + bit) {
                     // If another collider has taken the slot since, it has been read; reading it again changes nothing.

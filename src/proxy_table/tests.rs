@@ -6,8 +6,11 @@ use super::{BoxSource, Changes, FilterKey, Handle, Lists, ProxyTable};
 use crate::aabb::Aabb;
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
+use crate::parallel::with_threads;
 use crate::settings::Settings;
-use crate::tuning::update::{MOST_NOTES_A_SLOT, READ_AS_LISTED_UP_TO, ROOM_AHEAD, THREADS_FROM};
+use crate::tuning::update::{
+    MOST_NOTES_A_SLOT, READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM, ROOM_AHEAD,
+};
 use crate::volume::{Volume, VolumeKind};
 
 const MARGIN: f32 = 0.125;
@@ -150,7 +153,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
                 modified.swap(i, random.rand_range(0..i as u32 + 1) as usize);
             }
         }
-        at_once.hand_over(handed_over.iter().copied(), MARGIN, |id, memo, aabb| {
+        at_once.hand_over(&handed_over, MARGIN, |id, memo, aabb| {
             colliders.volume(id, memo, aabb)
         });
         at_once.update(&Lists::new(&modified, &removed), &colliders, MARGIN);
@@ -170,9 +173,12 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
 #[test]
 fn colliders_are_read_alike_in_every_order() {
     for filter in [PairFilter::Groups, PairFilter::Shapes] {
-        check(filter, 4 * READ_AS_LISTED_UP_TO as u32, 40);
-        // In parts.
-        check(filter, THREADS_FROM as u32 * 5 / 4, 8);
+        check(filter, READ_BY_INDEX_FROM as u32 * 5 / 4, 8);
+        for threads in [1, 2, 3, 8, 16] {
+            with_threads(threads, || {
+                check(filter, 4 * READ_AS_LISTED_UP_TO as u32, 20)
+            });
+        }
     }
 }
 
@@ -186,8 +192,8 @@ fn boxes_handed_over_again_and_again_take_no_more_memory() {
     table.update(&Lists::new(&all[..3], &[]), &colliders, MARGIN);
     finish(&mut table);
     for i in 0..2_000 {
-        let boxes = all.iter().map(|&id| (id, aabb((i % 7) as f32)));
-        table.hand_over(boxes, MARGIN, |_, _, _| Volume::BOX);
+        let boxes = all.map(|id| (id, aabb((i % 7) as f32)));
+        table.hand_over(&boxes, MARGIN, |_, _, _| Volume::BOX);
         let noted = table.touched().len() + table.pending.len();
         assert!(noted <= (MOST_NOTES_A_SLOT + 2) * all.len());
     }
@@ -202,7 +208,8 @@ fn boxes_for_unknown_colliders_make_room_once() {
     let hand_over = |table: &mut Table, first: u32| {
         let step = ROOM_AHEAD as u32 - 1;
         let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
-        table.hand_over(boxes, MARGIN, |_, _, _| Volume::BOX);
+        let boxes: Vec<_> = boxes.collect();
+        table.hand_over(&boxes, MARGIN, |_, _, _| Volume::BOX);
     };
     for _ in 0..3 {
         hand_over(&mut table, 0);
@@ -250,7 +257,7 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     assert_eq!(check(&mut table, Lists::new(&ids, &[]), &colliders, 200), 0);
 
     // A box is shown to queries until the update.
-    table.hand_over([((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
+    table.hand_over(&[((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
     assert!(table.boxes()[250].is_valid());
     check(&mut table, Lists::new(&[], &[]), &colliders, 200);
 

@@ -1,14 +1,16 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
-use core::ops::Range;
-
-use super::state::PairState;
-use super::{Candidates, TOMBSTONE, gather};
+use super::state::{PairState, near_and_held};
+use super::turns::{Found, FoundNotes, Turn, Turns, next_state};
+use super::{Candidates, TOMBSTONE};
+use crate::bit_set::{gather, ones};
 use crate::pair_tracker::policy::CompareMode;
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
+use crate::parallel::{Section, start_of_part};
 use crate::real::Real;
 use crate::stats::Work;
+use crate::tuning::prices::{COMPARED, HELD, PICKED};
 
 /// The candidates of an update, what decides which of them are held, and whom changes are reported to.
 pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
@@ -36,15 +38,20 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         } = &mut **candidates;
         if proxies.have_history() {
             retired.reserve(*held_count);
-            for (&pair, &state) in pairs.iter().zip(states.iter()) {
-                if state.is_held() && proxies.are_left(pair) {
-                    retired.insert(pair);
-                } else if state == PairState::Near && proxies.is_forbidden(pair) {
-                    forbidden.push(pair);
-                }
+            answers.ask(pairs.len(), COMPARED, |rows| {
+                let [_, held] = near_and_held(&states[rows.clone()]);
+                let is_left = |i: usize| proxies.are_left(pairs[rows.start + i]);
+                ones(held).fold(0, |word, i| word | u64::from(is_left(i)) << i)
+            });
+            answers.iter().for_each(|row| retired.insert(pairs[row]));
+            if proxies.are_rekeyed {
+                let near = pairs.iter().zip(states.iter());
+                let near = near.filter(|&(_, &state)| state == PairState::Near);
+                let pairs = near.map(|(&pair, _)| pair);
+                forbidden.extend(pairs.filter(|&pair| proxies.is_forbidden(pair)));
             }
         } else {
-            answers.ask(pairs.len(), |rows| {
+            answers.ask(pairs.len(), COMPARED, |rows| {
                 let rows = pairs[rows.clone()].iter().zip(&states[rows]);
                 gather(rows, |(&pair, state)| {
                     state.is_held() && proxies.has_ended(pair)
@@ -88,31 +95,40 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
 
     /// Appends the states of candidates that were found.
     fn hold_new(&mut self, found: &[[u32; 2]]) {
-        let proxies = self.proxies;
-        let mut overlapping = std::mem::take(&mut self.candidates.answers);
-        overlapping.ask(found.len(), |rows| {
-            gather(&found[rows], |&pair| proxies.overlap(pair))
-        });
-        let states = &mut self.candidates.states;
+        let mut states = std::mem::take(&mut self.candidates.states);
         let first = states.len();
         states.resize(first + found.len(), PairState::Apart);
         self.candidates.retired.index();
-        for i in overlapping.iter() {
-            let pair = found[i];
-            // Most pairs that are held were held before.
-            let was_held = match proxies.have_history() {
-                true => self.candidates.retired.take(pair),
-                false => proxies.was_held(pair),
-            };
-            let state = proxies.state_of_overlapping(pair, was_held);
-            let state = self.settled(pair, was_held, state);
-            self.candidates.states[first + i] = state;
-            self.candidates.held_count += usize::from(state.is_held());
-            self.candidates.overlapping_count += 1;
-            self.candidates.note_overlap(pair);
-            self.report_change(pair, was_held, state.is_held());
+        let section = Section::of(found.len(), HELD);
+        let pairs_a_part = found.len().div_ceil(section.parts()).max(1);
+        let pairs = found.chunks(pairs_a_part);
+        let states_of_parts = states[first..].chunks_mut(pairs_a_part);
+        let mut parts: Vec<_> = pairs
+            .zip(states_of_parts)
+            .map(|(pairs, states)| Found {
+                pairs,
+                states,
+                notes: FoundNotes::default(),
+            })
+            .collect();
+        let (candidates, observer) = (&*self.candidates, &*self.observer);
+        section.for_each(&mut parts, |part| {
+            part.ask(candidates, self.proxies, observer);
+        });
+        for Found { notes, .. } in parts {
+            self.candidates.held_count += notes.held_count;
+            self.candidates.overlapping_count += notes.overlapping_count;
+            for place in notes.taken {
+                self.candidates.retired.take(place);
+            }
+            for pair in notes.strangers {
+                self.candidates.note_overlap(pair);
+            }
+            for (pair, is_held) in notes.changed {
+                self.report_change(pair, !is_held, is_held);
+            }
         }
-        self.candidates.answers = overlapping;
+        self.candidates.states = states;
         let retired = &mut self.candidates.retired;
         retired.drain(|pair| self.observer.report(PairChange::Deleted(pair)));
     }
@@ -123,16 +139,23 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     /// Picking a few candidates out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are
     /// for very few.
     pub(in crate::pair_tracker) fn compare(&mut self, mode: CompareMode, work: &mut Work) {
-        let touched = self.proxies.touched();
+        let (proxies, touched) = (self.proxies, self.proxies.touched());
         match mode {
             CompareMode::All => {
                 self.candidates.compact();
-                self.compare_all();
+                let leavers = &proxies.leavers;
+                let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+                // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
+                self.turn(COMPARED, |pairs, states| match leavers.len() {
+                    0 => proxies.toggled(pairs, states),
+                    _ => proxies.toggled(pairs, states) | gather(pairs, has_left),
+                });
                 work.compared = self.candidates.rows();
+                self.candidates.fill_tombstones();
             }
             CompareMode::Picked { lists_are_missed } => {
                 work.picked = self.candidates.rows();
-                work.compared = self.compare_picked(touched);
+                work.compared = self.turn_those_of(touched, |_, _, picked| picked);
                 if lists_are_missed {
                     self.candidates.lists.state.missed += 1;
                 }
@@ -140,10 +163,10 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             CompareMode::Listed => {
                 work.walked = touched.len();
                 if !self.candidates.lists.state.are_made {
-                    self.candidates.make_lists(self.proxies.len());
+                    self.candidates.make_lists(proxies.len());
                 }
                 let mut lists = std::mem::take(&mut self.candidates.lists);
-                for &slot in self.proxies.leavers.slots() {
+                for &slot in proxies.leavers.slots() {
                     lists.take(slot, |row| self.retire(row));
                 }
                 for &slot in touched {
@@ -167,93 +190,62 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return;
         }
         self.candidates.passed_over += self.candidates.rows();
-        let mut met = std::mem::take(&mut self.candidates.answers);
-        let Candidates {
-            pairs,
-            states,
-            slots,
-            ..
-        } = &mut *self.candidates;
-        slots.insert_all(revolumed, proxies.len());
-        let is_one = slots.lookup();
-        let has_one = |[a, b]: [u32; 2]| is_one(a as usize) | is_one(b as usize);
-        met.ask(pairs.len(), |rows| {
-            proxies.met_of_near(&pairs[rows.clone()], &states[rows], has_one)
+        self.turn_those_of(revolumed, |pairs, states, picked| {
+            proxies.met_of_near(pairs, states, picked)
         });
-        drop(is_one);
-        slots.clear_around(revolumed);
-        for row in met.iter() {
-            self.compare_row(row);
-        }
-        self.candidates.answers = met;
     }
 
-    /// Compares all rows, and removes those of what has left its fat box. No row may be a tombstone.
-    fn compare_all(&mut self) {
-        debug_assert_eq!(self.candidates.tombstones, 0);
-        let mut toggled = std::mem::take(&mut self.candidates.answers);
-        let Candidates { pairs, states, .. } = &*self.candidates;
-        let (proxies, leavers) = (self.proxies, &self.proxies.leavers);
-        let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
-        // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-        let ask_toggled = |rows: Range<usize>| proxies.toggled(&pairs[rows.clone()], &states[rows]);
-        match leavers.len() {
-            0 => toggled.ask(pairs.len(), ask_toggled),
-            _ => toggled.ask(pairs.len(), |rows| {
-                ask_toggled(rows.clone()) | gather(&pairs[rows], has_left)
-            }),
+    /// Asks the rows that have one of these slots, and that are `wanted` of up to 64, among which are these. Applies the answers. Returns
+    /// how many rows were wanted, tombstones included.
+    fn turn_those_of(
+        &mut self,
+        listed: &[u32],
+        wanted: impl Fn(&[[u32; 2]], &[PairState], u64) -> u64 + Send + Sync,
+    ) -> usize {
+        let mut slots = std::mem::take(&mut self.candidates.slots);
+        slots.insert_all(listed, self.proxies.len());
+        let is_listed = slots.lookup();
+        let wanted = self.turn(PICKED, |pairs, states| {
+            let has_listed = |&[a, b]: &[u32; 2]| is_listed(a as usize) | is_listed(b as usize);
+            wanted(pairs, states, gather(pairs, has_listed))
+        });
+        drop(is_listed);
+        slots.clear_around(listed);
+        self.candidates.slots = slots;
+        wanted
+    }
+
+    /// Asks the rows that are picked from each 64, and applies the answers. Returns how many were picked, tombstones included.
+    fn turn(
+        &mut self,
+        price: u64,
+        pick: impl Fn(&[[u32; 2]], &[PairState]) -> u64 + Send + Sync,
+    ) -> usize {
+        let mut parts = std::mem::take(&mut self.candidates.turns);
+        let rows = self.candidates.rows();
+        let section = Section::of(rows, price);
+        let count = section.parts();
+        parts.resize_with(count, Turns::default);
+        for (i, part) in parts.iter_mut().enumerate() {
+            // Whole words, so that threads pick as one does.
+            let [start, end] = [i, i + 1].map(|i| 64 * start_of_part(i, count, rows.div_ceil(64)));
+            part.rows = start..end.min(rows);
         }
-        for row in toggled.iter() {
-            self.compare_or_retire(row);
-        }
-        let candidates = &mut *self.candidates;
-        if candidates.tombstones > 0 {
-            // Backwards, so that the row `swap_remove` moves in has already been checked.
-            for row in toggled.iter_backwards() {
-                if candidates.pairs[row][0] == TOMBSTONE {
-                    candidates.pairs.swap_remove(row);
-                    candidates.states.swap_remove(row);
-                }
+        let (candidates, observer) = (&*self.candidates, &*self.observer);
+        section.for_each(&mut parts, |part| {
+            part.ask(candidates, self.proxies, observer, |rows| {
+                pick(&candidates.pairs[rows.clone()], &candidates.states[rows])
+            });
+        });
+        for &Turn { row, state } in parts.iter().flat_map(|part| &part.turns) {
+            match state {
+                Some(state) => self.set_state(row, state),
+                None => self.retire(row),
             }
-            candidates.tombstones = 0;
-            // Rows have moved.
-            candidates.lists.forget();
         }
-        candidates.answers = toggled;
-    }
-
-    /// Compares the rows that have one of these slots, or retires them. Returns how many there are, with some tombstones.
-    fn compare_picked(&mut self, touched: &[u32]) -> usize {
-        let mut picked = std::mem::take(&mut self.candidates.answers);
-        let Candidates { pairs, slots, .. } = &mut *self.candidates;
-        slots.insert_all(touched, self.proxies.len());
-        let is_touched = slots.lookup();
-        picked.ask(pairs.len(), |rows| {
-            gather(&pairs[rows], |&[a, b]| {
-                is_touched(a as usize) | is_touched(b as usize)
-            })
-        });
-        drop(is_touched);
-        slots.clear_around(touched);
-        let mut count = 0;
-        for row in picked.iter() {
-            count += 1;
-            self.compare_or_retire(row);
-        }
-        self.candidates.answers = picked;
-        count
-    }
-
-    /// Compares a row, or retires it if one of its proxies has left its fat box.
-    #[inline(always)]
-    fn compare_or_retire(&mut self, row: usize) {
-        let pair = self.candidates.get(row);
-        let leavers = &self.proxies.leavers;
-        if pair.is_some_and(|pair| pair.iter().any(|&slot| leavers.contains(slot))) {
-            self.retire(row);
-        } else {
-            self.compare_row(row);
-        }
+        let picked = parts.iter().map(|part| part.picked).sum();
+        self.candidates.turns = parts;
+        picked
     }
 
     /// Brings a row up to date. Returns whether there is a candidate in it.
@@ -263,8 +255,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return false;
         };
         let former = self.candidates.states[row];
-        let state = self.proxies.state_of(pair, former);
-        let state = self.settled(pair, former.is_held(), state);
+        let state = next_state(self.proxies, &*self.observer, pair, former);
         if state != former {
             self.set_state(row, state);
         }
@@ -276,16 +267,6 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let former = self.candidates.set_state(row, state);
         let pair = self.candidates.pairs[row];
         self.report_change(pair, former.is_held(), state.is_held());
-    }
-
-    /// The state of a pair that is about to have this one: a pair that ends by its volumes alone is held on to while its contact is
-    /// active.
-    #[inline(always)]
-    fn settled(&self, pair: [u32; 2], was_held: bool, state: PairState) -> PairState {
-        match state {
-            PairState::Near if was_held && self.observer.is_active(pair) => PairState::Held,
-            _ => state,
-        }
     }
 
     #[inline(always)]

@@ -1,10 +1,9 @@
 //! Which pairs of proxies are held, by their boxes, filter keys and volumes as they are now, and as they were at the end of the last
 //! update.
 
-use super::gather;
 use super::state::{PairState, near_and_held};
 use crate::aabb::Aabb;
-use crate::bit_set::ones;
+use crate::bit_set::{gather, ones};
 use crate::pair_tracker::FilterKey;
 use crate::pair_tracker::proxies::Proxies;
 use crate::real::Real;
@@ -50,7 +49,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Of up to 64 pairs those whose boxes overlap.
     #[inline(never)]
-    fn overlapping(&self, pairs: &[[u32; 2]]) -> u64 {
+    pub(super) fn overlapping(&self, pairs: &[[u32; 2]]) -> u64 {
         // By itself: beside other code, the compiler makes branches of it, which are mispredicted.
         gather(pairs, |&pair| self.overlap(pair))
     }
@@ -69,17 +68,12 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         ones(overlap).fold(toggled, |word, i| word | u64::from(has_toggled(i)) << i)
     }
 
-    /// Of up to 64 pairs that are near, and have one of these slots, those whose volumes have met now.
+    /// Of up to 64 pairs those of the picked ones that are near, and whose volumes have met now.
     #[inline(always)]
-    pub(super) fn met_of_near(
-        &self,
-        pairs: &[[u32; 2]],
-        states: &[PairState],
-        is_one: impl Fn([u32; 2]) -> bool,
-    ) -> u64 {
+    pub(super) fn met_of_near(&self, pairs: &[[u32; 2]], states: &[PairState], picked: u64) -> u64 {
         let [near, _] = near_and_held(states);
-        let have_met = |i: usize| is_one(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
-        ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
+        let have_met = |i: usize| self.volumes.meet(pairs[i], R::ZERO);
+        ones(near & picked).fold(0, |word, i| word | u64::from(have_met(i)) << i)
     }
 
     /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.

@@ -49,21 +49,25 @@ impl RetiredPairs {
         }
     }
 
-    /// Takes a pair out of the set, which must be indexed. Returns whether it was in the set.
-    pub(super) fn take(&mut self, pair: [u32; 2]) -> bool {
+    /// The place of a pair in the set, which must be indexed, if it is in it.
+    pub(super) fn place(&self, pair: [u32; 2]) -> Option<u32> {
         if self.entries.is_empty() {
-            return false;
+            return None;
         }
         let mut link = self.heads[hash(pair, self.heads.len())];
         while link != END {
-            let entry = &mut self.entries[link as usize];
+            let entry = &self.entries[link as usize];
             if entry.pair == pair {
-                entry.pair = TAKEN;
-                return true;
+                return Some(link);
             }
             link = entry.next;
         }
-        false
+        None
+    }
+
+    /// Takes the pair at a place out of the set.
+    pub(super) fn take(&mut self, place: u32) {
+        self.entries[place as usize].pair = TAKEN;
     }
 
     /// Empties the set, and calls `visit` with each pair that was left.

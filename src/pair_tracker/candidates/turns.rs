@@ -1,0 +1,155 @@
+//! What becomes of candidates in an update: asked in parts, by several threads if they are many, and then applied in order.
+
+use core::ops::Range;
+
+use super::Candidates;
+use super::state::PairState;
+use crate::bit_set::ones;
+use crate::pair_tracker::proxies::Proxies;
+use crate::pair_tracker::{FilterKey, PairObserver};
+use crate::real::Real;
+
+/// What becomes of a row.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turn {
+    pub(super) row: usize,
+    /// `None`: it is retired.
+    pub(super) state: Option<PairState>,
+}
+
+/// Of a range of rows, those that turn.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Turns {
+    pub(super) rows: Range<usize>,
+    pub(super) turns: Vec<Turn>,
+    /// How many rows were picked, tombstones included.
+    pub(super) picked: usize,
+}
+
+impl Turns {
+    /// Asks the rows that are picked from each 64.
+    pub(super) fn ask<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        candidates: &Candidates,
+        proxies: &Proxies<R, D, K>,
+        observer: &impl PairObserver,
+        pick: impl Fn(Range<usize>) -> u64,
+    ) {
+        self.turns.clear();
+        self.picked = 0;
+        let leavers = &proxies.leavers;
+        let have_left = leavers.len() > 0;
+        for start in self.rows.clone().step_by(64) {
+            let word = pick(start..self.rows.end.min(start + 64));
+            self.picked += word.count_ones() as usize;
+            for row in ones(word).map(|i| start + i) {
+                let Some(pair) = candidates.get(row) else {
+                    continue;
+                };
+                let has_left = |slot: &u32| leavers.contains(*slot);
+                if have_left && pair.iter().any(has_left) {
+                    self.turns.push(Turn { row, state: None });
+                    continue;
+                }
+                let former = candidates.states[row];
+                let state = next_state(proxies, observer, pair, former);
+                if state != former {
+                    let state = Some(state);
+                    self.turns.push(Turn { row, state });
+                }
+            }
+        }
+    }
+}
+
+/// The state of a candidate that had this one.
+#[inline(always)]
+pub(super) fn next_state<R: Real, const D: usize, K: FilterKey>(
+    proxies: &Proxies<R, D, K>,
+    observer: &impl PairObserver,
+    pair: [u32; 2],
+    former: PairState,
+) -> PairState {
+    let state = proxies.state_of(pair, former);
+    settled(observer, pair, former.is_held(), state)
+}
+
+/// The state of a pair that is about to have this one: a pair that ends by its volumes alone is held on to while its contact is
+/// active.
+#[inline(always)]
+fn settled(
+    observer: &impl PairObserver,
+    pair: [u32; 2],
+    was_held: bool,
+    state: PairState,
+) -> PairState {
+    match state {
+        PairState::Near if was_held && observer.is_active(pair) => PairState::Held,
+        _ => state,
+    }
+}
+
+/// Of a range of what was found, what is held.
+#[derive(Debug, Default)]
+pub(super) struct Found<'a> {
+    pub(super) pairs: &'a [[u32; 2]],
+    /// As many.
+    pub(super) states: &'a mut [PairState],
+    pub(super) notes: FoundNotes,
+}
+
+/// What is to be noted of it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FoundNotes {
+    pub(super) held_count: usize,
+    pub(super) overlapping_count: usize,
+    /// Those that were retired in this update, by their places there.
+    pub(super) taken: Vec<u32>,
+    /// Those that begin or end, and which of both.
+    pub(super) changed: Vec<([u32; 2], bool)>,
+    /// Those of which one has never overlapped another before.
+    pub(super) strangers: Vec<[u32; 2]>,
+}
+
+impl Found<'_> {
+    /// Finds out what is held.
+    pub(super) fn ask<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        candidates: &Candidates,
+        proxies: &Proxies<R, D, K>,
+        observer: &impl PairObserver,
+    ) {
+        let Self {
+            pairs,
+            states,
+            notes,
+        } = self;
+        let have_history = proxies.have_history();
+        for (pairs, states) in pairs.chunks(64).zip(states.chunks_mut(64)) {
+            for i in ones(proxies.overlapping(pairs)) {
+                let pair = pairs[i];
+                // Most pairs that are held were held before.
+                let place = match have_history {
+                    true => candidates.retired.place(pair),
+                    false => None,
+                };
+                let was_held = match have_history {
+                    true => place.is_some(),
+                    false => proxies.was_held(pair),
+                };
+                notes.taken.extend(place);
+                let state = proxies.state_of_overlapping(pair, was_held);
+                let state = settled(observer, pair, was_held, state);
+                states[i] = state;
+                notes.held_count += usize::from(state.is_held());
+                notes.overlapping_count += 1;
+                if candidates.are_strangers(pair) {
+                    notes.strangers.push(pair);
+                }
+                if was_held != state.is_held() {
+                    notes.changed.push((pair, state.is_held()));
+                }
+            }
+        }
+    }
+}
