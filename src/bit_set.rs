@@ -59,12 +59,12 @@ impl BitSet {
         word.is_some_and(|word| word >> (i % 64) & 1 == 0)
     }
 
-    /// Tells whether a number is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is
-    /// unspecified.
-    pub(crate) fn lookup(&self) -> impl Fn(usize) -> bool + Send + Sync + '_ {
-        let words = &self.words[..];
-        let last = words.len() - 1;
-        move |i| words[(i / 64).min(last)] >> (i % 64) & 1 == 1
+    /// Tells whether one of two slots is in the set, without a branch. The capacity must not be 0.
+    pub(crate) fn lookup(&self) -> Lookup<'_> {
+        Lookup {
+            words: &self.words,
+            last: self.words.len() - 1,
+        }
     }
 
     /// The numbers in the set, ascending.
@@ -120,6 +120,25 @@ impl BitSet {
                 *word = ask(64 * i..count.min(64 * (i + 1)));
             }
         });
+    }
+}
+
+/// Tells which pairs of slots have one in a set.
+#[derive(Clone, Copy)]
+pub(crate) struct Lookup<'a> {
+    words: &'a [u64],
+    last: usize,
+}
+
+impl Lookup<'_> {
+    /// Whether one of two slots is in the set. Beyond its capacity, the answer is unspecified.
+    #[inline(always)]
+    pub(crate) fn has_one(self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|slot| {
+            let i = slot as usize;
+            self.words[(i / 64).min(self.last)] >> (i % 64) & 1 == 1
+        });
+        a | b
     }
 }
 

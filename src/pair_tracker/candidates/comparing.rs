@@ -3,7 +3,7 @@
 use super::state::{PairState, near_and_held};
 use super::turns::{Found, FoundNotes, Turn, Turns, next_state};
 use super::{Candidates, TOMBSTONE};
-use crate::bit_set::{gather, ones};
+use crate::bit_set::{Lookup, gather, ones};
 use crate::pair_tracker::policy::CompareMode;
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
@@ -155,7 +155,9 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             }
             CompareMode::Picked { lists_are_missed } => {
                 work.picked = self.candidates.rows();
-                work.compared = self.turn_those_of(touched, |_, _, picked| picked);
+                work.compared = self.turn_those_of(touched, |pairs, _, listed| {
+                    gather(pairs, |&pair| listed.has_one(pair))
+                });
                 if lists_are_missed {
                     self.candidates.lists.state.missed += 1;
                 }
@@ -190,29 +192,25 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return;
         }
         self.candidates.passed_over += self.candidates.rows();
-        self.turn_those_of(revolumed, |pairs, states, picked| {
-            proxies.met_of_near(pairs, states, picked)
+        self.turn_those_of(revolumed, |pairs, states, listed| {
+            proxies.met_of_near(pairs, states, |pair| listed.has_one(pair))
         });
     }
 
-    /// Asks the rows that have one of these slots, and that are `wanted` of up to 64, among which are these. Applies the answers. Returns
-    /// how many rows were wanted, tombstones included.
+    /// Asks the rows that are picked from each 64, given which pairs have one of these slots, and applies the answers. Returns how many
+    /// were picked, tombstones included.
     fn turn_those_of(
         &mut self,
         listed: &[u32],
-        wanted: impl Fn(&[[u32; 2]], &[PairState], u64) -> u64 + Send + Sync,
+        pick: impl Fn(&[[u32; 2]], &[PairState], Lookup<'_>) -> u64 + Send + Sync,
     ) -> usize {
         let mut slots = std::mem::take(&mut self.candidates.slots);
         slots.insert_all(listed, self.proxies.len());
-        let is_listed = slots.lookup();
-        let wanted = self.turn(PICKED, |pairs, states| {
-            let has_listed = |&[a, b]: &[u32; 2]| is_listed(a as usize) | is_listed(b as usize);
-            wanted(pairs, states, gather(pairs, has_listed))
-        });
-        drop(is_listed);
+        let lookup = slots.lookup();
+        let picked = self.turn(PICKED, |pairs, states| pick(pairs, states, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
-        wanted
+        picked
     }
 
     /// Asks the rows that are picked from each 64, and applies the answers. Returns how many were picked, tombstones included.

@@ -68,12 +68,17 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         ones(overlap).fold(toggled, |word, i| word | u64::from(has_toggled(i)) << i)
     }
 
-    /// Of up to 64 pairs those of the picked ones that are near, and whose volumes have met now.
+    /// Of up to 64 pairs those that are near, that are `wanted`, and whose volumes have met now.
     #[inline(always)]
-    pub(super) fn met_of_near(&self, pairs: &[[u32; 2]], states: &[PairState], picked: u64) -> u64 {
+    pub(super) fn met_of_near(
+        &self,
+        pairs: &[[u32; 2]],
+        states: &[PairState],
+        wanted: impl Fn([u32; 2]) -> bool,
+    ) -> u64 {
         let [near, _] = near_and_held(states);
-        let have_met = |i: usize| self.volumes.meet(pairs[i], R::ZERO);
-        ones(near & picked).fold(0, |word, i| word | u64::from(have_met(i)) << i)
+        let have_met = |i: usize| wanted(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
+        ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
     }
 
     /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.

@@ -37,26 +37,37 @@ impl Turns {
     ) {
         self.turns.clear();
         self.picked = 0;
-        let leavers = &proxies.leavers;
-        let have_left = leavers.len() > 0;
         for start in self.rows.clone().step_by(64) {
-            let word = pick(start..self.rows.end.min(start + 64));
-            self.picked += word.count_ones() as usize;
-            for row in ones(word).map(|i| start + i) {
-                let Some(pair) = candidates.get(row) else {
-                    continue;
-                };
-                let has_left = |slot: &u32| leavers.contains(*slot);
-                if have_left && pair.iter().any(has_left) {
-                    self.turns.push(Turn { row, state: None });
-                    continue;
-                }
-                let former = candidates.states[row];
-                let state = next_state(proxies, observer, pair, former);
-                if state != former {
-                    let state = Some(state);
-                    self.turns.push(Turn { row, state });
-                }
+            let picked = pick(start..self.rows.end.min(start + 64));
+            if picked != 0 {
+                self.picked += picked.count_ones() as usize;
+                self.ask_picked(start, picked, candidates, proxies, observer);
+            }
+        }
+    }
+
+    /// Asks the rows, from `start` on, whose bit is set.
+    #[inline(never)]
+    fn ask_picked<R: Real, const D: usize, K: FilterKey>(
+        &mut self,
+        start: usize,
+        picked: u64,
+        candidates: &Candidates,
+        proxies: &Proxies<R, D, K>,
+        observer: &impl PairObserver,
+    ) {
+        let leavers = &proxies.leavers;
+        for row in ones(picked).map(|i| start + i) {
+            let Some(pair) = candidates.get(row) else {
+                continue;
+            };
+            let former = candidates.states[row];
+            let state = match pair.iter().any(|&slot| leavers.contains(slot)) {
+                true => None,
+                false => Some(next_state(proxies, observer, pair, former)),
+            };
+            if state != Some(former) {
+                self.turns.push(Turn { row, state });
             }
         }
     }
