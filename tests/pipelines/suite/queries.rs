@@ -282,10 +282,20 @@ impl Asked {
                     stop_at_penetration: solid,
                     compute_impact_geometry_on_penetration: true,
                 };
-                self.nearest(filter, |scene| {
+                let cast = |scene: &QueryPipeline<'_>| {
                     let hit = cast_shape(scene, &pose, direction, &*shape, options);
                     hit.map(|(handle, hit)| (handle, hit.time_of_impact, format!("{hit:?}")))
+                };
+                let probe = shape.compute_aabb(&pose).loosened(options.target_distance);
+                let found = self.twins.answers_with(filter, |world, scene| {
+                    let hit = cast(&scene)?;
+                    let reached = world.colliders[hit.0].compute_aabb();
+                    Some(hit.1 + 0.001 < first_touch(&probe, direction, &reached))
                 });
+                // Parry's casts of shapes may be off too: whether it is asked about such a collider depends on the shape of the tree.
+                if !found.contains(&Some(true)) {
+                    self.nearest(filter, cast);
+                }
             }
         }
     }
@@ -307,6 +317,30 @@ impl Asked {
         assert!(ours.is_superset(&theirs), "{ours:?} and {theirs:?}");
         self.hits += ours.len();
     }
+}
+
+/// When a moving box touches another that rests; infinity if it never does.
+fn first_touch(
+    moving: &Aabb,
+    direction: impl std::ops::Index<usize, Output = Real>,
+    resting: &Aabb,
+) -> Real {
+    let (mut first, mut last): (Real, Real) = (0.0, Real::INFINITY);
+    for axis in 0..DIM {
+        let speed = direction[axis];
+        let ahead = resting.mins[axis] - moving.maxs[axis];
+        let behind = resting.maxs[axis] - moving.mins[axis];
+        if speed == 0.0 {
+            if ahead > 0.0 || behind < 0.0 {
+                return Real::INFINITY;
+            }
+            continue;
+        }
+        let times = [ahead / speed, behind / speed];
+        first = first.max(times[0].min(times[1]));
+        last = last.min(times[0].max(times[1]));
+    }
+    if first <= last { first } else { Real::INFINITY }
 }
 
 fn index(handle: ColliderHandle) -> u32 {

@@ -4,6 +4,7 @@
 //! The order in which pairs are reported must not show, so it is the same with both broad phases, and no contact moves anything.
 
 use std::collections::BTreeSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::cases;
 use super::random::Random;
@@ -232,8 +233,15 @@ impl Playground {
     fn step(&mut self) -> bool {
         let logs = [EventLog::default(), EventLog::default()];
         let Twins { ours, theirs, .. } = &mut self.twins;
+        // Rapier 0.27 rarely finds a body in its lists of what is active that is gone, whatever the broad phase.
+        let stepped = catch_unwind(AssertUnwindSafe(|| {
+            theirs.step(self.theirs.for_step(), &(), &logs[1]);
+        }));
+        if stepped.is_err() {
+            println!("Rapier's own panics");
+            return false;
+        }
         ours.step(self.ours.for_step(), &(), &logs[0]);
-        theirs.step(self.theirs.for_step(), &(), &logs[1]);
         self.ours.inner.validate();
         let [mut ours, mut theirs] = self.twins.snapshots(logs);
         let moved_alike = (&ours.asleep, &ours.poses) == (&theirs.asleep, &theirs.poses);
