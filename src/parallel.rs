@@ -8,7 +8,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use crate::stopwatch;
-use crate::tuning::threads::{ENTER_FROM, PART_FROM, SECTION_FROM};
+use crate::tuning::threads::{ENTER_COST, PART_FROM, SECTION_COST};
 
 /// The number of threads that work is cut for.
 pub(crate) fn threads() -> usize {
@@ -41,11 +41,16 @@ pub(crate) fn join<A: Send, B: Send>(
 /// ten times as long, and each section would wait for it.
 pub(crate) fn enter<T: Send>(work: u64, run: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]
-    if work >= ENTER_FROM && threads() > 1 && is_outside() {
+    if is_outside() && gain(work, threads()) >= ENTER_COST {
         return rayon::scope(|_| run());
     }
-    let _ = work >= ENTER_FROM;
+    let _ = work;
     run()
+}
+
+/// How much of some work a thread is spared if it shares it with others.
+fn gain(work: u64, threads: usize) -> u64 {
+    work - work / threads as u64
 }
 
 /// Whether this is no thread of the pool.
@@ -59,39 +64,35 @@ fn is_outside() -> bool {
 /// A part of an update that several threads can share.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Section {
-    /// How many threads it is worth, however many there are.
-    worth: u64,
+    /// In tenths of a nanosecond on one thread.
+    work: u64,
 }
 
 impl Section {
     /// A section of `count` items, each of which takes about `price` tenths of a nanosecond on one thread.
     pub(crate) fn of(count: usize, price: u64) -> Self {
-        let work = price.saturating_mul(count as u64);
         Self {
-            worth: if work < SECTION_FROM {
-                1
-            } else {
-                work / PART_FROM
-            },
+            work: price.saturating_mul(count as u64),
         }
     }
 
     /// Into how many parts it is best cut.
     pub(crate) fn parts(self) -> usize {
-        let least = if is_outside() {
-            ENTER_FROM / PART_FROM
-        } else {
-            2
+        let cost = match is_outside() {
+            true => ENTER_COST,
+            false => SECTION_COST,
         };
-        match self.worth {
-            worth if worth < least => 1,
-            worth => usize::try_from(worth).unwrap_or(usize::MAX).min(threads()),
+        let most = usize::try_from(self.work / PART_FROM).unwrap_or(usize::MAX);
+        match threads().min(most) {
+            parts if parts > 1 && gain(self.work, parts) >= cost => parts,
+            _ => 1,
         }
     }
 
     /// Calls `work` with each part.
     pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
-        if self.worth < 2 || !IS_TIMED.load(Ordering::Relaxed) {
+        let is_worth_it = gain(self.work, 2) >= SECTION_COST;
+        if !is_worth_it || !IS_TIMED.load(Ordering::Relaxed) {
             return for_each(parts, work);
         }
         let began = stopwatch::now();
@@ -167,11 +168,14 @@ mod tests {
 
     #[test]
     fn only_what_is_much_is_cut() {
-        assert_eq!(Section::of(0, u64::MAX).parts(), 1);
-        assert_eq!(Section::of(1, SECTION_FROM - 1).parts(), 1);
-        for work in [ENTER_FROM, u64::MAX] {
-            assert!((1..=threads()).contains(&Section::of(1, work).parts()));
+        for threads in [1, 2, 8] {
+            with_threads(threads, || {
+                let threads = super::threads();
+                assert_eq!(Section::of(0, u64::MAX).parts(), 1);
+                assert_eq!(Section::of(1, SECTION_COST).parts(), 1);
+                assert!((1..=threads).contains(&Section::of(2, SECTION_COST).parts()));
+                assert_eq!(Section::of(usize::MAX, u64::MAX).parts(), threads);
+            });
         }
-        assert_eq!(Section::of(usize::MAX, u64::MAX).parts(), threads());
     }
 }

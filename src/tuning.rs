@@ -245,13 +245,13 @@ pub(crate) mod threads {
     /// Debug builds share less work, so that tests need not be long.
     const SCALE: u64 = if cfg!(debug_assertions) { 16 } else { 1 };
 
-    /// An update, or a section of one, that begins outside of the pool. Above: cores idle. Below: waking threads, 15 to 70 microseconds,
-    /// costs more than it saves.
-    pub(crate) const ENTER_FROM: u64 = 1_000_000 / SCALE;
+    /// What sharing must spare an update, or a section of one, that begins outside of the pool. Above: cores idle. Below: waking threads,
+    /// 15 to 70 microseconds on a server and 100 on a virtual machine, costs more than it saves.
+    pub(crate) const ENTER_COST: u64 = 1_000_000 / SCALE;
 
-    /// A section of an update that runs in the pool. Above: cores idle. Below: waking the others, 1 to 10 microseconds, costs more than
-    /// it saves.
-    pub(crate) const SECTION_FROM: u64 = 200_000 / SCALE;
+    /// What sharing must spare a section of an update that runs in the pool. Above: cores idle. Below: waking the others, 1 to 10
+    /// microseconds, costs more than it saves.
+    pub(crate) const SECTION_COST: u64 = 200_000 / SCALE;
 
     /// A part of a section. Above: cores idle. Below: threads are woken for what the others have done before they come.
     pub(crate) const PART_FROM: u64 = 100_000 / SCALE;
