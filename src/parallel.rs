@@ -5,9 +5,8 @@
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
 
-use crate::stopwatch;
+use crate::stopwatch::{self, Shared};
 use crate::tuning::threads::{ENTER_COST, PART_FROM, SECTION_COST};
 
 /// The number of threads that work is cut for.
@@ -97,8 +96,10 @@ impl Section {
         }
         let began = stopwatch::now();
         for_each(parts, work);
-        let time = stopwatch::since(began);
-        SHARED.with(|shared| shared.set(shared.get() + time));
+        let mut shared = SHARED.get();
+        shared.time += stopwatch::since(began);
+        shared.sections += 1;
+        SHARED.set(shared);
     }
 }
 
@@ -117,8 +118,8 @@ fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
 static IS_TIMED: AtomicBool = AtomicBool::new(false);
 
 thread_local! {
-    /// How long sections have taken that began on this thread and are worth a second one, whether there is one or not.
-    static SHARED: Cell<Duration> = const { Cell::new(Duration::ZERO) };
+    /// The sections that began on this thread and are worth a second one, whether there is one or not.
+    static SHARED: Cell<Shared> = const { Cell::new(Shared::NONE) };
 }
 
 /// Has sections timed from now on.
@@ -126,10 +127,10 @@ pub(crate) fn time_sections() {
     IS_TIMED.store(true, Ordering::Relaxed);
 }
 
-/// How long sections have taken so far that began on this thread and that several threads share, or would if there were several; zero
-/// unless they are [timed](time_sections).
-pub(crate) fn shared_time() -> Duration {
-    SHARED.with(Cell::get)
+/// The sections so far that began on this thread and that several threads share, or would if there were several; none unless they are
+/// [timed](time_sections).
+pub(crate) fn shared() -> Shared {
+    SHARED.get()
 }
 
 /// Runs a test with this number of threads, or with one where there are no others.

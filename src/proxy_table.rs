@@ -205,7 +205,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.begin();
-        let shared = parallel::shared_time();
+        let shared = parallel::shared();
         let touched = self.touched().len();
         self.gathered.listed += lists.len();
         self.tracker.stopwatch.enter(Phase::Read);
@@ -227,7 +227,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.read_unmoved(lists.unmoved, source);
         self.read_swept(lists.swept, source);
         self.tracker.stopwatch.leave();
-        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
+        self.tracker
+            .stopwatch
+            .times
+            .shared
+            .add([shared, parallel::shared()]);
         &self.touched()[touched..]
     }
 
@@ -379,9 +383,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             is_active,
             changes,
         };
-        let shared = parallel::shared_time();
+        let shared = parallel::shared();
         self.tracker.finish(slack, &mut observer);
-        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
+        self.tracker
+            .stopwatch
+            .times
+            .shared
+            .add([shared, parallel::shared()]);
         self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);

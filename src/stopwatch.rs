@@ -24,7 +24,34 @@ pub struct PhaseTimes {
     pub events: Duration,
     /// Of all that, what several threads share, or would if there were several.
     #[doc(hidden)]
-    pub shared: Duration,
+    pub shared: Shared,
+}
+
+/// What several threads can share.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
+#[non_exhaustive]
+pub struct Shared {
+    pub time: Duration,
+    /// Into how many sections it is cut, at the end of each of which threads wait for each other.
+    pub sections: u32,
+}
+
+impl Shared {
+    pub(crate) const NONE: Self = Self {
+        time: Duration::ZERO,
+        sections: 0,
+    };
+
+    /// Adds what was shared between two counts of the same thread.
+    pub(crate) fn add(&mut self, [before, after]: [Self; 2]) {
+        self.time += after.time - before.time;
+        self.sections += after.sections - before.sections;
+    }
 }
 
 impl PhaseTimes {

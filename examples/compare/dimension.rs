@@ -6,7 +6,9 @@ use crate::options::Options;
 use crate::row::Row;
 use ours::{Settings, UnisizeBroadPhase};
 use scenes::{Candidate, Comparison};
+use std::sync::atomic::{AtomicU64, Ordering};
 use unisize::PairFilter;
+use unisize_scenes::Sharing;
 
 /// Compares in one case.
 pub(crate) fn compare(case: Case, options: &Options) -> Row {
@@ -34,10 +36,26 @@ pub(crate) fn compare(case: Case, options: &Options) -> Row {
 }
 
 fn candidate(filter: PairFilter) -> Candidate<UnisizeBroadPhase> {
-    let settings = Settings::default().with_filter(filter);
-    Candidate::new(
+    let settings = Settings::default().with_filter(filter).with_timed(true);
+    let candidate = Candidate::new(
         move || UnisizeBroadPhase::with_settings(settings),
         |ours| ours.pairs().collect(),
         UnisizeBroadPhase::as_query_pipeline,
-    )
+    );
+    // An update that has nothing to do leaves the statistics as they are.
+    let updates = AtomicU64::new(0);
+    candidate.with_sharing(move |ours| {
+        let stats = ours.stats();
+        if updates.swap(stats.updates, Ordering::Relaxed) == stats.updates {
+            return Sharing::default();
+        }
+        let times = stats.times;
+        let [ms, ms_shared] =
+            [times.total(), times.shared.time].map(|time| time.as_secs_f64() * 1e3);
+        Sharing {
+            ms,
+            ms_shared,
+            sections: times.shared.sections.into(),
+        }
+    })
 }

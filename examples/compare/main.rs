@@ -11,6 +11,7 @@
 //! with 2 on a usage error.
 
 mod case;
+mod forecast;
 #[path = "../../benches/common/json_lines.rs"]
 mod json_lines;
 mod options;

@@ -14,7 +14,7 @@ pub(super) struct Row {
     pub(super) dim: u8,
     seed: u64,
     filter: String,
-    threads: usize,
+    pub(super) threads: usize,
     pub(super) equal: bool,
     #[serde(flatten)]
     pub(super) outcome: Outcome,

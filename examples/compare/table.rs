@@ -1,5 +1,6 @@
 //! The tables on standard output. Rows are printed as they come, so the columns have fixed widths.
 
+use crate::forecast::forecast;
 use crate::row::Row;
 use unisize_scenes::{Both, End, Repeat, Times, WholeSteps};
 
@@ -14,6 +15,11 @@ const RESULTS: Head = [
 const UPDATES: Head = [
     "                   mean ms             longest ms          all pairs           rays",
     "updates              default      ours   default      ours   default      ours  compared",
+];
+
+const THREADS: Head = [
+    "                   ms an update               forecast of ms an update on threads",
+    "threads                  all  serial    of it sections        2        4        8       16",
 ];
 
 const ALONE: Head = [
@@ -116,6 +122,7 @@ pub(super) fn footer(rows: &[Row]) -> String {
     lines.extend(UPDATES.map(str::to_owned));
     lines.extend(rows.iter().map(updates));
     lines.push(String::new());
+    lines.extend(threads(rows));
     lines.extend(alone(rows));
     lines.push(String::new());
     lines.join("\n")
@@ -136,6 +143,31 @@ fn updates(row: &Row) -> String {
     cells.extend(both(&outcome.pairs_with_dropped, usize::to_string));
     cells.push(outcome.rays.cast.to_string());
     line(UPDATES, cells)
+}
+
+/// What threads share of the updates, and what an update would take on more of them; nothing if it ran on several, for then it is measured.
+fn threads(rows: &[Row]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for row in rows.iter().filter(|row| row.threads == 1) {
+        let (Some(sharing), steps) = (&row.outcome.sharing, row.outcome.steps) else {
+            continue;
+        };
+        if lines.is_empty() {
+            lines.extend(THREADS.map(str::to_owned));
+        }
+        let serial = sharing.ms - sharing.ms_shared;
+        let a_step = |sum: f64| format!("{:.3}", sum / steps as f64);
+        let mut cells = vec![row.scene.clone(), a_step(sharing.ms), a_step(serial)];
+        cells.push(format!("{:.0} %", 100.0 * serial / sharing.ms));
+        cells.push(format!("{:.1}", sharing.sections as f64 / steps as f64));
+        let forecast = forecast(sharing, steps);
+        cells.extend(forecast.map(|ms| format!("{ms:.3}")));
+        lines.push(line(THREADS, cells));
+    }
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
+    lines
 }
 
 /// The ends of the first repeat of each scene, and all complaints.

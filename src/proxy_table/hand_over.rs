@@ -77,7 +77,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync,
     ) -> &[u32] {
         self.begin();
-        let shared = parallel::shared_time();
+        let shared = parallel::shared();
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
@@ -96,7 +96,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         }
         self.tracker.stopwatch.leave();
-        self.tracker.stopwatch.times.shared += parallel::shared_time() - shared;
+        self.tracker
+            .stopwatch
+            .times
+            .shared
+            .add([shared, parallel::shared()]);
         &self.touched()[first_touched..]
     }
 

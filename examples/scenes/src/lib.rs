@@ -42,7 +42,7 @@ pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
-pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Spread, Tally, WholeSteps};
+pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Sharing, Spread, Tally, WholeSteps};
 pub use stampede::Stampede;
 pub use timing::{Times, Timing, milliseconds};
 

@@ -12,6 +12,8 @@
 
 #[path = "../../../compare/case.rs"]
 mod case;
+#[path = "../../../compare/forecast.rs"]
+mod forecast;
 #[path = "../../../../benches/common/json_lines.rs"]
 mod json_lines;
 #[path = "../../../compare/options.rs"]

@@ -1,0 +1,56 @@
+//! What an update will take on more threads than there are here.
+//!
+//! On one thread, unisize tells how much of an update several threads would share, and into how many sections that is cut. The rest of the
+//! time stays as it is. What is shared goes down with the number of threads, but for what it costs to wake them, which was measured on
+//! a server with a core for each thread.
+
+use unisize_scenes::Sharing;
+
+/// The numbers of threads for which there is a forecast.
+pub(super) const THREADS: [usize; 4] = [2, 4, 8, 16];
+
+/// Microseconds to get into the pool from outside, once it is asleep.
+const ENTERING: f64 = 40.0;
+
+/// Microseconds for the first section in the pool, with each number of threads.
+const FIRST_SECTION: [f64; 4] = [3.3, 6.5, 8.8, 25.0];
+
+/// Microseconds for each further one.
+const SECTION: [f64; 4] = [0.2, 1.3, 3.4, 6.3];
+
+/// How often the pool is entered in a step: when boxes are handed over, and in the update.
+const ENTRIES: f64 = 2.0;
+
+/// Milliseconds of an update on each number of threads, by the updates of so many steps on one.
+pub(super) fn forecast(sharing: &Sharing, steps: usize) -> [f64; 4] {
+    let [serial, shared, sections] = [
+        sharing.ms - sharing.ms_shared,
+        sharing.ms_shared,
+        sharing.sections as f64,
+    ]
+    .map(|sum| sum / steps as f64);
+    core::array::from_fn(|i| {
+        // Steps in which nothing is shared do not enter.
+        let entries = ENTRIES.min(sections);
+        let waking = entries * (ENTERING + FIRST_SECTION[i]) + sections * SECTION[i];
+        serial + shared / THREADS[i] as f64 + waking / 1e3
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_serial_stays_and_what_is_shared_is_divided() {
+        let sharing = |ms_shared, sections| Sharing {
+            ms: 200.0,
+            ms_shared,
+            sections,
+        };
+        assert_eq!(forecast(&sharing(0.0, 0), 100), [2.0; 4]);
+        let [two, .., sixteen] = forecast(&sharing(160.0, 200), 100);
+        assert!((1.2..1.3).contains(&two), "{two}");
+        assert!((0.5..0.7).contains(&sixteen), "{sixteen}");
+    }
+}
