@@ -90,16 +90,22 @@ impl Section {
 
     /// Calls `work` with each part.
     pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
+        self.run(|| for_each(parts, work));
+    }
+
+    /// Does all of it, in one part or in several.
+    pub(crate) fn run<T>(self, work: impl FnOnce() -> T) -> T {
         let is_worth_it = gain(self.work, 2) >= SECTION_COST;
         if !is_worth_it || !IS_TIMED.load(Ordering::Relaxed) {
-            return for_each(parts, work);
+            return work();
         }
         let began = stopwatch::now();
-        for_each(parts, work);
+        let done = work();
         let mut shared = SHARED.get();
         shared.time += stopwatch::since(began);
         shared.sections += 1;
         SHARED.set(shared);
+        done
     }
 }
 

@@ -238,8 +238,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// About how much work an update will be, in tenths of a nanosecond.
     pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
         let touched = self.touched().len() + lists.modified.len();
-        let reading = READ.saturating_mul(lists.len() as u64);
-        reading.saturating_add(self.tracker.work_ahead(touched))
+        self.reading(lists.len())
+            .saturating_add(self.tracker.work_ahead(touched))
+    }
+
+    /// About how much work it is to read so many colliders, or to take in their boxes, in tenths of a nanosecond.
+    pub(crate) fn reading(&self, colliders: usize) -> u64 {
+        let price = self.tracker.proxies.volumes().price(READ);
+        price.saturating_mul(colliders as u64)
     }
 
     /// Whether there is an update to finish, because boxes were handed over.

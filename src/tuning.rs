@@ -222,6 +222,9 @@ pub(crate) mod prices {
     /// Comparing a candidate. Above and below: the same.
     pub(crate) const COMPARED: u64 = 20;
 
+    /// How many times that, and reading, where not all volumes are balls. Above and below: the same.
+    pub(crate) const BEYOND_BALLS: u64 = 3;
+
     /// Finding out whether a found candidate overlaps and was held. Above and below: the same.
     pub(crate) const HELD: u64 = 60;
 

@@ -16,7 +16,6 @@ use crate::pair_filter::PairFilter;
 use crate::parallel;
 use crate::proxy_table::{Changes, IsActive, Lists, ProxyTable};
 use crate::stats::Stats;
-use crate::tuning::prices::READ;
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
@@ -220,7 +219,7 @@ impl UnisizeBroadPhase {
             return;
         }
         let margin = self.margin(params);
-        parallel::enter(READ.saturating_mul(aabbs.len() as u64), || {
+        parallel::enter(self.table.reading(aabbs.len()), || {
             let volume = |handle, outline: &mut _, aabb: &_| {
                 let collider = colliders.and_then(|colliders| colliders.get(handle));
                 volume(collider, params, outline, aabb)

@@ -76,13 +76,17 @@ impl<R: Real, const D: usize> Layer<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &[u32],
+        may_meet: impl Fn([u32; 2]) -> bool + Sync,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) {
         stopwatch.enter(Phase::Sweep);
         self.order.prepare_lookup();
         let outdated = &self.outdated;
-        let is_current = |[a, b]: [u32; 2]| outdated.contains(a) != outdated.contains(b);
+        let is_current = |pair: [u32; 2]| {
+            let [a, b] = pair.map(|slot| outdated.contains(slot));
+            a != b && may_meet(pair)
+        };
         self.order.look_up(boxes, leavers, is_current, found);
     }
 }
@@ -170,16 +174,20 @@ impl<R: Real, const D: usize> Layers<R, D> {
         count - found.len()
     }
 
-    /// Appends to `found` the overlapping pairs among the valid boxes that involve one of the `leavers`, which must be all that have
-    /// changed since the last search. The base layer must be [sorted](Self::above_base). Returns what it took.
+    /// Appends to `found` the overlapping pairs among the valid boxes that may meet and involve one of the `leavers`, which must be all that
+    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns what it took.
     pub(super) fn find_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &SlotSet,
+        may_meet: impl Fn([u32; 2]) -> bool + Sync,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> Work {
-        let all = None::<fn([u32; 2]) -> bool>;
+        let is_new = |pair: [u32; 2]| {
+            let [a, b] = pair.map(|slot| leavers.contains(slot));
+            (a | b) && may_meet(pair)
+        };
         let queries = leavers.slots().iter().copied();
         let queries: Vec<_> = queries
             .filter(|&slot| boxes[slot as usize].is_valid())
@@ -190,7 +198,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 layer.outdated.insert(slot);
             }
         }
-        self.base.look_up(boxes, &queries, found, stopwatch);
+        self.base
+            .look_up(boxes, &queries, &may_meet, found, stopwatch);
         let mut work = Work {
             looked_up: leavers.len(),
             ..Work::default()
@@ -208,20 +217,15 @@ impl<R: Real, const D: usize> Layers<R, D> {
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
         base.cost += due.len();
         work.searched = due.len();
-        let mut first = found.len();
         if is_due {
-            delta.sort(boxes, members, all, found, stopwatch);
+            delta.sort(boxes, members, Some(is_new), found, stopwatch);
         } else {
             base.cost += DELTA_LOOKUP_COST * leavers.len();
             delta.cost += due.len();
             work.looked_up += leavers.len();
-            delta.look_up(boxes, &queries, found, stopwatch);
-            first = found.len();
-            recent.find_among(boxes, members, all, found, stopwatch);
+            delta.look_up(boxes, &queries, &may_meet, found, stopwatch);
+            recent.find_among(boxes, members, Some(is_new), found, stopwatch);
         }
-        retain_from(found, first, |[a, b]| {
-            leavers.contains(a) | leavers.contains(b)
-        });
         work.found = found.len();
         work
     }

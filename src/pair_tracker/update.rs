@@ -19,7 +19,6 @@ use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
 use super::{FilterKey, PairObserver, PairTracker};
-use crate::grid_sweep::retain_from;
 use crate::real::Real;
 use crate::stats::Work;
 use crate::stopwatch::Phase;
@@ -80,7 +79,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             true => COMPARED * self.candidates.rows() as u64 + SLOT * self.proxies.len() as u64,
             false => PICKED * self.candidates.rows() as u64,
         };
-        mean.saturating_add(comparing)
+        mean.saturating_add(self.proxies.volumes.price(comparing))
     }
 
     fn plan_inputs(&self) -> PlanInputs {
@@ -102,17 +101,15 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     fn look_up(&mut self) {
         self.proxies.inflate_leavers(self.foresight);
         self.found.clear();
+        let proxies = &self.proxies;
         self.work = self.layers.find_leavers(
-            &self.proxies.fat_boxes,
-            &self.proxies.leavers,
+            &proxies.fat_boxes,
+            &proxies.leavers,
+            |pair| !proxies.are_filtered || proxies.may_meet(pair),
             &mut self.found,
             &mut self.stopwatch,
         );
         self.stopwatch.enter(Phase::Difference);
-        if self.proxies.are_filtered {
-            let proxies = &self.proxies;
-            retain_from(&mut self.found, 0, |pair| proxies.may_meet(pair));
-        }
     }
 
     /// Compares candidates, retires those of the leavers, and takes in what was found for these.

@@ -8,6 +8,7 @@
 
 use crate::aabb::Aabb;
 use crate::real::Real;
+use crate::tuning::prices::BEYOND_BALLS;
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 
 /// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
@@ -71,6 +72,14 @@ impl<R: Real, const D: usize> Volumes<R, D> {
 
     pub(crate) fn are_used(&self) -> bool {
         self.are_used
+    }
+
+    /// A price of working with boxes and volumes, given that with boxes and balls alone.
+    pub(crate) fn price(&self, of_balls: u64) -> u64 {
+        match self.half_axes.is_empty() {
+            true => of_balls,
+            false => BEYOND_BALLS * of_balls,
+        }
     }
 
     pub(super) fn make_room(&mut self, slots: usize) {

@@ -81,7 +81,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.stopwatch.enter(Phase::Read);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
-        let section = Section::of(boxes.len(), READ);
+        let price = self.tracker.proxies.volumes().price(READ);
+        let section = Section::of(boxes.len(), price);
         self.gathered.listed += boxes.len();
         if section.parts() > 1 {
             let unusual = self.follow_in_parts(section, boxes, margin, &volume);
@@ -91,7 +92,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         } else {
             let mut boxes = boxes.iter();
-            while let Some(&(handle, aabb)) = self.follow_up_to(&mut boxes, margin, &volume) {
+            while let Some(&(handle, aabb)) =
+                section.run(|| self.follow_up_to(&mut boxes, margin, &volume))
+            {
                 self.take_in(handle, aabb.into(), margin, &volume);
             }
         }

@@ -107,7 +107,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let mut touched = self.tracker.proxies.touched().len();
         let count = handles.len();
         let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
-        let section = Section::of(count, READ);
+        let section = Section::of(count, self.tracker.proxies.volumes().price(READ));
         let is_listed = || count < READ_BY_INDEX_FROM && is_sorted();
         if section.parts() == 1 && (count <= READ_AS_LISTED_UP_TO || is_listed()) {
             self.reader.deferred.resize_with(1, Vec::new);
@@ -117,14 +117,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 memos: &mut self.memos,
                 deferred: &mut self.reader.deferred[0],
             };
-            for handle in handles {
-                let (slot, generation) = handle.into_raw_parts();
-                if is_known(all.generations, slot, generation) {
-                    all.read(slot as usize, generation, source, margin);
-                } else {
-                    all.deferred.push((slot, generation));
+            section.run(|| {
+                for handle in handles {
+                    let (slot, generation) = handle.into_raw_parts();
+                    if is_known(all.generations, slot, generation) {
+                        all.read(slot as usize, generation, source, margin);
+                    } else {
+                        all.deferred.push((slot, generation));
+                    }
                 }
-            }
+            });
         } else {
             for handle in self.reader.list(handles, &self.generations, section) {
                 self.admit_read(handle, None, source, margin);

@@ -99,7 +99,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let first = states.len();
         states.resize(first + found.len(), PairState::Apart);
         self.candidates.retired.index();
-        let section = Section::of(found.len(), HELD);
+        let section = Section::of(found.len(), self.proxies.volumes.price(HELD));
         let pairs_a_part = found.len().div_ceil(section.parts()).max(1);
         let pairs = found.chunks(pairs_a_part);
         let states_of_parts = states[first..].chunks_mut(pairs_a_part);
@@ -221,7 +221,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     ) -> usize {
         let mut parts = std::mem::take(&mut self.candidates.turns);
         let rows = self.candidates.rows();
-        let section = Section::of(rows, price);
+        let section = Section::of(rows, self.proxies.volumes.price(price));
         let count = section.parts();
         parts.resize_with(count, Turns::default);
         for (i, part) in parts.iter_mut().enumerate() {
