@@ -143,15 +143,14 @@ pub(crate) fn shared() -> Shared {
 #[cfg(test)]
 pub(crate) fn with_threads<T: Send>(count: usize, test: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]
-    {
+    let run = |test| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-        return pool.expect("there are threads to be had").install(test);
-    }
+        pool.expect("there are threads to be had").install(test)
+    };
+    #[cfg(feature = "parallel")]
+    return run(test);
     #[cfg(not(feature = "parallel"))]
-    {
-        let _ = count;
-        test()
-    }
+    return (count, test()).1;
 }
 
 #[cfg(test)]
