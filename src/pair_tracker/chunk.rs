@@ -48,6 +48,21 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         }
     }
 
+    /// Sets the volume of the proxy at `i`, whose box stays as it is, if volumes are in use. Returns false, and changes nothing, if this
+    /// takes more.
+    #[inline(always)]
+    pub(crate) fn set_volume(&mut self, i: usize, volume: &Volume<R, D>) -> bool {
+        if !self.volumes.are_used() {
+            return true;
+        }
+        let is_set = self.volumes.set(i, volume, false);
+        if is_set == Some(true) {
+            let slot = self.slot(i);
+            self.notes.revolumed.push(slot);
+        }
+        is_set.is_some()
+    }
+
     /// Brings the proxy at `i` up to date with the box of its collider. If volumes are in use, `set_volume` is to set its volume, and
     /// say what [`VolumesChunk::set`] says; it is told whether the box is renewed. Returns false, and changes nothing, if this takes
     /// more than a move.

@@ -61,6 +61,25 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
             self.deferred.push((slot, generation));
         }
     }
+
+    /// Reads the filter key and the volume of the slot `i` of the part. Its box stays.
+    fn read_in_place<S: BoxSource<R, D, Memo = M, Key = K>>(
+        &mut self,
+        i: usize,
+        generation: u32,
+        source: &S,
+        are_used: bool,
+    ) {
+        let slot = self.proxies.slot(i);
+        let handle = S::Handle::from_raw_parts(slot, generation);
+        let Some(reading) = source.reading(handle, &mut self.memos[i], are_used) else {
+            return;
+        };
+        let has_key = reading.key == *self.proxies.key(i);
+        if !(has_key && self.proxies.set_volume(i, &reading.volume)) {
+            self.deferred.push((slot, generation));
+        }
+    }
 }
 
 impl Reader {
@@ -132,22 +151,29 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 self.admit_read(handle, None, source, margin);
             }
             touched = self.tracker.proxies.touched().len();
-            self.read_in_parts(section, source, margin);
+            self.in_parts(section, |part, i, generation| {
+                part.read(i, generation, source, margin);
+            });
         }
         self.gathered.moved += self.tracker.proxies.touched().len() - touched;
+        self.for_deferred(|table, handle| table.admit_read(handle, None, source, margin));
+    }
+
+    /// Calls `work` with each collider that was deferred.
+    fn for_deferred<H: Handle>(&mut self, mut work: impl FnMut(&mut Self, H)) {
         let mut deferred = std::mem::take(&mut self.reader.deferred);
         for (slot, generation) in deferred.iter_mut().flat_map(|part| part.drain(..)) {
-            let handle = S::Handle::from_raw_parts(slot, generation);
-            self.admit_read(handle, None, source, margin);
+            work(self, H::from_raw_parts(slot, generation));
         }
         self.reader.deferred = deferred;
     }
 
-    /// Reads the listed slots by index.
-    fn read_in_parts<S>(&mut self, section: Section, source: &S, margin: R)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
+    /// Calls `read` with the listed slots by index, in parts: with the part, the place in it, and the generation.
+    fn in_parts(
+        &mut self,
+        section: Section,
+        read: impl Fn(&mut Part<'_, R, D, M, K>, usize, u32) + Send + Sync,
+    ) {
         let Reader {
             listed,
             notes,
@@ -179,7 +205,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 for i in ones(word).map(|bit| first + bit) {
                     // If another collider has taken the slot since, it has been read; reading it again changes nothing.
                     if let Some(generation) = part.generations[i] {
-                        part.read(i, generation, source, margin);
+                        read(part, i, generation);
                     }
                 }
             }
@@ -232,18 +258,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Brings the filter keys and volumes of known colliders up to date. Boxes stay.
+    /// Brings the filter keys and volumes of known colliders up to date, if anything has changed. Boxes stay.
     pub(super) fn read_unmoved<S>(&mut self, handles: &[S::Handle], source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        for &handle in handles {
-            if let Some(slot) = self.slot_of(handle) {
-                if source.has_changed_unmoved(handle, &self.memos[slot as usize]) {
-                    self.read_in_place(handle, slot, source);
-                }
-            }
-        }
+        self.read_in_places(handles, source, |handle, memo| {
+            source.has_changed_unmoved(handle, memo)
+        });
     }
 
     /// Brings the volumes of known colliders up to date, whose bodies have changed. Boxes stay.
@@ -251,11 +273,47 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        for &handle in handles {
-            if let Some(slot) = self.slot_of(handle) {
-                self.read_in_place(handle, slot, source);
-            }
+        self.read_in_places(handles, source, |_, _| true);
+    }
+
+    /// Brings the filter keys and volumes of those of the known colliders up to date that have changed. Boxes stay.
+    fn read_in_places<S>(
+        &mut self,
+        handles: &[S::Handle],
+        source: &S,
+        have_changed: impl Fn(S::Handle, &M) -> bool + Send + Sync,
+    ) where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
+        let volumes = self.tracker.proxies.volumes();
+        let (section, are_used) = (
+            Section::of(handles.len(), volumes.price(READ)),
+            volumes.are_used(),
+        );
+        if section.parts() == 1 {
+            return section.run(|| {
+                for &handle in handles {
+                    if let Some(slot) = self.slot_of(handle) {
+                        if have_changed(handle, &self.memos[slot as usize]) {
+                            self.read_in_place(handle, slot, source);
+                        }
+                    }
+                }
+            });
         }
+        // Those that are not known have nothing to be brought up to date.
+        self.reader.list(handles, &self.generations, section);
+        self.in_parts(section, |part, i, generation| {
+            let handle = S::Handle::from_raw_parts(part.proxies.slot(i), generation);
+            if have_changed(handle, &part.memos[i]) {
+                part.read_in_place(i, generation, source, are_used);
+            }
+        });
+        self.for_deferred(|table, handle: S::Handle| {
+            if let Some(slot) = table.slot_of(handle) {
+                table.read_in_place(handle, slot, source);
+            }
+        });
     }
 
     fn read_in_place<S>(&mut self, handle: S::Handle, slot: u32, source: &S)
