@@ -207,7 +207,10 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let mut slots = std::mem::take(&mut self.candidates.slots);
         slots.insert_all(listed, self.proxies.len());
         let lookup = slots.lookup();
-        let picked = self.turn(PICKED, |pairs, states| pick(pairs, states, lookup));
+        // Each candidate has two slots.
+        let share_picked = (2 * listed.len() as u64).min(self.proxies.len() as u64);
+        let price = PICKED + COMPARED * share_picked / self.proxies.len().max(1) as u64;
+        let picked = self.turn(price, |pairs, states| pick(pairs, states, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
         picked
