@@ -249,8 +249,8 @@ pub(crate) mod threads {
     const SCALE: u64 = if cfg!(debug_assertions) { 16 } else { 1 };
 
     /// What sharing must spare an update, or a section of one, that begins outside of the pool. Above: cores idle. Below: waking threads,
-    /// 15 to 70 microseconds on a server and 100 on a virtual machine, costs more than it saves.
-    pub(crate) const ENTER_COST: u64 = 1_000_000 / SCALE;
+    /// twice, and caches that are cold, cost more than it saves: some 100 microseconds on a server, and more on a virtual machine.
+    pub(crate) const ENTER_COST: u64 = 2_500_000 / SCALE;
 
     /// What sharing must spare a section of an update that runs in the pool. Above: cores idle. Below: waking the others, 1 to 10
     /// microseconds, costs more than it saves.

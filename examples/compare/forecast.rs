@@ -21,6 +21,9 @@ const SECTION: [f64; 4] = [0.2, 1.3, 3.4, 6.3];
 /// How often the pool is entered in a step: when boxes are handed over, and in the update.
 const ENTRIES: f64 = 2.0;
 
+/// Milliseconds that a step must be spared for threads to be woken.
+const LEAST_GAIN: f64 = 0.25;
+
 /// Milliseconds of an update on each number of threads, by the updates of so many steps on one.
 pub(super) fn forecast(sharing: &Sharing, steps: usize) -> [f64; 4] {
     let [serial, shared, sections] = [
@@ -30,10 +33,12 @@ pub(super) fn forecast(sharing: &Sharing, steps: usize) -> [f64; 4] {
     ]
     .map(|sum| sum / steps as f64);
     core::array::from_fn(|i| {
-        // Steps in which nothing is shared do not enter.
-        let entries = ENTRIES.min(sections);
-        let waking = entries * (ENTERING + FIRST_SECTION[i]) + sections * SECTION[i];
-        serial + shared / THREADS[i] as f64 + waking / 1e3
+        let waking = ENTRIES * (ENTERING + FIRST_SECTION[i]) + sections * SECTION[i];
+        let each = shared / THREADS[i] as f64;
+        match shared - each < LEAST_GAIN {
+            true => serial + shared,
+            false => serial + each + waking / 1e3,
+        }
     })
 }
 
@@ -49,6 +54,9 @@ mod tests {
             sections,
         };
         assert_eq!(forecast(&sharing(0.0, 0), 100), [2.0; 4]);
+        // Too little to wake a second one, and enough for sixteen.
+        let [two, .., sixteen] = forecast(&sharing(40.0, 100), 100);
+        assert!(two == 2.0 && sixteen < 1.9, "{two}, {sixteen}");
         let [two, .., sixteen] = forecast(&sharing(160.0, 200), 100);
         assert!((1.2..1.3).contains(&two), "{two}");
         assert!((0.5..0.7).contains(&sixteen), "{sixteen}");
