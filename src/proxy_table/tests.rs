@@ -209,6 +209,39 @@ fn colliders_are_read_alike_in_every_order() {
     }
 }
 
+/// In how many sections that threads can share so many colliders are read, moved and searched for.
+fn sections(count: u32) -> u32 {
+    let settings = Settings::default().with_filter(PairFilter::Shapes);
+    let mut table = Table::new(&settings.with_timed(true));
+    let ids: Vec<_> = (0..count).map(|slot| (slot, 0)).collect();
+    let place = |slot: u32, x: f32| {
+        let mins = [(slot % 100) as f32 + x, (slot / 100) as f32];
+        Aabb::new(mins, mins.map(|min| min + 1.0))
+    };
+    let colliders = ids
+        .iter()
+        .map(|&(slot, _)| Some((place(slot, 0.0), Side(0))));
+    let colliders: Colliders = colliders.map(|collider| (0, collider)).collect();
+    table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
+    finish(&mut table);
+    let moved = ids.iter().map(|&id| (id, place(id.0, 9.0)));
+    let moved: Vec<_> = moved.collect();
+    table.hand_over(&moved, MARGIN, |id, memo, aabb| {
+        colliders.volume(id, memo, aabb)
+    });
+    table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
+    finish(&mut table);
+    table.stats().times.shared.sections
+}
+
+#[test]
+fn what_is_much_is_shared_and_what_is_little_is_not() {
+    // Taking boxes in, and in a full run: inflating, counting, placing and sweeping, and finding out what was held and is.
+    let shared = with_threads(2, || sections(10_000));
+    assert!(shared >= 6, "{shared}");
+    assert_eq!(with_threads(2, || sections(20)), 0);
+}
+
 #[test]
 fn boxes_handed_over_again_and_again_take_no_more_memory() {
     let aabb = |x: f32| Aabb::new([x, 0.0], [x + 1.0, 1.0]);
