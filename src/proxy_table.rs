@@ -13,6 +13,7 @@
 mod changes;
 mod hand_over;
 mod reading;
+mod slot_run;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 mod source;

@@ -202,8 +202,8 @@ pub(crate) mod foresight {
 }
 
 /// What the units of an update's work cost, in tenths of a nanosecond, in whole worlds where the solver has emptied the
-/// caches. Chosen, and not fitted: a fit to the times of updates does not know what they spare or cost later. Only ratios
-/// decide anything.
+/// caches. Chosen, and not fitted: a fit to the times of updates does not know what they spare or cost later. Ratios decide what an
+/// update does; sums decide how many threads share it.
 pub(crate) mod prices {
     /// Asking of a candidate whether one of its proxies was touched. Above: lists are walked where picking is faster. Below:
     /// lists are left unused where few move.

@@ -8,9 +8,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
+use super::slot_run::{SlotRun, slot_runs};
+use super::{BoxSource, Handle, ProxyTable, Reading};
 use crate::aabb::Aabb;
-use crate::pair_tracker::{BoxUpdate, FilterKey, Notes, ProxyChunk};
+use crate::pair_tracker::{BoxUpdate, FilterKey};
 use crate::parallel::{self, Section};
 use crate::real::Real;
 use crate::stopwatch::Phase;
@@ -36,33 +37,6 @@ pub(super) struct HandedOver<R, const D: usize> {
     /// The first one, renewed as that of a known collider would have been by the others.
     pub(super) held: Aabb<R, D>,
     pub(super) last: Aabb<R, D>,
-}
-
-/// A run of slots whose boxes are moved.
-struct Followed<'a, R, const D: usize, M, K> {
-    proxies: ProxyChunk<'a, R, D, K>,
-    generations: &'a [Option<u32>],
-    memos: &'a mut [M],
-}
-
-impl<R: Real, const D: usize, M, K> Followed<'_, R, D, M, K> {
-    /// Moves the box at `i` of the run. Returns false, and changes nothing, if it takes more than a move.
-    #[inline(always)]
-    fn follow(
-        &mut self,
-        i: usize,
-        generation: u32,
-        aabb: &Aabb<R, D>,
-        margin: R,
-        volume: impl FnOnce(&mut M, &Aabb<R, D>) -> Volume<R, D>,
-    ) -> bool {
-        let memos = &mut self.memos;
-        is_known(self.generations, i as u32, generation)
-            && self.proxies.follow(i, aabb, margin, |volumes, is_renewed| {
-                let by_box = volumes.set_by_box(i, aabb, is_renewed);
-                by_box.or_else(|| volumes.set(i, &volume(&mut memos[i], aabb), is_renewed))
-            })
-    }
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
@@ -115,7 +89,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) -> Option<&'a (H, B)> {
         let touched = self.touched().len();
-        let mut all = Followed {
+        let mut all = SlotRun {
             proxies: self.tracker.proxies.all(),
             generations: &self.generations,
             memos: &mut self.memos,
@@ -163,32 +137,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             of_part.flatten().copied()
         };
         // Then slots are.
-        let notes = &mut self.reader.notes;
-        notes.resize_with(parts, Notes::default);
-        let proxies = self.tracker.proxies.chunks(slots_a_part, &mut *notes);
-        let generations = self.generations.chunks(slots_a_part);
-        let memos = self.memos.chunks_mut(slots_a_part);
-        let followed = proxies.zip(generations.zip(memos)).enumerate();
-        let mut followed: Vec<_> = followed
-            .map(|(part, (proxies, (generations, memos)))| {
-                let followed = Followed {
-                    proxies,
-                    generations,
-                    memos,
-                };
-                (part, followed, Vec::new())
-            })
-            .collect();
-        section.for_each(&mut followed, |(part, followed, unusual)| {
+        let (proxies, notes) = (&mut self.tracker.proxies, &mut self.reader.notes);
+        let runs = slot_runs(
+            proxies,
+            &self.generations,
+            &mut self.memos,
+            notes,
+            slots_a_part,
+        );
+        let runs = runs.enumerate();
+        let mut followed: Vec<_> = runs.map(|(part, run)| (part, run, Vec::new())).collect();
+        section.for_each(&mut followed, |(part, run, unusual)| {
             let mut places = places(*part);
             let first = places.find(|&place| {
                 let (handle, aabb) = boxes[place];
                 let (slot, generation) = handle.into_raw_parts();
                 let i = slot as usize - slots_a_part * *part;
-                let is_followed =
-                    followed.follow(i, generation, &aabb.into(), margin, |memo, aabb| {
-                        volume(handle, memo, aabb)
-                    });
+                let is_followed = run.follow(i, generation, &aabb.into(), margin, |memo, aabb| {
+                    volume(handle, memo, aabb)
+                });
                 !is_followed
             });
             unusual.extend(first);

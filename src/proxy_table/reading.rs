@@ -7,9 +7,10 @@
 //! The order affects only speed, not the order of events. What is not a simple move, say a new collider, is dealt with afterwards.
 
 use super::hand_over::HandedOver;
+use super::slot_run::{SlotRun, slot_runs};
 use super::{BoxSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
-use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
+use crate::pair_tracker::{FilterKey, Notes};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::READ;
@@ -30,9 +31,7 @@ type Deferred = (u32, u32);
 
 /// A run of slots, and what is kept for them.
 struct Part<'a, R, const D: usize, M, K> {
-    proxies: ProxyChunk<'a, R, D, K>,
-    generations: &'a [Option<u32>],
-    memos: &'a mut [M],
+    run: SlotRun<'a, R, D, M, K>,
     deferred: &'a mut Vec<Deferred>,
 }
 
@@ -46,19 +45,19 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
         source: &S,
         margin: R,
     ) {
-        let slot = self.proxies.slot(i);
-        let handle = S::Handle::from_raw_parts(slot, generation);
-        let memo = &mut self.memos[i];
+        let handle = self.run.handle(i, generation);
+        let SlotRun { proxies, memos, .. } = &mut self.run;
+        let memo = &mut memos[i];
         let is_moved = match source.read(handle, memo) {
-            Some((aabb, key)) if !source.has_keys() || key == *self.proxies.key(i) => self
-                .proxies
-                .follow(i, &aabb, margin, |volumes, is_renewed| {
+            Some((aabb, key)) if !source.has_keys() || key == *proxies.key(i) => {
+                proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
                     volumes.set(i, &source.volume(handle, memo, &aabb), is_renewed)
-                }),
+                })
+            }
             _ => false,
         };
         if !is_moved {
-            self.deferred.push((slot, generation));
+            self.deferred.push(handle.into_raw_parts());
         }
     }
 
@@ -70,14 +69,14 @@ impl<R: Real, const D: usize, M, K: FilterKey> Part<'_, R, D, M, K> {
         source: &S,
         are_used: bool,
     ) {
-        let slot = self.proxies.slot(i);
-        let handle = S::Handle::from_raw_parts(slot, generation);
-        let Some(reading) = source.reading(handle, &mut self.memos[i], are_used) else {
+        let handle: S::Handle = self.run.handle(i, generation);
+        let SlotRun { proxies, memos, .. } = &mut self.run;
+        let Some(reading) = source.reading(handle, &mut memos[i], are_used) else {
             return;
         };
-        let has_key = reading.key == *self.proxies.key(i);
-        if !(has_key && self.proxies.set_volume(i, &reading.volume)) {
-            self.deferred.push((slot, generation));
+        let has_key = reading.key == *proxies.key(i);
+        if !(has_key && proxies.set_volume(i, &reading.volume)) {
+            self.deferred.push(handle.into_raw_parts());
         }
     }
 }
@@ -131,15 +130,17 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if section.parts() == 1 && (count <= READ_AS_LISTED_UP_TO || is_listed()) {
             self.reader.deferred.resize_with(1, Vec::new);
             let mut all = Part {
-                proxies: self.tracker.proxies.all(),
-                generations: &self.generations,
-                memos: &mut self.memos,
+                run: SlotRun {
+                    proxies: self.tracker.proxies.all(),
+                    generations: &self.generations,
+                    memos: &mut self.memos,
+                },
                 deferred: &mut self.reader.deferred[0],
             };
             section.run(|| {
                 for handle in handles {
                     let (slot, generation) = handle.into_raw_parts();
-                    if is_known(all.generations, slot, generation) {
+                    if is_known(all.run.generations, slot, generation) {
                         all.read(slot as usize, generation, source, margin);
                     } else {
                         all.deferred.push((slot, generation));
@@ -183,28 +184,24 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let words_a_part = listed.words().len().div_ceil(section.parts()).max(1);
         let slots_a_part = 64 * words_a_part;
         let words = listed.words().chunks(words_a_part);
-        notes.resize_with(words.len(), Notes::default);
         deferred.resize_with(words.len(), Vec::new);
-        let proxies = self.tracker.proxies.chunks(slots_a_part, &mut *notes);
-        let generations = self.generations.chunks(slots_a_part);
-        let known = generations.zip(self.memos.chunks_mut(slots_a_part));
-        let parts = words.zip(proxies.zip(known).zip(deferred));
+        let proxies = &mut self.tracker.proxies;
+        let runs = slot_runs(
+            proxies,
+            &self.generations,
+            &mut self.memos,
+            notes,
+            slots_a_part,
+        );
+        let parts = words.zip(runs.zip(deferred));
         let mut parts: Vec<_> = parts
-            .map(|(words, ((proxies, (generations, memos)), deferred))| {
-                let part = Part {
-                    proxies,
-                    generations,
-                    memos,
-                    deferred,
-                };
-                (words, part)
-            })
+            .map(|(words, (run, deferred))| (words, Part { run, deferred }))
             .collect();
         section.for_each(&mut parts, |(words, part)| {
             for (first, &word) in (0..).step_by(64).zip(*words) {
                 for i in ones(word).map(|bit| first + bit) {
                     // If another collider has taken the slot since, it has been read; reading it again changes nothing.
-                    if let Some(generation) = part.generations[i] {
+                    if let Some(generation) = part.run.generations[i] {
                         read(part, i, generation);
                     }
                 }
@@ -304,8 +301,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         // Those that are not known have nothing to be brought up to date.
         self.reader.list(handles, &self.generations, section);
         self.in_parts(section, |part, i, generation| {
-            let handle = S::Handle::from_raw_parts(part.proxies.slot(i), generation);
-            if have_changed(handle, &part.memos[i]) {
+            if have_changed(part.run.handle(i, generation), &part.run.memos[i]) {
                 part.read_in_place(i, generation, source, are_used);
             }
         });
