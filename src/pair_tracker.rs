@@ -13,6 +13,7 @@ mod candidates;
 mod chunk;
 mod foresight;
 mod layers;
+mod odometer;
 mod policy;
 mod proxies;
 #[cfg(feature = "serde-serialize")]

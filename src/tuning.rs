@@ -125,6 +125,10 @@ pub(crate) mod update {
     /// Above: they take more memory. Below: they are sorted more often.
     pub(crate) const MOST_NOTES_A_SLOT: usize = 4;
 
+    /// Pairs whose boxes overlap and whose volumes do not, for each slot. If there are more, they are asked again only once they may have
+    /// moved far enough. Above: bundles of capsules are asked in each update. Below: counting moves takes longer than asking.
+    pub(crate) const DUES_FROM: usize = 2;
+
     /// One slot in this many. If more were touched, all slots are gone through and all candidates compared, in order; if fewer,
     /// only the touched ones are, and their candidates picked. Above: all candidates are compared though few can have turned.
     /// Below: picking costs as much as comparing.

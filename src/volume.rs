@@ -23,6 +23,7 @@
 use crate::aabb::Aabb;
 use crate::real::Real;
 
+mod room;
 #[cfg(test)]
 mod tests;
 
@@ -281,11 +282,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     #[inline(always)]
     pub(crate) fn meets(self, other: Self, slack: R) -> bool {
         use VolumeKind::{Ball, Box, Capsule, HalfSpace, Part};
-        let both = Pair {
-            between: sub(other.ball.center, self.ball.center),
-            reach: self.radius() + other.radius() + slack,
-            volumes: [self, other],
-        };
+        let both = Pair::of(self, other, slack);
         match (self.kind, other.kind) {
             (Box | Part, _) | (_, Box | Part) | (HalfSpace, HalfSpace) => true,
             (Ball, Ball) => self.ball.meets(other.ball, slack),
@@ -311,6 +308,12 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         }
     }
 
+    /// Its first half axis; zeros if it has none.
+    #[inline(always)]
+    fn first_half_axis(self) -> [R; D] {
+        self.half_axes.first().copied().unwrap_or([R::ZERO; D])
+    }
+
     /// How far its segments reach from its centre along an axis, times the length of the axis.
     #[inline(always)]
     fn reach_of_segments(self, axis: [R; D]) -> R {
@@ -330,6 +333,16 @@ struct Pair<'a, R, const D: usize> {
 }
 
 impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
+    /// Two volumes, both loosened by half of `slack`.
+    #[inline(always)]
+    fn of(a: VolumeRef<'a, R, D>, b: VolumeRef<'a, R, D>, slack: R) -> Self {
+        Self {
+            between: sub(b.ball.center, a.ball.center),
+            reach: a.radius() + b.radius() + slack,
+            volumes: [a, b],
+        }
+    }
+
     /// Whether their intervals along an axis of any length do not meet, if their segments reach so far along it, times its length.
     /// False if that cannot be told.
     #[inline(always)]
@@ -390,25 +403,16 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     }
 
     /// Whether two capsules are apart along the line of their centres, or between the points of their segments that are nearest to
-    /// each other, or nearly so. A ball's segment is a point.
-    ///
-    /// See Ericson, Real-Time Collision Detection, 5.1.9. Both tests share their products.
+    /// each other, or nearly so. A ball's segment is a point. Both tests share their products.
     #[inline(always)]
     fn cores_are_apart(&self) -> bool {
-        let core = |volume: VolumeRef<R, D>| volume.half_axes.first().copied();
-        let [u, v] = self
-            .volumes
-            .map(|volume| core(volume).unwrap_or([R::ZERO; D]));
+        let [u, v] = self.volumes.map(VolumeRef::first_half_axis);
         let between = self.between;
         let (dd, [ud, vd]) = (dot(between, between), [u, v].map(|half| dot(half, between)));
         if self.are_beyond_reach(dd, between, ud.abs() + vd.abs()) {
             return true;
         }
-        let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
-        let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
-        let t = clamped(s * uv - vd, vv);
-        let s = clamped(t * uv + ud, uu);
-        let axis = core::array::from_fn(|k| between[k] + t * v[k] - s * u[k]);
+        let axis = nearest_points(between, [u, v], [ud, vd]);
         self.is_apart(axis, dot(u, axis).abs() + dot(v, axis).abs())
     }
 }
@@ -428,6 +432,23 @@ fn at_least_exact<R: Real>(number: R) -> R {
     } else {
         number
     }
+}
+
+/// From the point of one segment to that of another one that are nearest to each other, or nearly so, if the centres are `between` apart;
+/// `along` are the products of the half axes with that.
+///
+/// See Ericson, Real-Time Collision Detection, 5.1.9.
+#[inline(always)]
+fn nearest_points<R: Real, const D: usize>(
+    between: [R; D],
+    [u, v]: [[R; D]; 2],
+    [ud, vd]: [R; 2],
+) -> [R; D] {
+    let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
+    let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
+    let t = clamped(s * uv - vd, vv);
+    let s = clamped(t * uv + ud, uu);
+    core::array::from_fn(|k| between[k] + t * v[k] - s * u[k])
 }
 
 /// The number from -1 to 1 that is nearest to a quotient; 0 if the denominator is not positive.

@@ -13,6 +13,7 @@ mod turns;
 
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
+use crate::pair_tracker::odometer::Due;
 use crate::real::Real;
 use crate::tuning::update::SPARSE_FROM_ONE_IN;
 pub(super) use comparing::Comparing;
@@ -32,6 +33,8 @@ pub(super) struct Candidates {
     pairs: Vec<[u32; 2]>,
     /// By row.
     states: Vec<PairState>,
+    /// By row, when it is to be asked again, if volumes [have odometers](super::volumes::Volumes::have_odometers); otherwise empty.
+    dues: Vec<Due>,
     pub(super) held_count: usize,
     /// Those whose boxes overlap, held or not.
     pub(super) overlapping_count: usize,
@@ -218,6 +221,11 @@ impl Candidates {
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) -> PairState {
         let former = std::mem::replace(&mut self.states[row], state);
+        if former.is_held() != state.is_held()
+            && let Some(due) = self.dues.get_mut(row)
+        {
+            *due = Due::default();
+        }
         if state.overlaps() && !former.overlaps() {
             self.note_overlap(self.pairs[row]);
         }
@@ -250,6 +258,9 @@ impl Candidates {
             if turn.state.is_none() {
                 self.pairs.swap_remove(turn.row);
                 self.states.swap_remove(turn.row);
+                if !self.dues.is_empty() {
+                    self.dues.swap_remove(turn.row);
+                }
             }
         }
         self.tombstones = 0;
@@ -264,6 +275,9 @@ impl Candidates {
         }
         let mut pairs = self.pairs.iter();
         self.states
+            .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
+        let mut pairs = self.pairs.iter();
+        self.dues
             .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
         self.pairs.retain(|pair| pair[0] != TOMBSTONE);
         self.tombstones = 0;
@@ -280,6 +294,7 @@ impl Candidates {
         volumes_meet: impl Fn([u32; 2], bool) -> bool,
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
+        assert!(self.dues.is_empty() || self.dues.len() == self.rows());
         assert_eq!(self.held().count(), self.held_count);
         let overlapping = self.states.iter().filter(|state| state.overlaps());
         assert_eq!(overlapping.count(), self.overlapping_count);

@@ -225,6 +225,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// Prepares for comparing: makes sets of what was noted.
     pub(super) fn begin_finish(&mut self, slack: R) {
         self.slack = slack;
+        self.volumes.note_moves();
         for &slot in &self.notes.left {
             self.leavers.insert(slot);
         }

@@ -162,6 +162,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             observer,
         };
         comparing.replace(&mut self.found);
+        let near = self.candidates.overlapping_count - self.candidates.held_count;
+        self.proxies.volumes.reset_odometers(near);
         if self.found.capacity() > KEEP_SCRATCH_UP_TO {
             self.found = Vec::new();
         }

@@ -6,9 +6,11 @@
 //!
 //! A ball takes a kind, a centre and a radius; half axes are kept only up to the highest slot that has had some.
 
+use super::odometer::{Due, Odometer};
 use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::tuning::prices::BEYOND_BALLS;
+use crate::tuning::update::DUES_FROM;
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 
 /// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
@@ -25,6 +27,12 @@ pub(crate) struct Volumes<R, const D: usize> {
     half_axes: Vec<[[R; D]; D]>,
     /// Whether the collider may be elsewhere, by less than the margin.
     are_slow: Vec<bool>,
+    /// Whether odometers go on.
+    have_odometers: bool,
+    /// How far each has moved since the last full run, if they go on.
+    odometers: Vec<Odometer>,
+    /// In how many updates.
+    moves: u32,
     margin: R,
     /// By how much all shapes were extended when volumes were last read.
     reach: R,
@@ -48,6 +56,8 @@ pub(crate) struct VolumesChunk<'a, R, const D: usize> {
     balls: &'a mut [Ball<R, D>],
     half_axes: &'a mut [[[R; D]; D]],
     are_slow: &'a mut [bool],
+    /// Empty if they stand still.
+    odometers: &'a mut [Odometer],
     margin: R,
 }
 
@@ -66,6 +76,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let have_changed = self.are_used && (self.margin, self.reach) != (margin, reach);
         if have_changed {
             (self.margin, self.reach) = (margin, reach);
+            self.odometers.fill(Odometer::LOST);
         }
         have_changed
     }
@@ -87,6 +98,32 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.kinds.resize(slots, VolumeKind::Box);
             self.balls.resize(slots, Volume::BOX.ball);
             self.are_slow.resize(slots, false);
+            self.odometers.resize(slots, Odometer::default());
+        }
+    }
+
+    /// Whether candidates have dues.
+    pub(super) fn have_odometers(&self) -> bool {
+        self.have_odometers
+    }
+
+    /// Takes note of an update.
+    pub(super) fn note_moves(&mut self) {
+        self.moves = self.moves.saturating_add(1);
+    }
+
+    /// Sets all odometers to 0, once no candidate has a due. From now on they go on if so many pairs are near each other and apart, and
+    /// most volumes are capsules: others are asked too fast for odometers to pay.
+    pub(super) fn reset_odometers(&mut self, near: usize) {
+        let slots = self.kinds.len();
+        let is_capsule = |kind: &&VolumeKind| **kind == VolumeKind::Capsule;
+        let is_worth_it =
+            || near > DUES_FROM * slots && 2 * self.kinds.iter().filter(is_capsule).count() > slots;
+        // Debug builds have them anyway, so that tests need not be of thousands.
+        self.have_odometers = self.are_used && (cfg!(debug_assertions) || is_worth_it());
+        if self.have_odometers {
+            self.odometers.fill(Odometer::default());
+            self.moves = 0;
         }
     }
 
@@ -118,6 +155,9 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let is_set = self
             .all()
             .set(index, volume, is_renewed | is_of_another_kind);
+        if is_of_another_kind {
+            self.odometers[index] = Odometer::LOST;
+        }
         is_set == Some(true) || is_of_another_kind
     }
 
@@ -176,27 +216,38 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     /// All volumes, to move them in place.
     #[inline(always)]
     pub(super) fn all(&mut self) -> VolumesChunk<'_, R, D> {
+        let have_odometers = self.have_odometers();
         VolumesChunk {
             kinds: &self.kinds,
             balls: &mut self.balls,
             half_axes: &mut self.half_axes,
             are_slow: &mut self.are_slow,
+            odometers: match have_odometers {
+                true => &mut self.odometers,
+                false => &mut [],
+            },
             margin: self.margin,
         }
     }
 
     /// Chunks of this many slots, and then empty ones without end: if volumes are not in use, there are no others.
     pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
+        let odometers = match self.have_odometers() {
+            true => &mut self.odometers[..],
+            false => &mut [],
+        };
         let mut kinds = self.kinds.chunks(slots);
         let mut balls = self.balls.chunks_mut(slots);
         let mut half_axes = self.half_axes.chunks_mut(slots);
         let mut are_slow = self.are_slow.chunks_mut(slots);
+        let mut odometers = odometers.chunks_mut(slots);
         let margin = self.margin;
         std::iter::repeat_with(move || VolumesChunk {
             kinds: kinds.next().unwrap_or_default(),
             balls: balls.next().unwrap_or_default(),
             half_axes: half_axes.next().unwrap_or_default(),
             are_slow: are_slow.next().unwrap_or_default(),
+            odometers: odometers.next().unwrap_or_default(),
             margin,
         })
     }
@@ -217,6 +268,28 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let (i, j) = (a as usize, b as usize);
         let are_balls = i >= self.half_axes.len();
         are_balls.then(|| self.balls[i].meets(&self.balls[j], self.loosened([a, b], slack)))
+    }
+
+    /// Whether two proxies that were apart may meet now. They are asked only if that is due.
+    #[inline(always)]
+    pub(super) fn have_met(&self, pair: [u32; 2], due: &mut Due) -> bool {
+        due.is_reached(self.odometers_of(pair)) && self.have_met_when_due(pair, due)
+    }
+
+    #[inline(never)]
+    fn have_met_when_due(&self, pair: [u32; 2], due: &mut Due) -> bool {
+        let loosened = self.loosened(pair, R::ZERO);
+        let [a, b] = pair.map(|slot| self.get(slot));
+        let meet = a.meets(b, loosened);
+        if !meet && !due.is_hopeless() {
+            *due = Due::of_room(self.odometers_of(pair), a.room(b, loosened), self.moves);
+        }
+        meet
+    }
+
+    #[inline(always)]
+    fn odometers_of(&self, pair: [u32; 2]) -> [Odometer; 2] {
+        pair.map(|slot| self.odometers[slot as usize])
     }
 
     #[inline(never)]
@@ -331,9 +404,79 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
     fn stay(&mut self, i: usize, change: R, is_renewed: bool) -> Option<bool> {
         if change <= self.margin && !is_renewed {
             let is_slow = self.are_slow[i] | (change > R::ZERO);
-            return Some(is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow));
+            let is_slow_now = is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow);
+            if is_slow_now {
+                self.advance(i, self.margin);
+            }
+            return Some(is_slow_now);
+        }
+        self.advance(i, change);
+        if is_renewed & self.are_slow[i] {
+            // It is no longer loosened.
+            self.advance(i, self.margin);
         }
         self.are_slow[i] &= !is_renewed;
         None
+    }
+
+    /// Lets the odometer of the slot `i` go on, if it does not stand still.
+    #[inline(always)]
+    fn advance(&mut self, i: usize, by: R) {
+        if let Some(odometer) = self.odometers.get_mut(i) {
+            odometer.advance(by);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SLOTS: [u32; 2] = [0, 1];
+
+    fn capsule(x: f32, half: f32) -> Volume<f32, 2> {
+        Volume::new(VolumeKind::Capsule, [x, 0.0], 0.1, &[[half, 0.0]])
+    }
+
+    /// Two capsules on one line with a gap of 0.2, and the due of the pair once it was asked.
+    fn asked() -> (Volumes<f32, 2>, Due) {
+        let mut volumes = Volumes::new(true);
+        volumes.make_room(2);
+        volumes.note_extents(1.0, 0.0);
+        volumes.set(0, &capsule(0.0, 1.0), true);
+        volumes.set(1, &capsule(2.4, 1.0), true);
+        volumes.reset_odometers(0);
+        volumes.note_moves();
+        let mut due = Due::default();
+        assert!(!volumes.have_met(SLOTS, &mut due));
+        assert!(!due.is_reached(volumes.odometers_of(SLOTS)));
+        (volumes, due)
+    }
+
+    #[test]
+    fn what_was_of_another_kind_for_a_while_is_asked() {
+        let (mut volumes, _) = asked();
+        volumes.set(
+            0,
+            &Volume::new(VolumeKind::Ball, [0.25, 0.0], 0.1, &[]),
+            true,
+        );
+        let mut due = Due::default();
+        assert!(!volumes.have_met(SLOTS, &mut due));
+        // Its half axes are those that it had.
+        volumes.set(0, &capsule(0.25, 1.0), true);
+        assert!(volumes.have_met(SLOTS, &mut due));
+    }
+
+    #[test]
+    fn what_is_loosened_because_it_is_slow_is_asked() {
+        let (mut volumes, mut due) = asked();
+        let margin = VOLUME_MARGIN as f32;
+        volumes.set(0, &capsule(0.2 - 0.75 * margin, 1.0), true);
+        volumes.set(1, &capsule(2.4, 1.0), true);
+        assert!(!volumes.have_met(SLOTS, &mut due) && !due.is_hopeless());
+        // It stays, for it has hardly moved, and counts as elsewhere.
+        volumes.set(1, &capsule(2.4 + 0.01 * margin, 1.0), false);
+        assert!(volumes.have_met(SLOTS, &mut due));
     }
 }

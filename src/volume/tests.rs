@@ -240,3 +240,103 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
     let numbers = volume.as_ref().numbers();
     assert_eq!(of_numbers(VolumeKind::Ball, &numbers), Some(volume));
 }
+
+/// Moves a volume by a vector, and turns it by an angle from one axis of the world towards another one.
+fn move_and_turn<const D: usize>(
+    volume: &mut Volume<f64, D>,
+    by: [f64; D],
+    angle: f64,
+    axis: usize,
+) {
+    volume.ball.center = core::array::from_fn(|k| volume.ball.center[k] + by[k]);
+    let (p, q) = (axis % D, (axis + 1) % D);
+    for half in &mut volume.half_axes {
+        let (sin, cos) = angle.sin_cos();
+        (half[p], half[q]) = (cos * half[p] - sin * half[q], sin * half[p] + cos * half[q]);
+    }
+}
+
+/// Lets pairs move and turn, straight on or to and fro, until they have used up their room.
+fn what_is_apart_stays_apart<R: Real, const D: usize>() {
+    let mut random = Rand64::new(29);
+    let mut with_room = 0;
+    for round in 0..8_000 {
+        let kinds = [0, 1].map(|_| KINDS[random.rand_range(0..KINDS.len() as u64) as usize]);
+        let far_out = [[0.0; D], [1e3; D]][round % 2];
+        let both = kinds.map(|kind| {
+            let mut volume = volume::<D>(&mut random, kind, 1.5);
+            move_and_turn(&mut volume, far_out, 0.0, 0);
+            volume
+        });
+        let slack = R::from_f64([0.0, 0.125][round / 2 % 2]);
+        let start = both.each_ref().map(rounded::<R, D>);
+        if start[0].meets(&start[1], slack) {
+            continue;
+        }
+        let room = start[0].as_ref().room(start[1].as_ref(), slack).to_f64();
+        with_room += usize::from(room > 0.0);
+        for walk in 0..20 {
+            let (mut walked, mut now, mut moved) = (both, start, 0.0);
+            let mut number = || random.rand_float() * 2.0 - 1.0;
+            let ways: [[f64; D]; 2] = [0, 1].map(|_| core::array::from_fn(|_| number()));
+            let turns: [f64; 2] = [number(), number()];
+            for step in 0..16 {
+                let by = room / 8.0
+                    * if walk % 4 == 0 && step % 2 == 1 {
+                        -1.0
+                    } else {
+                        1.0
+                    };
+                let i = step / 2 % 2;
+                let way = ways[i].map(|x| x * by * f64::from(walk % 5 != 1));
+                let turn = turns[i] * by * f64::from(walk % 5 != 2);
+                move_and_turn(&mut walked[i], way, turn, (walk + i) as usize);
+                let next = rounded::<R, D>(&walked[i]);
+                moved += now[i].as_ref().change_to(next.as_ref()).to_f64();
+                now[i] = next;
+                if moved >= room {
+                    break;
+                }
+                assert!(
+                    !now[0].meets(&now[1], slack),
+                    "after {moved} of {room}: {start:?} {now:?}"
+                );
+            }
+        }
+    }
+    assert!(with_room > 1_000, "{with_room}");
+}
+
+#[test]
+fn volumes_are_apart_as_long_as_they_move_within_their_room() {
+    what_is_apart_stays_apart::<f32, 2>();
+    what_is_apart_stays_apart::<f32, 3>();
+    what_is_apart_stays_apart::<f64, 2>();
+    what_is_apart_stays_apart::<f64, 3>();
+}
+
+#[test]
+fn no_point_moves_farther_than_the_change_of_all_numbers() {
+    let capsule = |x: f64, half: [f64; 2], radius: f64| {
+        let ball = Ball {
+            center: [x, 0.0],
+            radius,
+        };
+        let half_axes = [half, [0.0; 2]];
+        Volume {
+            kind: VolumeKind::Capsule,
+            ball,
+            half_axes,
+        }
+    };
+    let from = capsule(0.0, [1.0, 0.0], 0.5);
+    // How far the end of it has moved.
+    for (to, moved) in [
+        (capsule(0.0, [1.0, 0.25], 0.5), 0.25),
+        (capsule(0.0, [1.25, 0.0], 0.5), 0.25),
+        (capsule(0.25, [1.25, 0.0], 0.5), 0.5),
+        (capsule(0.25, [1.25, 0.0], 0.75), 0.75),
+    ] {
+        assert!(from.as_ref().change_to(to.as_ref()) >= moved);
+    }
+}

@@ -1,9 +1,10 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
 use super::state::{PairState, near_and_held};
-use super::turns::{Found, FoundNotes, Turn, Turns, next_state};
+use super::turns::{Found, FoundNotes, Rows, Turn, Turns, next_state};
 use super::{Candidates, TOMBSTONE};
 use crate::bit_set::{Lookup, gather, ones};
+use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::policy::CompareMode;
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
@@ -61,6 +62,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             ended.for_each(|row| observer.report(PairChange::Deleted(pairs[row])));
         }
         states.clear();
+        candidates.dues.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
         candidates.tombstones = 0;
@@ -75,9 +77,14 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
         self.keep_forbidden(found);
         self.hold_new(found);
-        let Candidates { pairs, lists, .. } = &mut *self.candidates;
+        let Candidates {
+            pairs, dues, lists, ..
+        } = &mut *self.candidates;
         let first = pairs.len();
         pairs.extend_from_slice(found);
+        if !dues.is_empty() {
+            dues.resize(pairs.len(), Due::default());
+        }
         lists.extend(pairs, first, self.proxies.len());
     }
 
@@ -146,17 +153,17 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
                 let leavers = &proxies.leavers;
                 let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
                 // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-                self.turn(COMPARED, |pairs, states| match leavers.len() {
-                    0 => proxies.toggled(pairs, states),
-                    _ => proxies.toggled(pairs, states) | gather(pairs, has_left),
+                self.turn(COMPARED, |rows| match leavers.len() {
+                    0 => proxies.toggled(rows),
+                    _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
                 });
                 work.compared = self.candidates.rows();
                 self.candidates.fill_tombstones();
             }
             CompareMode::Picked { lists_are_missed } => {
                 work.picked = self.candidates.rows();
-                work.compared = self.turn_those_of(touched, |pairs, _, listed| {
-                    gather(pairs, |&pair| listed.has_one(pair))
+                work.compared = self.turn_those_of(touched, |rows, listed| {
+                    gather(rows.pairs, |&pair| listed.has_one(pair))
                 });
                 if lists_are_missed {
                     self.candidates.lists.state.missed += 1;
@@ -192,8 +199,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return;
         }
         self.candidates.passed_over += self.candidates.rows();
-        self.turn_those_of(revolumed, |pairs, states, listed| {
-            proxies.met_of_near(pairs, states, |pair| listed.has_one(pair))
+        self.turn_those_of(revolumed, |rows, listed| {
+            proxies.met_of_near(rows, |pair| listed.has_one(pair))
         });
     }
 
@@ -202,7 +209,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     fn turn_those_of(
         &mut self,
         listed: &[u32],
-        pick: impl Fn(&[[u32; 2]], &[PairState], Lookup<'_>) -> u64 + Send + Sync,
+        pick: impl Fn(Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
     ) -> usize {
         let mut slots = std::mem::take(&mut self.candidates.slots);
         slots.insert_all(listed, self.proxies.len());
@@ -210,18 +217,18 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         // Each candidate has two slots.
         let share_picked = (2 * listed.len() as u64).min(self.proxies.len() as u64);
         let price = PICKED + COMPARED * share_picked / self.proxies.len().max(1) as u64;
-        let picked = self.turn(price, |pairs, states| pick(pairs, states, lookup));
+        let picked = self.turn(price, |rows| pick(rows, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
         picked
     }
 
     /// Asks the rows that are picked from each 64, and applies the answers. Returns how many were picked, tombstones included.
-    fn turn(
-        &mut self,
-        price: u64,
-        pick: impl Fn(&[[u32; 2]], &[PairState]) -> u64 + Send + Sync,
-    ) -> usize {
+    fn turn(&mut self, price: u64, pick: impl Fn(Rows<'_>) -> u64 + Send + Sync) -> usize {
+        let mut dues = std::mem::take(&mut self.candidates.dues);
+        if self.proxies.volumes.have_odometers() {
+            dues.resize(self.candidates.rows(), Due::default());
+        }
         let mut parts = std::mem::take(&mut self.candidates.turns);
         let rows = self.candidates.rows();
         let section = Section::of(rows, self.proxies.volumes.price(price));
@@ -233,11 +240,18 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             part.rows = start..end.min(rows);
         }
         let (candidates, observer) = (&*self.candidates, &*self.observer);
-        section.for_each(&mut parts, |part| {
-            part.ask(candidates, self.proxies, observer, |rows| {
-                pick(&candidates.pairs[rows.clone()], &candidates.states[rows])
-            });
+        let mut rest = &mut dues[..];
+        let with_dues = parts.iter_mut().map(|part| {
+            let count = part.rows.len().min(rest.len());
+            let (dues, others) = std::mem::take(&mut rest).split_at_mut(count);
+            rest = others;
+            (part, dues)
         });
+        let mut with_dues: Vec<_> = with_dues.collect();
+        section.for_each(&mut with_dues, |(part, dues)| {
+            part.ask(candidates, dues, self.proxies, observer, &pick);
+        });
+        self.candidates.dues = dues;
         for &Turn { row, state } in parts.iter().flat_map(|part| &part.turns) {
             match state {
                 Some(state) => self.set_state(row, state),
@@ -256,7 +270,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return false;
         };
         let former = self.candidates.states[row];
-        let state = next_state(self.proxies, &*self.observer, pair, former);
+        let state = next_state(self.proxies, &*self.observer, pair, former, None);
         if state != former {
             self.set_state(row, state);
         }

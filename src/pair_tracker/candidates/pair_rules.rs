@@ -2,9 +2,11 @@
 //! update.
 
 use super::state::{PairState, near_and_held};
+use super::turns::Rows;
 use crate::aabb::Aabb;
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::proxies::Proxies;
 use crate::real::Real;
 
@@ -38,13 +40,25 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         a | b
     }
 
-    /// The state of a pair that had this one.
+    /// The state of a pair that had this one, and this due, if it has one.
     #[inline(always)]
-    pub(super) fn state_of(&self, pair: [u32; 2], former: PairState) -> PairState {
-        match self.overlap(pair) {
-            true => self.state_of_overlapping(pair, former.is_held()),
-            false => PairState::Apart,
+    pub(super) fn state_of(
+        &self,
+        pair: [u32; 2],
+        former: PairState,
+        due: Option<&mut Due>,
+    ) -> PairState {
+        if !self.overlap(pair) {
+            return PairState::Apart;
         }
+        let was_held = former.is_held();
+        if due.is_some() && !self.has_toggled(pair, was_held, due) {
+            return match was_held {
+                true => PairState::Held,
+                false => PairState::Near,
+            };
+        }
+        self.state_of_overlapping(pair, was_held)
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
@@ -56,7 +70,12 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Of up to 64 pairs those whose state is another one now.
     #[inline(always)]
-    pub(super) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
+    pub(super) fn toggled(&self, rows: Rows<'_>) -> u64 {
+        let Rows {
+            pairs,
+            states,
+            dues,
+        } = rows;
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
         // What has begun or ceased to overlap has toggled in any case.
@@ -64,34 +83,47 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !self.volumes.are_used() {
             return toggled;
         }
-        let has_toggled = |i: usize| self.has_toggled(pairs[i], held >> i & 1 == 1);
-        ones(overlap).fold(toggled, |word, i| word | u64::from(has_toggled(i)) << i)
+        let asked = ones(overlap & !toggled).map(|i| (i, pairs[i], held >> i & 1 == 1));
+        let bit = |i: usize, has_toggled: bool| u64::from(has_toggled) << i;
+        match dues {
+            // By itself, as fast as balls are.
+            [] => asked.fold(toggled, |word, (i, pair, was_held)| {
+                word | bit(i, self.has_toggled(pair, was_held, None))
+            }),
+            dues => asked.fold(toggled, |word, (i, pair, was_held)| {
+                word | bit(i, self.has_toggled(pair, was_held, Some(&mut dues[i])))
+            }),
+        }
     }
 
     /// Of up to 64 pairs those that are near, that are `wanted`, and whose volumes have met now.
     #[inline(always)]
-    pub(super) fn met_of_near(
-        &self,
-        pairs: &[[u32; 2]],
-        states: &[PairState],
-        wanted: impl Fn([u32; 2]) -> bool,
-    ) -> u64 {
+    pub(super) fn met_of_near(&self, rows: Rows<'_>, wanted: impl Fn([u32; 2]) -> bool) -> u64 {
+        let Rows {
+            pairs,
+            states,
+            dues,
+        } = rows;
         let [near, _] = near_and_held(states);
-        let have_met = |i: usize| wanted(pairs[i]) && self.volumes.meet(pairs[i], R::ZERO);
+        let mut have_met =
+            |i: usize| wanted(pairs[i]) && self.has_toggled(pairs[i], false, dues.get_mut(i));
         ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
     }
 
-    /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is.
+    /// Whether a pair whose boxes overlap is held, and was not, or was, and no longer is. Its due is set if it has one.
     #[inline(always)]
-    fn has_toggled(&self, pair: [u32; 2], was_held: bool) -> bool {
+    fn has_toggled(&self, pair: [u32; 2], was_held: bool, due: Option<&mut Due>) -> bool {
         // Which balls meet is practically random, so there is no branch on it.
         let slack = if was_held { self.slack } else { R::ZERO };
         if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
             return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
         }
-        match was_held {
-            true => self.is_renewed(pair) && !self.volumes.meet(pair, slack),
-            false => self.volumes.meet(pair, slack),
+        if was_held {
+            return self.is_renewed(pair) && !self.volumes.meet(pair, slack);
+        }
+        match due {
+            Some(due) => self.volumes.have_met(pair, due),
+            None => self.volumes.meet(pair, slack),
         }
     }
 

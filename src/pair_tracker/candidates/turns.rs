@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::Candidates;
 use super::state::PairState;
 use crate::bit_set::ones;
+use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{FilterKey, PairObserver};
 use crate::real::Real;
@@ -26,22 +27,38 @@ pub(super) struct Turns {
     pub(super) picked: usize,
 }
 
+/// Up to 64 rows.
+pub(super) struct Rows<'a> {
+    pub(super) pairs: &'a [[u32; 2]],
+    pub(super) states: &'a [PairState],
+    /// As many, or none.
+    pub(super) dues: &'a mut [Due],
+}
+
 impl Turns {
-    /// Asks the rows that are picked from each 64.
+    /// Asks the rows that are picked from each 64. `dues` are theirs, or none.
     pub(super) fn ask<R: Real, const D: usize, K: FilterKey>(
         &mut self,
         candidates: &Candidates,
+        dues: &mut [Due],
         proxies: &Proxies<R, D, K>,
         observer: &impl PairObserver,
-        pick: impl Fn(Range<usize>) -> u64,
+        pick: impl Fn(Rows<'_>) -> u64,
     ) {
         self.turns.clear();
         self.picked = 0;
+        let mut dues = dues.chunks_mut(64);
         for start in self.rows.clone().step_by(64) {
-            let picked = pick(start..self.rows.end.min(start + 64));
+            let rows = start..self.rows.end.min(start + 64);
+            let dues = dues.next().unwrap_or_default();
+            let picked = pick(Rows {
+                pairs: &candidates.pairs[rows.clone()],
+                states: &candidates.states[rows],
+                dues: &mut *dues,
+            });
             if picked != 0 {
                 self.picked += picked.count_ones() as usize;
-                self.ask_picked(start, picked, candidates, proxies, observer);
+                self.ask_picked(start, picked, candidates, dues, proxies, observer);
             }
         }
     }
@@ -53,18 +70,20 @@ impl Turns {
         start: usize,
         picked: u64,
         candidates: &Candidates,
+        dues: &mut [Due],
         proxies: &Proxies<R, D, K>,
         observer: &impl PairObserver,
     ) {
         let leavers = &proxies.leavers;
-        for row in ones(picked).map(|i| start + i) {
+        for i in ones(picked) {
+            let row = start + i;
             let Some(pair) = candidates.get(row) else {
                 continue;
             };
             let former = candidates.states[row];
             let state = match pair.iter().any(|&slot| leavers.contains(slot)) {
                 true => None,
-                false => Some(next_state(proxies, observer, pair, former)),
+                false => Some(next_state(proxies, observer, pair, former, dues.get_mut(i))),
             };
             if state != Some(former) {
                 self.turns.push(Turn { row, state });
@@ -73,15 +92,16 @@ impl Turns {
     }
 }
 
-/// The state of a candidate that had this one.
+/// The state of a candidate that had this one, and this due, if it has one.
 #[inline(always)]
 pub(super) fn next_state<R: Real, const D: usize, K: FilterKey>(
     proxies: &Proxies<R, D, K>,
     observer: &impl PairObserver,
     pair: [u32; 2],
     former: PairState,
+    due: Option<&mut Due>,
 ) -> PairState {
-    let state = proxies.state_of(pair, former);
+    let state = proxies.state_of(pair, former, due);
     settled(observer, pair, former.is_held(), state)
 }
 
