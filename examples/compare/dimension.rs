@@ -14,6 +14,7 @@ use unisize_scenes::Sharing;
 pub(crate) fn compare(case: Case, options: &Options) -> Row {
     let comparison = Comparison {
         steps: options.steps(),
+        before: options.before(),
         rays: options.rays,
         repeats: options.repeats(),
         ..Comparison::new(case.kind, options.bodies(case), options.seed)

@@ -50,6 +50,9 @@ pub(super) struct Options {
     /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
+    /// Which whole steps are timed, as in 600..720; the steps before are made on unisize alone [default: from the first one on]
+    #[arg(long, value_name = "A..B", value_parser = parse_window, conflicts_with = "steps")]
+    window: Option<Window>,
     /// Which pairs unisize leaves out because they can have no effect: none, those of one body and of types of bodies that cannot
     /// meet, also those whose groups forbid it, or also those whose shapes cannot meet
     #[arg(long, default_value = crate::FILTER, value_parser = ["off", "bodies", "groups", "shapes"])]
@@ -75,6 +78,13 @@ pub(super) struct Options {
     /// More steps and repeats, for figures to rely on: half an hour
     #[arg(long, conflicts_with = "quick")]
     full: bool,
+}
+
+/// Steps of a simulation.
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    before: usize,
+    steps: usize,
 }
 
 impl Options {
@@ -109,7 +119,12 @@ impl Options {
             (_, true) => FULL_STEPS,
             _ => STEPS,
         };
-        self.steps.unwrap_or(usual)
+        let of_window = self.window.map(|window| window.steps);
+        self.steps.or(of_window).unwrap_or(usual)
+    }
+
+    pub(super) fn before(&self) -> usize {
+        self.window.map_or(0, |window| window.before)
     }
 
     pub(super) fn repeats(&self) -> usize {
@@ -128,6 +143,18 @@ impl Options {
 
 fn between(low: u64, high: u64) -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(low..=high)
+}
+
+fn parse_window(range: &str) -> Result<Window, String> {
+    let (start, end) = range.split_once("..").unzip();
+    let [start, end] = [start, end].map(|number| number?.parse::<u32>().ok());
+    match (start, end) {
+        (Some(start), Some(end)) if start < end && end <= 1_000_000 => Ok(Window {
+            before: start as usize,
+            steps: (end - start) as usize,
+        }),
+        _ => Err("a window is two numbers of steps, as in 600..720, up to a million".to_owned()),
+    }
 }
 
 fn parse_case(name: &str) -> Result<Case, String> {
@@ -172,6 +199,13 @@ mod tests {
     }
 
     #[test]
+    fn a_window_says_which_steps_are_timed() {
+        let options = parse("--window 600..720").unwrap();
+        assert_eq!((options.before(), options.steps()), (600, 120));
+        assert_eq!(parse("").unwrap().before(), 0);
+    }
+
+    #[test]
     fn what_makes_no_sense_is_refused() {
         for arguments in [
             "--scene nowhere",
@@ -179,6 +213,9 @@ mod tests {
             "--dim 4",
             "--filter all",
             "--quick --full",
+            "--window 9",
+            "--window 9..9",
+            "--window 9..10 --steps 3",
         ] {
             assert!(parse(arguments).is_err(), "{arguments}");
         }

@@ -13,6 +13,8 @@ pub(super) struct Row {
     pub(super) scene: String,
     pub(super) dim: u8,
     seed: u64,
+    /// How many steps were made before whole steps were timed.
+    before: usize,
     filter: String,
     pub(super) threads: usize,
     pub(super) equal: bool,
@@ -27,6 +29,7 @@ impl Row {
             scene: case.name(),
             dim,
             seed: options.seed,
+            before: options.before(),
             filter: options.filter.clone(),
             threads: options.threads,
             equal: outcome.is_equal(),

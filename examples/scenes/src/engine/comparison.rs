@@ -94,6 +94,8 @@ pub struct Comparison {
     pub seed: u64,
     /// How many steps to simulate. Default: 300, five seconds.
     pub steps: usize,
+    /// How many steps are made on the candidate alone before whole steps are timed. Default: 0.
+    pub before: usize,
     /// How many rays are cast after each step, beside those of the scene. Default: 0.
     pub rays: usize,
     /// How often the scene is simulated on each broad phase alone as well, with seeds that count up from `seed`.
@@ -109,6 +111,7 @@ impl Comparison {
             bodies,
             seed,
             steps: 300,
+            before: 0,
             rays: 0,
             repeats: 1,
         }
@@ -122,7 +125,7 @@ impl Comparison {
         let difference = || repeats.iter().find_map(alone::difference);
         outcome.first_difference = outcome.first_difference.take().or_else(difference);
         if self.repeats > 0 {
-            outcome.whole_steps = WholeSteps::of(repeats, self.run_clocked());
+            outcome.whole_steps = WholeSteps::of(repeats, self.run_clocked(candidate));
         }
         outcome
     }

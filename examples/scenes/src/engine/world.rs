@@ -65,6 +65,13 @@ impl World {
         handle
     }
 
+    /// Has all colliders told to the next broad phase, though none has moved.
+    pub fn touch_all(&mut self) {
+        for (_, collider) in self.colliders.iter_mut() {
+            collider.set_position(*collider.position());
+        }
+    }
+
     /// How many pairs the narrow phase holds of which nothing comes: no active contact, and no intersection.
     pub fn pairs_without_contact(&self) -> usize {
         let contacts = self.narrow_phase.contact_pairs();

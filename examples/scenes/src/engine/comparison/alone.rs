@@ -8,6 +8,9 @@
 //! last bits of its result. So their end states are not compared with each other, but each with what physics
 //! demands; see [`Sanity::verdict`].
 //!
+//! If whole steps are timed [later](Comparison::before), both worlds are brought there on the candidate, which does the same in either, so
+//! that both begin with the same piles, and as many asleep. Then each gets a broad phase that is new, and hears of all colliders.
+//!
 //! Neither of the two is clocked inside of a step: to be so, Rapier 0.36's own broad phase has to be wrapped, and does not work
 //! beside the solver any more. That is done in a world of its own, of which both times are taken.
 
@@ -35,6 +38,8 @@ impl Comparison {
         let own = DefaultBroadPhase::new();
         let mut default = Run::new(self, seed, own, DefaultBroadPhase::as_query_pipeline);
         let mut other = Run::new(self, seed, other, queries);
+        self.bring_there(&mut default, candidate);
+        self.bring_there(&mut other, candidate);
         for step in 0..self.steps {
             if step % 2 == 0 {
                 default.step();
@@ -53,7 +58,7 @@ impl Comparison {
     }
 
     /// Simulates the scene on the default alone, and times its broad phase.
-    pub(super) fn run_clocked(&self) -> Limit {
+    pub(super) fn run_clocked<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Limit {
         let own = version::install(Observed::new(OwnBroadPhase::new()).clocked());
         let mut run = Run::new(
             self,
@@ -64,14 +69,40 @@ impl Comparison {
                 own.as_query_pipeline(of, bodies, colliders, filter)
             },
         );
+        self.bring_there(&mut run, candidate);
+        let before = run.broad_phase.timing().total;
         for _ in 0..self.steps {
             run.step();
         }
-        let [step, broad_phase] = [run.elapsed, run.broad_phase.timing().total]
+        let [step, broad_phase] = [run.elapsed, run.broad_phase.timing().total - before]
             .map(|time| milliseconds(time) / self.steps as f64);
         Limit::of(step, broad_phase)
     }
+
+    /// Makes the steps before those that are timed.
+    fn bring_there<B: Steppable, C: BroadPhase + 'static>(
+        &self,
+        run: &mut Run<B>,
+        candidate: &Candidate<C>,
+    ) {
+        if self.before == 0 {
+            return;
+        }
+        let (mut broad_phase, queries) = version::alone((candidate.create)(), candidate.queries);
+        for _ in 0..self.before.saturating_sub(SETTLING) {
+            run.scene.prepare_asking(|| tree_of(&broad_phase, queries));
+            run.scene.world.step(broad_phase.for_step(), &(), &());
+        }
+        run.scene.world.touch_all();
+        for _ in 0..SETTLING.min(self.before) {
+            run.step();
+        }
+        (run.elapsed, run.casting) = Default::default();
+    }
 }
+
+/// Steps that are not timed, after a broad phase has been exchanged.
+const SETTLING: usize = 10;
 
 /// A scene on one broad phase.
 struct Run<B> {

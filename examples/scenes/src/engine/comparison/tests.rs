@@ -104,6 +104,26 @@ fn whole_steps_are_sane() {
 }
 
 #[test]
+fn whole_steps_are_timed_later_from_one_state() {
+    let energies = |before| {
+        let comparison = Comparison {
+            steps: 1,
+            before,
+            repeats: 1,
+            ..comparison(SceneKind::FallingBalls)
+        };
+        let outcome = comparison.run(&Candidate::new(listed, list, QUERIES));
+        let whole_steps = outcome.whole_steps.expect("they were asked for");
+        let end = &whole_steps.repeats[0].end;
+        [end.default.energy, end.candidate.energy]
+    };
+    let [early, late] = [0, 100].map(energies);
+    // They have parted for a few steps only.
+    assert!((late[0] - late[1]).abs() < 1e-3 * late[0], "{late:?}");
+    assert!(late[0] < 0.9 * early[0], "{early:?} {late:?}");
+}
+
+#[test]
 fn a_ray_that_misses_is_reported() {
     let blind: AsQueryPipeline<Listed> = |_, dispatcher, bodies, colliders, filter| {
         static NOTHING: LazyLock<Bvh> = LazyLock::new(Bvh::new);
