@@ -22,11 +22,10 @@ use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::parallel::{self, Section};
 use crate::real::Real;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
-use crate::tuning::prices::{LOOKED_UP, SEARCHED};
+use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 pub(crate) use class::retain_from;
-use class::{Class, FoundInvalid, Run};
-use emitter::Emitter;
+use class::{Class, FoundInvalid, Run, look_up_in_parts};
 use members::{Everyone, Members};
 
 /// Entries are numbered with 32 bits, and a box may have four.
@@ -36,14 +35,13 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 ///
 /// The second and the third axis are cut into strips a few boxes wide. A box is entered in each tube that it spans,
 /// usually one, and the pairs of each tube are found by comparing eight boxes at a time with those that follow them.
-/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid and looked up in
-/// the finer one.
+/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid. Where they span few tubes of the
+/// finer one, they are looked up in it; where they span many, as walls do, the boxes of the finer class are looked up among them.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O(n + pairs)** time for
-/// boxes of about one size, in two and in three dimensions, times the logarithm of sorting where boxes are very
+/// boxes of about one size and walls among them, in two and in three dimensions, times the logarithm of sorting where boxes are very
 /// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for larger
-/// ones, where many large boxes span many tubes without touching anything there, or where boxes lie 10⁸ times their
-/// size apart. **O(n + pairs)** memory always.
+/// ones, or where boxes lie 10⁸ times their size apart. **O(n + pairs)** memory always.
 ///
 /// At most 2²⁹ boxes; more are refused as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -196,7 +194,15 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         run.section = Section::of(members.count(), SEARCHED);
         class.assign(members, &mut self.assignment, run)?;
         self.class_count += 1;
-        class.sweep(&self.assignment, run);
+        let (finer, rest) = self.classes.split_at_mut(self.class_count - 1);
+        let class = &mut rest[0];
+        let seekers = finer.iter().map(|class| &class.seekers[..]);
+        class.sweep(
+            &self.assignment,
+            seekers.clone().any(|seekers| !seekers.is_empty()),
+            run,
+        );
+        seekers.for_each(|seekers| class.look_up_all(seekers, run));
         class.look_up_oversized(run);
         Ok(())
     }
@@ -227,6 +233,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.classes.truncate(self.class_count);
         let slabs = self.classes.iter_mut().flat_map(|class| &mut class.slabs);
         slabs.for_each(|slab| slab.free_scratch());
+        let classes = self.classes.iter_mut();
+        classes.for_each(|class| class.seekers = Vec::new());
     }
 
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
@@ -241,30 +249,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         wanted: impl Fn([u32; 2]) -> bool + Sync,
         pairs: &mut Vec<[u32; 2]>,
     ) {
-        let section = Section::of(queries.len(), LOOKED_UP);
-        let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
-        let parts = queries.chunks(queries_a_part);
-        let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new())).collect();
-        if let [(_, found), ..] = &mut parts[..] {
-            // The first one need not copy its pairs.
-            std::mem::swap(found, pairs);
-        }
-        section.for_each(&mut parts, |(queries, found)| {
-            let first = found.len();
-            let mut emitter = Emitter::new(found);
-            for &i in *queries {
-                let aabb = &boxes[i as usize];
-                for class in &self.classes[..self.class_count] {
-                    class.look_up(aabb, i, &mut emitter);
-                }
+        look_up_in_parts(queries, pairs, Some(&wanted), |i, emitter| {
+            let aabb = &boxes[i as usize];
+            for class in &self.classes[..self.class_count] {
+                class.look_up(aabb, i, emitter);
             }
-            emitter.finish();
-            retain_from(found, first, &wanted);
         });
-        let mut parts = parts.into_iter().map(|(_, found)| found);
-        if let Some(first) = parts.next() {
-            *pairs = first;
-        }
-        parts.for_each(|found| pairs.extend(found));
     }
 }

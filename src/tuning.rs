@@ -28,6 +28,16 @@ pub(crate) mod kernel {
     /// make the strips too wide. Below: more boxes are on a border, or too large for the grid.
     pub(crate) const GRID_SIZE_QUANTILE: f64 = 0.75;
 
+    /// A share of the boxes, and a factor. A box that is longer along the first axis than this share of all by this factor, and than
+    /// strips are wide, is too large for a grid. Above: one floor makes all that is looked up on it visit what it spans. Below: walls that
+    /// are many are looked up one by one, and not swept.
+    pub(crate) const LONG_QUANTILE: f64 = 0.95;
+    pub(crate) const LONG_FROM: f64 = 4.0;
+
+    /// Tubes that boxes too large for a grid span, for each entry of the grid. If they span more, the boxes of the grid are looked up
+    /// among them, and not they in the grid. Above: walls visit every tube. Below: many are looked up for a few.
+    pub(crate) const LOOK_UP_SMALL_FROM: u64 = 1;
+
     /// Shares of the boxes. The grid is laid over what lies between these two. Nearer 0 and 1: a few boxes far out make the
     /// strips too wide. Nearer the middle: more boxes lie outside, in the first and in the last strip.
     pub(crate) const GRID_PLACE_QUANTILES: [f64; 2] = [0.02, 0.98];

@@ -86,7 +86,7 @@ impl Assignment {
         members.for_each(run.boxes, 0..members.count(), |_, index, aabb| {
             part.is_invalid |= M::MAY_BE_INVALID && !aabb.is_valid();
             let span = grid.tube_span(aabb);
-            if span.is_oversized() {
+            if grid.is_oversized(aabb, &span) {
                 return part.oversized.push(index);
             }
             for row in span.first[0]..=span.last[0] {

@@ -7,7 +7,8 @@ use crate::parallel;
 use crate::real::Real;
 use crate::tuning::kernel::{
     BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
-    GRID_SIZE_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES, ONE_CUT_SAMPLE, POINTS_A_TUBE, Sample,
+    GRID_SIZE_QUANTILE, LONG_FROM, LONG_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES,
+    ONE_CUT_SAMPLE, POINTS_A_TUBE, Sample,
 };
 
 impl<R: Real> Grid<R> {
@@ -34,8 +35,11 @@ impl<R: Real> Grid<R> {
         let width_in_boxes = affordable.clamp(widest / NARROWED_UP_TO, widest) * widening;
 
         let mut grid = Self::default();
+        let mut longest = axes[0].longest;
         for cut in 0..cuts {
-            let AxisSample { size, low, spread } = axes[cut + 1];
+            let AxisSample {
+                size, low, spread, ..
+            } = axes[cut + 1];
             // Points have no size: aim at some points per tube.
             let least = spread / root(n / POINTS_A_TUBE, cuts).max(1.0);
             let width = match size > 0.0 {
@@ -45,8 +49,12 @@ impl<R: Real> Grid<R> {
             // Strip numbers are 32-bit; leave room for what lies outside of the sample.
             let width = width.max(spread / f64::from(1 << 28));
             let width = if width > 0.0 { width } else { 1.0 };
+            longest = longest.max(width);
             let margin = spread * GRID_MARGIN;
             grid.axes[cut] = Strips::new(low - margin, width, spread + 2.0 * margin);
+        }
+        if cuts > 0 {
+            grid.longest = Some(R::from_f64(LONG_FROM * longest));
         }
         if cuts == 2 && !grid.fits_table(members.count()) {
             return grid.along_one_axis(boxes, members).unwrap_or(grid);
@@ -73,6 +81,7 @@ impl<R: Real> Grid<R> {
         let grids = [0, 1].map(|cut| {
             let mut grid = Self::default();
             grid.axes[cut] = self.axes[cut];
+            grid.longest = self.longest;
             grid
         });
         let suits = |grid: &Self| grid.fits_table(n) && grid.candidates(&sample, most) <= most;
@@ -124,6 +133,8 @@ fn root(x: f64, cuts: usize) -> f64 {
 struct AxisSample {
     /// The size that most boxes do not exceed.
     size: f64,
+    /// The size that hardly any exceed.
+    longest: f64,
     /// The least coordinate of `mins`, except for a few.
     low: f64,
     /// The distance from there to the greatest, except for a few.
@@ -150,6 +161,7 @@ impl AxisSample {
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         Self {
             size: quantile(&mut sizes, GRID_SIZE_QUANTILE),
+            longest: quantile(&mut sizes, LONG_QUANTILE),
             low,
             spread: high - low,
         }

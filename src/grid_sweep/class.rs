@@ -5,13 +5,16 @@ use super::emitter::Emitter;
 use super::grid::Grid;
 use super::lookup::Query;
 use super::members::Members;
+use super::owner::Owner;
 use super::slab::Slab;
 use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{ONE_TUBE_UP_TO, OVERSIZED_UP_TO_EIGHTHS, STRIP_WIDENINGS};
-use crate::tuning::prices::SLOT;
+use crate::tuning::kernel::{
+    LOOK_UP_SMALL_FROM, ONE_TUBE_UP_TO, OVERSIZED_UP_TO_EIGHTHS, STRIP_WIDENINGS,
+};
+use crate::tuning::prices::{LOOKED_UP, SLOT};
 
 /// What a run of the kernel works with, in every class.
 pub(super) struct Run<'a, R, const D: usize, F> {
@@ -41,6 +44,8 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) slabs: Vec<Slab<R, D>>,
     /// The boxes too large for this class: the members of all following classes.
     pub(super) oversized: Vec<u32>,
+    /// The boxes of this class, if they are to be looked up in the following classes, and not those here.
+    pub(super) seekers: Vec<u32>,
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
@@ -83,15 +88,16 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if the run asks for it, or there are oversized boxes to
-    /// look up in them.
+    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if the run asks for it, or if boxes are looked up in them: those
+    /// of finer classes, if it `is_sought`, or oversized ones.
     pub(super) fn sweep<F: Fn([u32; 2]) -> bool + Sync>(
         &mut self,
         assignment: &Assignment,
+        is_sought: bool,
         run: &mut Run<R, D, F>,
     ) {
         let (boxes, slabs) = (run.boxes, &mut self.slabs);
-        let keeps = run.keeps || !self.oversized.is_empty();
+        let keeps = run.keeps || is_sought || !self.oversized.is_empty();
         let ranges = assignment.split();
         slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in slabs.iter_mut().zip(ranges) {
@@ -119,20 +125,54 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
     }
 
-    /// Appends the pairs of the oversized boxes with those of the class.
-    pub(super) fn look_up_oversized<F: Fn([u32; 2]) -> bool>(&mut self, run: &mut Run<R, D, F>) {
+    /// Appends the pairs of the oversized boxes with those of the class, unless it is cheaper to look these up among the oversized ones
+    /// later.
+    pub(super) fn look_up_oversized<F: Fn([u32; 2]) -> bool + Sync>(
+        &mut self,
+        run: &mut Run<R, D, F>,
+    ) {
+        self.seekers.clear();
         if self.oversized.is_empty() {
             return;
         }
+        if self.spanned(run.boxes) > LOOK_UP_SMALL_FROM * self.entries().count() as u64 {
+            let mut seekers = std::mem::take(&mut self.seekers);
+            let at_home = self.entries().filter(|owner| owner.is_at_home());
+            seekers.extend(at_home.map(|owner| owner.index()));
+            self.seekers = seekers;
+            return;
+        }
+        let oversized = std::mem::take(&mut self.oversized);
+        self.look_up_all(&oversized, run);
+        self.oversized = oversized;
+    }
+
+    /// The owners of all entries.
+    fn entries(&self) -> impl Iterator<Item = Owner> + '_ {
+        self.slabs.iter().flat_map(|slab| slab.tubes.entries())
+    }
+
+    /// How many tubes the oversized boxes would have to be looked up in, at most.
+    fn spanned(&self, boxes: &[Aabb<R, D>]) -> u64 {
+        let tubes: usize = self.slabs.iter().map(|slab| slab.tubes.tubes.len()).sum();
+        let spans = self.oversized.iter();
+        let spans = spans.map(|&i| self.grid.tube_span(&boxes[i as usize]));
+        spans.map(|span| span.count().min(tubes as u64)).sum()
+    }
+
+    /// Appends the pairs of boxes of other classes with those of this one.
+    pub(super) fn look_up_all<F: Fn([u32; 2]) -> bool + Sync>(
+        &mut self,
+        queries: &[u32],
+        run: &mut Run<R, D, F>,
+    ) {
         run.stopwatch.enter(Phase::Sweep);
         self.prepare_lookup();
-        let first = run.pairs.len();
-        let mut emitter = Emitter::new(run.pairs);
-        for &i in &self.oversized {
-            self.look_up(&run.boxes[i as usize], i, &mut emitter);
-        }
-        emitter.finish();
-        run.unwanted += drop_unwanted(run.pairs, first, run.wanted.as_ref());
+        let boxes = run.boxes;
+        let wanted = run.wanted.as_ref();
+        run.unwanted += look_up_in_parts(queries, run.pairs, wanted, |i, emitter| {
+            self.look_up(&boxes[i as usize], i, emitter);
+        });
         run.stopwatch.leave();
     }
 
@@ -153,6 +193,38 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.tubes.look_up(&query, emitter);
         }
     }
+}
+
+/// Appends what is found for each query, if it is wanted, in the order of the queries, by several threads if they are many. Returns how
+/// many pairs are not.
+pub(super) fn look_up_in_parts(
+    queries: &[u32],
+    pairs: &mut Vec<[u32; 2]>,
+    wanted: Option<&(impl Fn([u32; 2]) -> bool + Sync)>,
+    look_up: impl Fn(u32, &mut Emitter) + Sync,
+) -> usize {
+    let section = Section::of(queries.len(), LOOKED_UP);
+    let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
+    let parts = queries.chunks(queries_a_part);
+    let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new(), 0)).collect();
+    if let [(_, found, _), ..] = &mut parts[..] {
+        // The first one need not copy its pairs.
+        std::mem::swap(found, pairs);
+    }
+    section.for_each(&mut parts, |(queries, found, unwanted)| {
+        let first = found.len();
+        let mut emitter = Emitter::new(found);
+        queries.iter().for_each(|&i| look_up(i, &mut emitter));
+        emitter.finish();
+        *unwanted = drop_unwanted(found, first, wanted);
+    });
+    let unwanted = parts.iter().map(|(_, _, unwanted)| unwanted).sum();
+    let mut parts = parts.into_iter().map(|(_, found, _)| found);
+    if let Some(first) = parts.next() {
+        *pairs = first;
+    }
+    parts.for_each(|found| pairs.extend(found));
+    unwanted
 }
 
 /// Drops the pairs from `first` on that are not wanted. Returns how many.

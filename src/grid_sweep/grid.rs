@@ -42,6 +42,9 @@ impl<R: Real> Strips<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Grid<R> {
     pub(super) axes: [Strips<R>; 2],
+    /// How long a box may be along the first axis, if that matters. One that is longer would make windows long for all that are looked up
+    /// in its tube.
+    pub(super) longest: Option<R>,
 }
 
 /// The tubes that a box spans: from `first` to `last` in each cut axis.
@@ -52,11 +55,10 @@ pub(super) struct TubeSpan {
 }
 
 impl TubeSpan {
-    /// Whether it is more than two strips wide on some axis: such boxes are treated apart.
-    #[inline(always)]
-    pub(super) fn is_oversized(&self) -> bool {
-        let [rows, columns] = self.beyond();
-        (rows > 1) | (columns > 1)
+    /// How many tubes these are.
+    pub(super) fn count(&self) -> u64 {
+        let [rows, columns] = self.beyond().map(|beyond| u64::from(beyond) + 1);
+        rows * columns
     }
 
     /// How many strips a box spans besides the first. Inverted boxes, which are refused later, wrap around to large numbers.
@@ -88,6 +90,15 @@ impl<R: Real> Grid<R> {
         for axis in &mut self.axes[..cut_axes::<D>()] {
             axis.last = 1 << 31;
         }
+    }
+
+    /// Whether a box that spans these tubes is more than two strips wide on some axis, or too long: such boxes are treated apart.
+    #[inline(always)]
+    pub(super) fn is_oversized<const D: usize>(&self, aabb: &Aabb<R, D>, span: &TubeSpan) -> bool {
+        let [rows, columns] = span.beyond();
+        let length = aabb.maxs[0] - aabb.mins[0];
+        let is_long = self.longest.is_some_and(|longest| length > longest);
+        (rows > 1) | (columns > 1) | is_long
     }
 
     /// The tubes that a box spans; for an invalid one, any.

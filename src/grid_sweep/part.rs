@@ -70,7 +70,7 @@ impl Part {
             members.for_each(boxes, start..start + homes.len(), |i, index, aabb| {
                 is_invalid |= M::MAY_BE_INVALID && !aabb.is_valid();
                 let span = grid.tube_span(aabb);
-                if span.is_oversized() {
+                if grid.is_oversized(aabb, &span) {
                     oversized.push(index);
                     homes[i] = tube_count;
                     counts[tube_count as usize] += 1;

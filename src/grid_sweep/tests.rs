@@ -3,6 +3,7 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::GRID_SAMPLE;
+use oorandom::Rand32;
 
 /// The pairs that a kernel finds, which are also checked.
 fn checked<const D: usize>(
@@ -87,5 +88,39 @@ fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
         checked(&mut kernel, &boxes);
         let strips = kernel.classes[0].grid.axes.map(|axis| axis.last > 0);
         assert_eq!(strips, are_cut);
+    }
+}
+
+/// Walls as long as the world, along this axis, with small boxes between them: so many of each.
+fn walls<const D: usize>(along: usize, walls: usize, small: usize) -> Vec<Aabb<f32, D>> {
+    let mut random = Rand32::new(along as u64);
+    let side = (5.0 * small as f32).powf(1.0 / D as f32);
+    let mut place =
+        || -> [f32; D] { core::array::from_fn(|_| (side * random.rand_float()).floor()) };
+    let small = (0..small).map(|_| cube(place().map(|x| x + 0.25)));
+    let mut boxes: Vec<_> = small.collect();
+    boxes.extend((0..walls).map(|_| {
+        let mut mins = place();
+        mins[along] = 0.0;
+        let mut maxs = mins.map(|x| x + 0.5);
+        maxs[along] = side;
+        Aabb::new(mins, maxs)
+    }));
+    boxes
+}
+
+/// Many walls do not visit all tubes that they span, and a few do not have all others look for them.
+#[test]
+fn the_fewer_look_ups_are_made() {
+    fn seekers<const D: usize>(along: usize, count: usize) -> usize {
+        let mut kernel = GridSweep::default();
+        checked::<D>(&mut kernel, &walls(along, count, 3000));
+        let classes = &kernel.classes[..kernel.class_count];
+        classes.iter().map(|class| class.seekers.len()).sum()
+    }
+    assert!(seekers::<2>(1, 500) >= 3000);
+    for along in 0..3 {
+        assert_eq!(seekers::<3>(along, 5), 0);
+        assert_eq!(seekers::<2>(along % 2, 5), 0);
     }
 }

@@ -114,6 +114,14 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         start..end
     }
 
+    /// The owners of all entries that are kept.
+    pub(super) fn entries(&self) -> impl Iterator<Item = Owner> + Clone + '_ {
+        let tubes = self.tubes.iter();
+        tubes
+            .flat_map(|tube| &self.owners[tube.start as usize..tube.end as usize])
+            .copied()
+    }
+
     #[cold]
     fn grow(&mut self, len: usize) {
         for numbers in self.mins.iter_mut().chain(self.maxs.iter_mut()) {
