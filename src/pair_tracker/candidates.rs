@@ -221,10 +221,10 @@ impl Candidates {
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) -> PairState {
         let former = std::mem::replace(&mut self.states[row], state);
-        if former.is_held() != state.is_held()
-            && let Some(due) = self.dues.get_mut(row)
-        {
-            *due = Due::default();
+        if former.is_held() != state.is_held() {
+            if let Some(due) = self.dues.get_mut(row) {
+                *due = Due::default();
+            }
         }
         if state.overlaps() && !former.overlaps() {
             self.note_overlap(self.pairs[row]);
