@@ -1,5 +1,7 @@
 //! The axis-aligned box: the one thing a broad phase looks at.
 
+use core::array;
+
 use crate::real::Real;
 
 /// An axis-aligned bounding box in `D` dimensions, closed on every side.
@@ -85,6 +87,23 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
     }
 
+    /// The smallest box around two.
+    pub(crate) fn around(&self, other: &Self) -> Self {
+        Self {
+            mins: array::from_fn(|k| min(self.mins[k], other.mins[k])),
+            maxs: array::from_fn(|k| max(self.maxs[k], other.maxs[k])),
+        }
+    }
+
+    /// The part of a valid box that lies within another.
+    #[inline]
+    pub(crate) fn within(&self, other: &Self) -> Option<Self> {
+        self.overlaps(other).then(|| Self {
+            mins: array::from_fn(|k| max(self.mins[k], other.mins[k])),
+            maxs: array::from_fn(|k| min(self.maxs[k], other.maxs[k])),
+        })
+    }
+
     /// Whether no coordinate is NaN and `mins <= maxs` on every axis. To a kernel, every other box is an
     /// [`InvalidInput`](crate::InvalidInput).
     ///
@@ -105,4 +124,16 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
         valid
     }
+}
+
+/// The lesser of two numbers; the second one if they cannot be compared.
+#[inline(always)]
+pub(crate) fn min<R: Real>(a: R, b: R) -> R {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers; the second one if they cannot be compared.
+#[inline(always)]
+pub(crate) fn max<R: Real>(a: R, b: R) -> R {
+    if a > b { a } else { b }
 }

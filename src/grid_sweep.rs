@@ -3,6 +3,7 @@
 mod assignment;
 mod choose;
 mod class;
+mod crowd;
 mod emitter;
 mod grid;
 mod lookup;
@@ -22,10 +23,13 @@ use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::parallel::{self, Section};
 use crate::real::Real;
 use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::tuning::kernel::FEW_QUERIES;
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
+#[cfg(feature = "_adapter")]
 pub(crate) use class::retain_from;
 use class::{Class, FoundInvalid, Run, look_up_in_parts};
+use emitter::Emitter;
 use members::{Everyone, Members};
 
 /// Entries are numbered with 32 bits, and a box may have four.
@@ -35,13 +39,14 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 ///
 /// The second and the third axis are cut into strips a few boxes wide. A box is entered in each tube that it spans,
 /// usually one, and the pairs of each tube are found by comparing eight boxes at a time with those that follow them.
-/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid. Where they span few tubes of the
-/// finer one, they are looked up in it; where they span many, as walls do, the boxes of the finer class are looked up among them.
+/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid. For each two classes, the boxes of one
+/// are looked up in the other, in whichever direction a sample takes less. Boxes that crowd in one tube, because they are much smaller than
+/// most or lie where few others do, have a grid of their own.
 ///
-/// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O(n + pairs)** time for
-/// boxes of about one size and walls among them, in two and in three dimensions, times the logarithm of sorting where boxes are very
-/// unevenly spread. The worst case is **O(n²)**: where small boxes crowd between borders that were chosen for larger
-/// ones, or where boxes lie 10⁸ times their size apart. **O(n + pairs)** memory always.
+/// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O((n + pairs) log n)** time where the boxes of each
+/// size lie no denser than so many deep, whatever sizes there are and wherever they lie: a class takes at least an eighth of the boxes that
+/// are left, and a grid within a grid leaves at most a quarter of the comparisons. Plates and needles that cross each other's way without
+/// touching have the largest constant: each is looked up in the tubes that it spans. **O(n + pairs)** memory always.
 ///
 /// At most 2²⁹ boxes; more are refused as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -67,8 +72,11 @@ pub struct GridSweep<R, const D: usize> {
     classes: Vec<Class<R, D>>,
     class_count: usize,
     assignment: Assignment,
+    /// Scratch: the members of two classes.
+    members: [Vec<u32>; 2],
     /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
     slab_count: Option<usize>,
+    compared: usize,
     stopwatch: Stopwatch,
 }
 
@@ -84,19 +92,21 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         let members = Everyone(boxes.len());
         let work = SEARCHED * boxes.len() as u64;
         let found = parallel::enter(work, || {
-            self.run(
-                members,
-                &mut Run {
-                    boxes,
-                    slab_count: self.slab_count,
-                    section: Section::default(),
-                    keeps: false,
-                    pairs,
-                    wanted: None::<fn([u32; 2]) -> bool>,
-                    unwanted: 0,
-                    stopwatch: &mut stopwatch,
-                },
-            )
+            let mut run = Run {
+                boxes,
+                is_crowd: false,
+                slab_count: self.slab_count,
+                section: Section::default(),
+                keeps: false,
+                pairs,
+                wanted: None::<fn([u32; 2]) -> bool>,
+                unwanted: 0,
+                compared: 0,
+                stopwatch: &mut stopwatch,
+            };
+            let found = self.run(members, &mut run);
+            self.compared = run.compared;
+            found
         });
         stopwatch.leave();
         self.stopwatch = stopwatch;
@@ -133,6 +143,12 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.stopwatch.times
     }
 
+    /// How many boxes the last run has compared with another, and how many tubes it has visited to look boxes up.
+    #[doc(hidden)]
+    pub fn compared(&self) -> usize {
+        self.compared
+    }
+
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, that are wanted, and remembers the
     /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`]. Returns how many pairs were not
     /// wanted; if no condition is given, all are.
@@ -148,12 +164,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         debug_assert!(boxes.len() <= MAX_BOXES);
         let mut run = Run {
             boxes,
+            is_crowd: false,
             slab_count: self.slab_count,
             section: Section::default(),
             keeps: true,
             pairs,
             wanted,
             unwanted: 0,
+            compared: 0,
             stopwatch,
         };
         // The boxes are valid.
@@ -173,15 +191,21 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         loop {
             let class = &mut self.classes[self.class_count - 1];
             if class.oversized.is_empty() {
-                return Ok(());
+                break;
             }
             let oversized = std::mem::take(&mut class.oversized);
             self.run_class(&oversized[..], run)?;
             self.classes[self.class_count - 2].oversized = oversized;
         }
+        for coarse in 1..self.class_count {
+            for fine in 0..coarse {
+                self.match_classes(fine, coarse, run);
+            }
+        }
+        Ok(())
     }
 
-    /// Appends the overlapping pairs of the next class, and those of its members with what is too large for it.
+    /// Appends the overlapping pairs of the next class.
     fn run_class<F: Fn([u32; 2]) -> bool + Sync>(
         &mut self,
         members: impl Members,
@@ -193,31 +217,37 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let class = &mut self.classes[self.class_count];
         run.section = Section::of(members.count(), SEARCHED);
         class.assign(members, &mut self.assignment, run)?;
+        class.sweep(&self.assignment, self.class_count == 0, run);
         self.class_count += 1;
-        let (finer, rest) = self.classes.split_at_mut(self.class_count - 1);
-        let class = &mut rest[0];
-        let seekers = finer.iter().map(|class| &class.seekers[..]);
-        class.sweep(
-            &self.assignment,
-            seekers.clone().any(|seekers| !seekers.is_empty()),
-            run,
-        );
-        seekers.for_each(|seekers| class.look_up_all(seekers, run));
-        class.look_up_oversized(run);
         Ok(())
+    }
+
+    /// Appends the pairs of the boxes of one class with those of another. Looks up those of which fewer look-ups, or faster ones, are to be
+    /// expected: of a few, for certain; of many, by a sample.
+    fn match_classes<F: Fn([u32; 2]) -> bool + Sync>(
+        &mut self,
+        fine: usize,
+        coarse: usize,
+        run: &mut Run<R, D, F>,
+    ) {
+        let [finer, coarser] = &mut self.members;
+        self.classes[coarse].list_members(coarser);
+        let (left, right) = self.classes.split_at_mut(coarse);
+        let (fine, coarse) = (&mut left[fine], &mut right[0]);
+        fine.prepare_lookup();
+        if coarser.len() > FEW_QUERIES {
+            coarse.prepare_lookup();
+            fine.list_members(finer);
+            if coarse.effort(finer, run.boxes) < fine.effort(coarser, run.boxes) {
+                return coarse.look_up_all(finer, run);
+            }
+        }
+        fine.look_up_all(coarser, run);
     }
 
     /// The number of size classes in the last run.
     pub(crate) fn class_count(&self) -> usize {
         self.class_count
-    }
-
-    /// The strips of the first class in the last run, along each of the axes that are cut.
-    pub(crate) fn strips(&self) -> [u32; 2] {
-        let class = self.classes[..self.class_count].first();
-        class.map_or([0; 2], |class| {
-            class.grid.axes.map(|axis| axis.last.saturating_add(1))
-        })
     }
 
     /// Prepares for [`look_up`](Self::look_up), until the next run.
@@ -233,27 +263,31 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.classes.truncate(self.class_count);
         let slabs = self.classes.iter_mut().flat_map(|class| &mut class.slabs);
         slabs.for_each(|slab| slab.free_scratch());
-        let classes = self.classes.iter_mut();
-        classes.for_each(|class| class.seekers = Vec::new());
+        self.members = Default::default();
     }
 
     /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
     /// overlaps, if they are wanted. Members have the boxes that they had then; the pair of a member with itself is not left out.
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
-    /// each tube that it spans.
+    /// each tube that it spans. Returns how many members were compared with a query, with what it took to visit tubes.
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],
         queries: &[u32],
         wanted: impl Fn([u32; 2]) -> bool + Sync,
         pairs: &mut Vec<[u32; 2]>,
-    ) {
-        look_up_in_parts(queries, pairs, Some(&wanted), |i, emitter| {
-            let aabb = &boxes[i as usize];
-            for class in &self.classes[..self.class_count] {
-                class.look_up(aabb, i, emitter);
-            }
+    ) -> usize {
+        let [_, compared] = look_up_in_parts(queries, pairs, Some(&wanted), |i, emitter| {
+            self.look_up_box(&boxes[i as usize], i, emitter);
         });
+        compared
+    }
+
+    /// Emits the pair of a box with every member that it overlaps.
+    fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
+        for class in &self.classes[..self.class_count] {
+            class.look_up(aabb, index, emitter);
+        }
     }
 }

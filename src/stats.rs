@@ -49,9 +49,6 @@ pub struct Stats {
     /// Size classes in the last full run; 0 before the first one, and with a kernel that has none.
     #[doc(hidden)]
     pub classes: usize,
-    /// The strips of the first size class, along the second and the third axis.
-    #[doc(hidden)]
-    pub strips: [u32; 2],
     /// What the last update took.
     #[doc(hidden)]
     pub work: Work,
@@ -74,6 +71,8 @@ pub struct Work {
     pub walked: usize,
     /// Boxes that were looked up among all others.
     pub looked_up: usize,
+    /// Boxes that these were compared with, with what it took to find them, in comparisons.
+    pub visited: usize,
     /// Boxes among which all pairs were searched for.
     pub searched: usize,
     /// Pairs that were found by either.

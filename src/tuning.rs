@@ -28,23 +28,34 @@ pub(crate) mod kernel {
     /// make the strips too wide. Below: more boxes are on a border, or too large for the grid.
     pub(crate) const GRID_SIZE_QUANTILE: f64 = 0.75;
 
-    /// A share of the boxes, and a factor. A box that is longer along the first axis than this share of all by this factor, and than
-    /// strips are wide, is too large for a grid. Above: one floor makes all that is looked up on it visit what it spans. Below: walls that
-    /// are many are looked up one by one, and not swept.
-    pub(crate) const LONG_QUANTILE: f64 = 0.95;
+    /// The same for what crowds in a tube, tried in turn. Fewer: what crowds among others crowds in the next grid as well. More: each try is a
+    /// pass over the boxes.
+    pub(crate) const CROWD_SIZE_QUANTILES: [f64; 3] = [0.375, 0.125, 0.75];
+
+    /// A factor. A box that is so many times longer along the first axis than that size, and than strips are wide, is too large for a grid.
+    /// Above: one floor makes all that is looked up on it visit what it spans. Below: more classes.
     pub(crate) const LONG_FROM: f64 = 4.0;
 
-    /// Tubes that boxes too large for a grid span, for each entry of the grid. If they span more, the boxes of the grid are looked up
-    /// among them, and not they in the grid. Above: walls visit every tube. Below: many are looked up for a few.
-    pub(crate) const LOOK_UP_SMALL_FROM: u64 = 1;
+    /// Queries. So few are looked up in another class for certain. Above: walls visit every tube. Below: both classes are tried for a few.
+    pub(crate) const FEW_QUERIES: usize = 16;
+
+    /// To find out of which of two classes the boxes are looked up in the other. More: time. Fewer: chance decides.
+    pub(crate) const EFFORT_SAMPLE: Sample = Sample {
+        one_in: 256,
+        range: [16, 64],
+    };
+
+    /// Comparisons that visiting a tube takes as long as: its entries are searched for the first to be compared. Above: small boxes are looked
+    /// up among large ones. Below: large among small ones.
+    pub(crate) const VISIT: usize = 32;
 
     /// Shares of the boxes. The grid is laid over what lies between these two. Nearer 0 and 1: a few boxes far out make the
     /// strips too wide. Nearer the middle: more boxes lie outside, in the first and in the last strip.
     pub(crate) const GRID_PLACE_QUANTILES: [f64; 2] = [0.02, 0.98];
 
-    /// A part of the grid's length. The grid goes on by this at both ends, for boxes outside of the sample. Above: more empty
-    /// tubes. Below: what lies outside crowds in the first and in the last strip.
-    pub(crate) const GRID_MARGIN: f64 = 0.25;
+    /// A factor. So many more strips have tubes of their own than there are between those shares, for boxes outside. Above: more empty
+    /// tubes. Below: what lies outside shares tubes with what lies inside.
+    pub(crate) const GRID_SPARE: f64 = 1.125;
 
     /// Box sizes, with one and with two cut axes: the width of a strip. Above: more candidates a box. Below: more boxes on a
     /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
@@ -62,32 +73,10 @@ pub(crate) mod kernel {
     /// tubes of a few points, each of which costs more than it saves.
     pub(crate) const POINTS_A_TUBE: f64 = 16.0;
 
-    /// Eighths of the boxes. If more are too large for a grid, a wider one is tried. Above: many classes of a few boxes each.
-    /// Below: mixed sizes end in one tube.
-    pub(crate) const OVERSIZED_UP_TO_EIGHTHS: usize = 7;
-
-    /// Tubes. The table may have this many more than there are boxes. Above: few boxes clear a table of many tubes. Below:
-    /// small worlds are sorted, which takes longer.
-    pub(crate) const SPARE_TUBES: u64 = 64;
-
-    /// Candidates a box. Where two cut axes make more tubes than a table can have, one axis alone is cut if no more candidates are
-    /// to be expected. Above: the sweep compares longer than sorting into tubes without a table takes. Below: boxes along a curve
-    /// are sorted.
-    pub(crate) const ONE_CUT_CANDIDATES: f64 = 16.0;
-
-    /// To foresee that. More: hundreds of microseconds a run. Fewer: chance decides.
-    pub(crate) const ONE_CUT_SAMPLE: Sample = Sample {
-        one_in: 256,
-        range: [128, 4096],
-    };
-
-    /// Factors on the width of the strips, tried in turn where most boxes are too large for the grid that was chosen. Fewer:
-    /// mixed sizes end in one tube. More: each try is a pass over the boxes.
-    pub(crate) const STRIP_WIDENINGS: [f64; 6] = [1.0, 8.0, 64.0, 1e3, 1e4, 1e6];
-
-    /// Tubes. A box that spans up to this many looks each of them up in the table; a wider one searches the occupied ones.
-    /// Above: empty tubes are visited. Below: a binary search where a load would do.
-    pub(crate) const TABLE_LOOKUPS_UP_TO: u64 = 16;
+    /// Comparisons for each entry of a tube, and for each pair among them. With more, the entries crowd: they are searched by a kernel of
+    /// their own. Above: crowds are swept. Below: kernels for what a sweep does as fast.
+    pub(crate) const COMPARED_AN_ENTRY: usize = 128;
+    pub(crate) const COMPARED_A_PAIR: usize = 16;
 
     /// Entries of a tube. Up to this many are sorted by insertion alone. Above: insertion is quadratic. Below: dealing into
     /// buckets costs more than it saves.
@@ -151,10 +140,6 @@ pub(crate) mod update {
     /// Picks from all candidates. Making the lists costs about as much as this many. Above: the lists come late. Below: they
     /// are made, and dropped unused at the next full run.
     pub(crate) const LISTS_COST: u32 = 8;
-
-    /// Boxes of a run. Looking one box up in the delta layer, which is smaller and nearer than the base layer. Above: full runs
-    /// come too early. Below: they come too late.
-    pub(crate) const DELTA_LOOKUP_COST: usize = 2;
 
     /// A part of a full run. There is one if the look-ups of an update cost more by this than the mean of all updates since the
     /// last full run, that run included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
@@ -245,9 +230,12 @@ pub(crate) mod prices {
     /// Inflating, comparing or copying the box of a slot. Above and below: the same.
     pub(crate) const SLOT: u64 = 30;
 
-    /// Looking a box up in a sorted layer. Above: full runs where a look-up would do. Below: tens of thousands are looked up one
-    /// by one.
-    pub(crate) const LOOKED_UP: u64 = 5500;
+    /// Looking a box up in a sorted layer, besides what it visits. Above: full runs where a look-up would do. Below: tens of thousands are
+    /// looked up one by one.
+    pub(crate) const LOOKED_UP: u64 = 5000;
+
+    /// A comparison of a look-up, or as much: few for most boxes, and many for moving walls. Above and below: the same.
+    pub(crate) const VISITED: u64 = 4;
 
     /// A box of a run: drawing, sorting and sweeping. Above: few full runs. Below: many.
     pub(crate) const SEARCHED: u64 = 450;

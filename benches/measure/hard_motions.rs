@@ -46,8 +46,8 @@ fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Opt
     let mut frames = HardFrames::<DIM>::new(motion, count, 7);
     let mut world = World::new(count);
     let mut islands = IslandManager::new();
-    let insert = |&mins: &_| world.colliders.insert(cube(mins));
-    let mut handles: Vec<_> = frames.mins().iter().map(insert).collect();
+    let insert = |i| world.colliders.insert(cuboid(&frames, i));
+    let mut handles: Vec<_> = (0..count).map(insert).collect();
     broad_phase.follow(&mut world, &handles, &[], &[]);
     let (mut held, mut updates, mut events) = (HashSet::new(), 0, 0);
     let (mut all, mut worst) = (Duration::ZERO, Duration::ZERO);
@@ -57,7 +57,7 @@ fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Opt
         frames.advance();
         let mut moved = Vec::new();
         for &i in frames.moved() {
-            world.colliders[handles[i]].set_translation(Vector::from(frames.mins()[i]));
+            world.colliders[handles[i]].set_translation(Vector::from(center(&frames, i)));
             moved.push(handles[i]);
         }
         let removed: Vec<_> = frames.replaced().iter().map(|&i| handles[i]).collect();
@@ -66,7 +66,7 @@ fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Opt
         }
         let mut inserted = Vec::new();
         for &i in frames.replaced() {
-            handles[i] = world.colliders.insert(cube(frames.mins()[i]));
+            handles[i] = world.colliders.insert(cuboid(&frames, i));
             inserted.push(handles[i]);
         }
         world.events.clear();
@@ -105,10 +105,16 @@ fn note(events: &[BroadPhasePairEvent], held: &mut HashSet<ColliderPair>) {
     }
 }
 
-fn cube(mins: [Real; DIM]) -> Collider {
-    let half = SharedShape::new(Cuboid::new(Vector::from([0.5; DIM])));
-    ColliderBuilder::new(half)
+fn cuboid(frames: &HardFrames<DIM>, i: usize) -> Collider {
+    let halves = frames.sides(i).map(|side| side / 2.0);
+    let shape = SharedShape::new(Cuboid::new(Vector::from(halves)));
+    ColliderBuilder::new(shape)
         .active_collision_types(ActiveCollisionTypes::all())
-        .translation(Vector::from(mins))
+        .translation(Vector::from(center(frames, i)))
         .build()
+}
+
+fn center(frames: &HardFrames<DIM>, i: usize) -> [Real; DIM] {
+    let (mins, sides) = (frames.mins()[i], frames.sides(i));
+    std::array::from_fn(|k| mins[k] + sides[k] / 2.0)
 }

@@ -9,6 +9,7 @@
 //!
 //! One thread works.
 
+mod adversary;
 mod growth;
 mod hard_boxes;
 #[path = "../common/json_lines.rs"]
@@ -56,6 +57,12 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 struct Options {
     /// What to measure [default: everything]
     questions: Vec<Question>,
+    /// How long to search for hard boxes, in each dimension
+    #[arg(long, default_value_t = 2)]
+    minutes: u32,
+    /// Where that search begins
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
     /// Append the results to this file, a JSON object a line
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -75,6 +82,8 @@ enum Question {
     Scale,
     /// Boxes on which methods break down
     HardBoxes,
+    /// A search for boxes on which the kernel breaks down, which fails if it finds some
+    Adversary,
     /// Motions on which broad phases break down
     HardMotions,
     /// A ray in each step, and the age of the tree
@@ -122,6 +131,10 @@ fn main() -> anyhow::Result<()> {
             Question::HardBoxes => {
                 hard_boxes::measure::<2, dim2::hierarchy::Hierarchy>(&options, report)?;
                 hard_boxes::measure::<3, dim3::hierarchy::Hierarchy>(&options, report)?;
+            }
+            Question::Adversary => {
+                adversary::search::<2>(&options, report)?;
+                adversary::search::<3>(&options, report)?;
             }
             Question::HardMotions => {
                 let small = options.is_small();

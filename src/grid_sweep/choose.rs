@@ -6,108 +6,88 @@ use crate::aabb::Aabb;
 use crate::parallel;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_MARGIN, GRID_PLACE_QUANTILES, GRID_SAMPLE,
-    GRID_SIZE_QUANTILE, LONG_FROM, LONG_QUANTILE, NARROWED_UP_TO, ONE_CUT_CANDIDATES,
-    ONE_CUT_SAMPLE, POINTS_A_TUBE, Sample,
+    BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_PLACE_QUANTILES, GRID_SAMPLE, GRID_SIZE_QUANTILE,
+    GRID_SPARE, LONG_FROM, NARROWED_UP_TO, ONE_TUBE_UP_TO, POINTS_A_TUBE, Sample,
 };
 
 impl<R: Real> Grid<R> {
-    /// A grid that suits the members, its strips widened by `widening`.
+    /// A single tube.
+    pub(super) fn of_one_tube<const D: usize>(boxes: &[Aabb<R, D>], members: impl Members) -> Self {
+        if members.count() <= ONE_TUBE_UP_TO {
+            return Self::default();
+        }
+        let sample = sample(boxes, members);
+        let axis = AxisSample::of(&sample, 0, GRID_SIZE_QUANTILE);
+        let mut grid = Self::default();
+        grid.longest = Some(R::from_f64(LONG_FROM * axis.size));
+        grid
+    }
+
+    /// A grid that suits the members: boxes of a size that this share of them does not exceed. For a crowd, strips are as narrow as
+    /// boxes if that helps.
     pub(super) fn choose<const D: usize>(
         boxes: &[Aabb<R, D>],
         members: impl Members,
-        widening: f64,
+        size_quantile: f64,
+        is_crowd: bool,
     ) -> Self {
         let cuts = cut_axes::<D>();
         let n = members.count() as f64;
-        let indices = sample_indices(members.count(), GRID_SAMPLE);
-        let sample: Vec<_> = indices.map(|i| &boxes[members.index(i) as usize]).collect();
-        let axes: [AxisSample; 3] = core::array::from_fn(|k| AxisSample::of(&sample, k.min(D - 1)));
+        let mut sample = sample(boxes, members);
+        let cut_samples = [1, 2].map(|k| {
+            let axis = AxisSample::of(&sample, k.min(D - 1), size_quantile);
+            // For the axes to come: those that are too large along this one will be in another class.
+            if k <= cuts {
+                let largest = axis.size * BOXES_PER_STRIP[cuts - 1];
+                sample.retain(|aabb| aabb.maxs[k].to_f64() - aabb.mins[k].to_f64() <= largest);
+            }
+            axis
+        });
+        let first = AxisSample::of(&sample, 0, size_quantile);
 
         // Boxes per unit of volume times the volume of a row of boxes: candidates per box, if strips were one box wide.
         // Only an upper bound is wanted, so a flat axis counts as one box thick.
-        let share = |AxisSample { size, spread, .. }: &AxisSample| {
-            if size < spread { size / spread } else { 1.0 }
-        };
-        let density = axes[..D.min(3)].iter().fold(n, |n, axis| n * share(axis));
+        let share = |size: f64, spread: f64| if size < spread { size / spread } else { 1.0 };
+        let first_share = share(first.size, first.spread).max(first.mean_share);
+        let density = cut_samples[..cuts]
+            .iter()
+            .fold(n * first_share, |n, axis| n * share(axis.size, axis.spread));
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
         let affordable = root(CANDIDATES_A_BOX / density, cuts);
-        let width_in_boxes = affordable.clamp(widest / NARROWED_UP_TO, widest) * widening;
+        let narrowest = match is_crowd {
+            false => widest / NARROWED_UP_TO,
+            true => 1.0,
+        };
+        let width_in_boxes = affordable.clamp(narrowest, widest);
 
         let mut grid = Self::default();
-        let mut longest = axes[0].longest;
+        let mut longest = first.size;
+        let mut strips = [1; 2];
         for cut in 0..cuts {
-            let AxisSample {
-                size, low, spread, ..
-            } = axes[cut + 1];
+            let axis = &cut_samples[cut];
             // Points have no size: aim at some points per tube.
-            let least = spread / root(n / POINTS_A_TUBE, cuts).max(1.0);
-            let width = match size > 0.0 {
-                true => size * width_in_boxes,
-                false => least * widening,
+            let width = match axis.size > 0.0 {
+                true => axis.size * width_in_boxes,
+                false => axis.dense_spread() / root(n / POINTS_A_TUBE, cuts).max(1.0),
             };
-            // Strip numbers are 32-bit; leave room for what lies outside of the sample.
-            let width = width.max(spread / f64::from(1 << 28));
             let width = if width > 0.0 { width } else { 1.0 };
             longest = longest.max(width);
-            let margin = spread * GRID_MARGIN;
-            grid.axes[cut] = Strips::new(low - margin, width, spread + 2.0 * margin);
+            strips[cut] = (GRID_SPARE * axis.spread / width) as u64;
+            grid.axes[cut] = Strips::new(axis.middle, width);
         }
         if cuts > 0 {
             grid.longest = Some(R::from_f64(LONG_FROM * longest));
         }
-        if cuts == 2 && !grid.fits_table(members.count()) {
-            return grid.along_one_axis(boxes, members).unwrap_or(grid);
-        }
+        grid.number_tubes::<D>(strips, members.count());
         grid
     }
+}
 
-    /// Cuts one of the two axes only, if that makes tubes few enough for a table, and leaves few enough boxes in each that overlap
-    /// along the first axis.
-    ///
-    /// So it does where boxes lie along a curve: a rope, or the diagonal of a cube. There a run takes a half to two thirds of the
-    /// instructions that it takes without a table.
-    fn along_one_axis<const D: usize>(
-        &self,
-        boxes: &[Aabb<R, D>],
-        members: impl Members,
-    ) -> Option<Self> {
-        let n = members.count();
-        let indices = sample_indices(n, ONE_CUT_SAMPLE);
-        let sample: Vec<_> = indices.map(|i| &boxes[members.index(i) as usize]).collect();
-        // Of `n` boxes, each has `n / k²` times as many candidates as `k` of them have in all.
-        let k = sample.len() as f64;
-        let most = (ONE_CUT_CANDIDATES * (k * k / n as f64)) as usize;
-        let grids = [0, 1].map(|cut| {
-            let mut grid = Self::default();
-            grid.axes[cut] = self.axes[cut];
-            grid.longest = self.longest;
-            grid
-        });
-        let suits = |grid: &Self| grid.fits_table(n) && grid.candidates(&sample, most) <= most;
-        grids.into_iter().find(suits)
-    }
-
-    /// How many pairs of a sample share a tube and overlap along the first axis, or any number above `most`.
-    fn candidates<const D: usize>(&self, sample: &[&Aabb<R, D>], most: usize) -> usize {
-        let home = |aabb: &Aabb<R, D>| self.tube_span(aabb).first;
-        let mut entries: Vec<_> = sample.iter().map(|&aabb| (home(aabb), aabb)).collect();
-        entries.sort_unstable_by(|(tube, a), (other, b)| {
-            let [a, b] = [a, b].map(|aabb| aabb.mins[0].to_f64());
-            tube.cmp(other).then(a.total_cmp(&b))
-        });
-        let mut count = 0;
-        for (i, (tube, aabb)) in entries.iter().enumerate() {
-            let following = entries[i + 1..].iter();
-            let is_reached =
-                |(other, b): &&([u32; 2], &Aabb<R, D>)| other == tube && b.mins[0] <= aabb.maxs[0];
-            count += following.take_while(is_reached).count();
-            if count > most {
-                break;
-            }
-        }
-        count
-    }
+/// The boxes that are looked at.
+fn sample<R, const D: usize>(boxes: &[Aabb<R, D>], members: impl Members) -> Vec<&Aabb<R, D>> {
+    sample_indices(members.count(), GRID_SAMPLE)
+        .map(|i| &boxes[members.index(i) as usize])
+        .collect()
 }
 
 /// Which of `n` boxes are looked at. The same ones each time, but irregularly spaced, so that a pattern in the order of the boxes
@@ -131,25 +111,20 @@ fn root(x: f64, cuts: usize) -> f64 {
 
 /// What a sample tells about one axis. Robust: a few boxes far out or far larger change nothing.
 struct AxisSample {
-    /// The size that most boxes do not exceed.
+    /// The size that a share of the boxes does not exceed.
     size: f64,
-    /// The size that hardly any exceed.
-    longest: f64,
-    /// The least coordinate of `mins`, except for a few.
-    low: f64,
-    /// The distance from there to the greatest, except for a few.
+    /// The mean size, as a part of the spread.
+    mean_share: f64,
+    /// The middle one of all `mins`.
+    middle: f64,
+    /// The distance between the least and the greatest of `mins`, except for a few.
     spread: f64,
+    /// The finite `mins`, in no order.
+    mins: Vec<f64>,
 }
 
 impl AxisSample {
-    fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize) -> Self {
-        let quantile = |numbers: &mut [f64], q: f64| {
-            if numbers.is_empty() {
-                return 0.0;
-            }
-            let index = ((numbers.len() - 1) as f64 * q) as usize;
-            *numbers.select_nth_unstable_by(index, f64::total_cmp).1
-        };
+    fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize, share: f64) -> Self {
         let extents = sample
             .iter()
             .map(|b| [b.mins[axis].to_f64(), b.maxs[axis].to_f64()]);
@@ -159,11 +134,34 @@ impl AxisSample {
             .filter(|x| x.is_finite())
             .collect();
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
+        let spread = high - low;
+        let shares = sizes
+            .iter()
+            .map(|&size| if size < spread { size / spread } else { 1.0 });
         Self {
-            size: quantile(&mut sizes, GRID_SIZE_QUANTILE),
-            longest: quantile(&mut sizes, LONG_QUANTILE),
-            low,
-            spread: high - low,
+            mean_share: shares.sum::<f64>() / sizes.len().max(1) as f64,
+            size: quantile(&mut sizes, share),
+            middle: quantile(&mut mins, 0.5),
+            spread,
+            mins,
         }
     }
+
+    /// How far the boxes would be spread if all lay as densely as most.
+    fn dense_spread(&self) -> f64 {
+        let mut mins = self.mins.clone();
+        mins.sort_unstable_by(f64::total_cmp);
+        let mut gaps: Vec<_> = mins.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let spread = quantile(&mut gaps, 0.5) * mins.len() as f64;
+        if spread > 0.0 { spread } else { self.spread }
+    }
+}
+
+/// The number that a share of numbers does not exceed; 0 if there are none.
+fn quantile(numbers: &mut [f64], share: f64) -> f64 {
+    if numbers.is_empty() {
+        return 0.0;
+    }
+    let index = ((numbers.len() - 1) as f64 * share) as usize;
+    *numbers.select_nth_unstable_by(index, f64::total_cmp).1
 }

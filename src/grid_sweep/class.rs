@@ -1,24 +1,26 @@
 //! One size class: its boxes are assigned to the tubes of a grid, and each tube is sorted and swept.
 
 use super::assignment::Assignment;
+use super::choose::sample_indices;
 use super::emitter::Emitter;
-use super::grid::Grid;
+use super::grid::{Grid, TubeSpan};
 use super::lookup::Query;
 use super::members::Members;
-use super::owner::Owner;
 use super::slab::Slab;
 use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    LOOK_UP_SMALL_FROM, ONE_TUBE_UP_TO, OVERSIZED_UP_TO_EIGHTHS, STRIP_WIDENINGS,
+    CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO,
 };
 use crate::tuning::prices::{LOOKED_UP, SLOT};
 
 /// What a run of the kernel works with, in every class.
 pub(super) struct Run<'a, R, const D: usize, F> {
     pub(super) boxes: &'a [Aabb<R, D>],
+    /// Whether the boxes are of a single tube of another grid.
+    pub(super) is_crowd: bool,
     /// How many slabs the work is cut into, at most, if that is fixed.
     pub(super) slab_count: Option<usize>,
     /// The work on the members of the class.
@@ -30,6 +32,8 @@ pub(super) struct Run<'a, R, const D: usize, F> {
     pub(super) wanted: Option<F>,
     /// How many pairs were found that are not.
     pub(super) unwanted: usize,
+    /// How many boxes were compared with another, and tubes visited.
+    pub(super) compared: usize,
     pub(super) stopwatch: &'a mut Stopwatch,
 }
 
@@ -42,17 +46,20 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
     /// Together they cover the grid.
     pub(super) slabs: Vec<Slab<R, D>>,
+    /// A box around those of this class, if boxes are looked up; and the first strips that it spans, if all its tubes have numbers of their
+    /// own.
+    bounds: Option<(Aabb<R, D>, Option<[u32; 2]>)>,
+    /// Whether the grid was chosen for the boxes, and suits them.
+    is_separated: bool,
     /// The boxes too large for this class: the members of all following classes.
     pub(super) oversized: Vec<u32>,
-    /// The boxes of this class, if they are to be looked up in the following classes, and not those here.
-    pub(super) seekers: Vec<u32>,
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
     /// Chooses a grid and assigns the members to its tubes, except the oversized ones.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes. If a grid turns out to be too
-    /// fine for that, wider ones are tried, and in the end a single tube, for which nothing is oversized.
+    /// Each class must take a fair share of the boxes, so that there are few classes. In a crowd, which comes from a single tube, tubes must
+    /// be much less full than that. If no grid does that, there is a single tube.
     pub(super) fn assign<F>(
         &mut self,
         members: impl Members,
@@ -60,27 +67,26 @@ impl<R: Real, const D: usize> Class<R, D> {
         run: &mut Run<R, D, F>,
     ) -> Result<(), FoundInvalid> {
         let count = members.count();
-        let widenings = match count {
-            ..=ONE_TUBE_UP_TO => &[],
-            _ => &STRIP_WIDENINGS[..],
+        let sizes = match count {
+            ..=ONE_TUBE_UP_TO => &[][..],
+            _ if run.is_crowd => &CROWD_SIZE_QUANTILES,
+            _ => &[GRID_SIZE_QUANTILE],
         };
-        for widening in widenings.iter().map(Some).chain([None]) {
-            run.stopwatch.enter(Phase::Read);
-            self.grid = match widening {
-                Some(&widening) => Grid::choose(run.boxes, members, widening),
-                None => Grid::default(),
-            };
-            assignment.count(members, &mut self.grid, run);
-            self.oversized.clear();
-            for part in &mut assignment.parts {
-                if part.is_invalid {
-                    return Err(FoundInvalid);
-                }
-                self.oversized.append(&mut part.oversized);
-            }
-            if self.oversized.len() <= count / 8 * OVERSIZED_UP_TO_EIGHTHS {
+        self.is_separated = false;
+        run.stopwatch.enter(Phase::Read);
+        for &size in sizes {
+            self.grid = Grid::choose(run.boxes, members, size, run.is_crowd);
+            self.count(members, assignment, run)?;
+            let taken = count - self.oversized.len();
+            self.is_separated = taken > count / 8
+                && (!run.is_crowd || assignment.comparisons() <= taken as u64 * taken as u64 / 4);
+            if self.is_separated {
                 break;
             }
+        }
+        if !self.is_separated {
+            self.grid = Grid::of_one_tube(run.boxes, members);
+            self.count(members, assignment, run)?;
         }
         run.stopwatch.enter(Phase::Sort);
         assignment.place(members, run.section);
@@ -88,20 +94,39 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if the run asks for it, or if boxes are looked up in them: those
-    /// of finer classes, if it `is_sought`, or oversized ones.
+    /// Counts the entries of each tube, and takes the oversized boxes.
+    fn count<F>(
+        &mut self,
+        members: impl Members,
+        assignment: &mut Assignment,
+        run: &Run<R, D, F>,
+    ) -> Result<(), FoundInvalid> {
+        assignment.count(members, &self.grid, run);
+        self.oversized.clear();
+        for part in &mut assignment.parts {
+            if part.is_invalid {
+                return Err(FoundInvalid);
+            }
+            self.oversized.append(&mut part.oversized);
+        }
+        Ok(())
+    }
+
+    /// Sorts and sweeps the tubes, and appends the pairs. The tubes stay if the run asks for it, or if it has several
+    /// classes.
     pub(super) fn sweep<F: Fn([u32; 2]) -> bool + Sync>(
         &mut self,
         assignment: &Assignment,
-        is_sought: bool,
+        is_first: bool,
         run: &mut Run<R, D, F>,
     ) {
         let (boxes, slabs) = (run.boxes, &mut self.slabs);
-        let keeps = run.keeps || is_sought || !self.oversized.is_empty();
+        let may_crowd = self.is_separated || !run.is_crowd;
+        let keeps = run.keeps || !is_first || !self.oversized.is_empty();
         let ranges = assignment.split();
         slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in slabs.iter_mut().zip(ranges) {
-            slab.tubes.clear(range, assignment.columns);
+            slab.tubes.clear(range);
             slab.stopwatch = run.stopwatch.reset();
         }
         // The first one need not copy its pairs.
@@ -109,7 +134,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let wanted = run.wanted.as_ref();
         run.section.for_each(slabs, |slab| {
             let first = slab.pairs.len();
-            slab.sweep(boxes, assignment, keeps);
+            slab.sweep(boxes, assignment, may_crowd, keeps);
             slab.unwanted = drop_unwanted(&mut slab.pairs, first, wanted);
         });
         std::mem::swap(&mut slabs[0].pairs, run.pairs);
@@ -117,6 +142,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             run.pairs.append(&mut slab.pairs);
         }
         run.unwanted += slabs.iter().map(|slab| slab.unwanted).sum::<usize>();
+        run.compared += slabs.iter().map(|slab| slab.compared).sum::<usize>();
         // They have worked at the same time.
         for slab in &*slabs {
             let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
@@ -125,39 +151,24 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
     }
 
-    /// Appends the pairs of the oversized boxes with those of the class, unless it is cheaper to look these up among the oversized ones
-    /// later.
-    pub(super) fn look_up_oversized<F: Fn([u32; 2]) -> bool + Sync>(
-        &mut self,
-        run: &mut Run<R, D, F>,
-    ) {
-        self.seekers.clear();
-        if self.oversized.is_empty() {
-            return;
-        }
-        if self.spanned(run.boxes) > LOOK_UP_SMALL_FROM * self.entries().count() as u64 {
-            let mut seekers = std::mem::take(&mut self.seekers);
-            let at_home = self.entries().filter(|owner| owner.is_at_home());
-            seekers.extend(at_home.map(|owner| owner.index()));
-            self.seekers = seekers;
-            return;
-        }
-        let oversized = std::mem::take(&mut self.oversized);
-        self.look_up_all(&oversized, run);
-        self.oversized = oversized;
+    /// Replaces `members` by the boxes of the class, in the order of its tubes.
+    pub(super) fn list_members(&self, members: &mut Vec<u32>) {
+        members.clear();
+        let entries = self.slabs.iter().flat_map(|slab| slab.tubes.entries());
+        let at_home = entries.filter(|owner| owner.is_at_home());
+        members.extend(at_home.map(|owner| owner.index()));
     }
 
-    /// The owners of all entries.
-    fn entries(&self) -> impl Iterator<Item = Owner> + '_ {
-        self.slabs.iter().flat_map(|slab| slab.tubes.entries())
-    }
-
-    /// How many tubes the oversized boxes would have to be looked up in, at most.
-    fn spanned(&self, boxes: &[Aabb<R, D>]) -> u64 {
-        let tubes: usize = self.slabs.iter().map(|slab| slab.tubes.tubes.len()).sum();
-        let spans = self.oversized.iter();
-        let spans = spans.map(|&i| self.grid.tube_span(&boxes[i as usize]));
-        spans.map(|span| span.count().min(tubes as u64)).sum()
+    /// How much it takes to look these boxes up in the class, by a sample of them.
+    pub(super) fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
+        let (mut pairs, mut count) = (Vec::new(), 0);
+        let mut emitter = Emitter::new(&mut pairs);
+        for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
+            let query = queries[i];
+            self.look_up(&boxes[query as usize], query, &mut emitter);
+            count += 1;
+        }
+        emitter.finish() as f64 / f64::from(count.max(1)) * queries.len() as f64
     }
 
     /// Appends the pairs of boxes of other classes with those of this one.
@@ -170,9 +181,11 @@ impl<R: Real, const D: usize> Class<R, D> {
         self.prepare_lookup();
         let boxes = run.boxes;
         let wanted = run.wanted.as_ref();
-        run.unwanted += look_up_in_parts(queries, run.pairs, wanted, |i, emitter| {
+        let [unwanted, compared] = look_up_in_parts(queries, run.pairs, wanted, |i, emitter| {
             self.look_up(&boxes[i as usize], i, emitter);
         });
+        run.unwanted += unwanted;
+        run.compared += compared;
         run.stopwatch.leave();
     }
 
@@ -182,49 +195,86 @@ impl<R: Real, const D: usize> Class<R, D> {
             let entries = self.slabs.iter().map(|slab| slab.tubes.owners.len()).sum();
             let section = Section::of(entries, SLOT);
             section.for_each(&mut self.slabs, |slab| slab.tubes.prepare_lookup());
+            let bounds = self.slabs.iter().filter_map(|slab| slab.tubes.bounds);
+            let bounds = bounds.reduce(|all, bounds| all.around(&bounds));
+            self.bounds = bounds.map(|bounds| {
+                let span = self.grid.tube_span(&bounds);
+                (bounds, self.grid.tells_apart(&span).then_some(span.first))
+            });
         }
     }
 
     /// Emits the pair of a box with every box of the class that it overlaps.
     pub(super) fn look_up(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
-        let span = self.grid.tube_span(aabb);
-        let query = Query { aabb, index, span };
-        for slab in &self.slabs {
-            slab.tubes.look_up(&query, emitter);
+        let (grid, slabs) = (&self.grid, &self.slabs);
+        // Beyond all boxes, tubes share their numbers with others.
+        let near = self
+            .bounds
+            .and_then(|(bounds, first)| Some((aabb.within(&bounds)?, first)));
+        let Some((near, first)) = near else {
+            return;
+        };
+        let span = grid.tube_span(&near);
+        let query = Query {
+            aabb,
+            index,
+            grid,
+            first,
+            span,
+        };
+        if span.count() > self.tube_count() as u64 {
+            for slab in slabs {
+                slab.tubes.look_up_everywhere(&query, emitter);
+            }
+            return;
         }
+        // Of this order, however many slabs there are.
+        let TubeSpan { first, last } = span;
+        for row in first[0]..=last[0] {
+            for column in first[1]..=last[1] {
+                let (tube, strips) = (grid.tube([row, column]), [row, column]);
+                let slab = slabs.partition_point(|slab| slab.tubes.range.end <= tube);
+                slabs[slab].tubes.look_up(tube, strips, &query, emitter);
+            }
+        }
+    }
+
+    /// How many tubes have entries.
+    fn tube_count(&self) -> usize {
+        self.slabs.iter().map(|slab| slab.tubes.tubes.len()).sum()
     }
 }
 
 /// Appends what is found for each query, if it is wanted, in the order of the queries, by several threads if they are many. Returns how
-/// many pairs are not.
+/// many pairs are not, and how many boxes were compared, and tubes visited.
 pub(super) fn look_up_in_parts(
     queries: &[u32],
     pairs: &mut Vec<[u32; 2]>,
     wanted: Option<&(impl Fn([u32; 2]) -> bool + Sync)>,
     look_up: impl Fn(u32, &mut Emitter) + Sync,
-) -> usize {
+) -> [usize; 2] {
     let section = Section::of(queries.len(), LOOKED_UP);
     let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
     let parts = queries.chunks(queries_a_part);
-    let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new(), 0)).collect();
+    let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new(), [0; 2])).collect();
     if let [(_, found, _), ..] = &mut parts[..] {
         // The first one need not copy its pairs.
         std::mem::swap(found, pairs);
     }
-    section.for_each(&mut parts, |(queries, found, unwanted)| {
+    section.for_each(&mut parts, |(queries, found, counts)| {
         let first = found.len();
         let mut emitter = Emitter::new(found);
         queries.iter().for_each(|&i| look_up(i, &mut emitter));
-        emitter.finish();
-        *unwanted = drop_unwanted(found, first, wanted);
+        let compared = emitter.finish();
+        *counts = [drop_unwanted(found, first, wanted), compared];
     });
-    let unwanted = parts.iter().map(|(_, _, unwanted)| unwanted).sum();
+    let counts = [0, 1].map(|i| parts.iter().map(|(_, _, counts)| counts[i]).sum());
     let mut parts = parts.into_iter().map(|(_, found, _)| found);
     if let Some(first) = parts.next() {
         *pairs = first;
     }
     parts.for_each(|found| pairs.extend(found));
-    unwanted
+    counts
 }
 
 /// Drops the pairs from `first` on that are not wanted. Returns how many.

@@ -16,6 +16,8 @@ pub(super) struct Emitter<'a> {
     pairs: &'a mut Vec<[u32; 2]>,
     buffer: [[u32; 2]; BUFFER],
     len: usize,
+    /// How many boxes were compared with another to find the pairs, and tubes visited.
+    pub(super) compared: usize,
 }
 
 impl<'a> Emitter<'a> {
@@ -24,6 +26,7 @@ impl<'a> Emitter<'a> {
             pairs,
             buffer: [[0; 2]; BUFFER],
             len: 0,
+            compared: 0,
         }
     }
 
@@ -91,13 +94,26 @@ impl<'a> Emitter<'a> {
         }
     }
 
+    /// How many pairs were emitted, with those that were there before.
+    #[inline(always)]
+    pub(super) fn count(&self) -> usize {
+        self.pairs.len() + self.len
+    }
+
+    /// Takes back all pairs but so many.
+    pub(super) fn take_back(&mut self, count: usize) {
+        self.len = count.saturating_sub(self.pairs.len());
+        self.pairs.truncate(count);
+    }
+
     fn flush(&mut self) {
         self.pairs.extend_from_slice(&self.buffer[..self.len]);
         self.len = 0;
     }
 
-    /// Appends what is left.
-    pub(super) fn finish(mut self) {
+    /// Appends what is left. Returns how many boxes were compared, and tubes visited.
+    pub(super) fn finish(mut self) -> usize {
         self.flush();
+        self.compared
     }
 }

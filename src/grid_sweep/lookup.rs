@@ -6,21 +6,41 @@
 //!
 //! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
 //! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
+//!
+//! A box may span many tubes, and other boxes may have entries in several of them. Their pair is reported in the tube where the later of
+//! both begins, along each axis. Where no tubes share a number, or for a box that is at most two strips wide, that is where not both are
+//! ghosts on the same axis, as in the sweep.
 
 use super::emitter::Emitter;
-use super::grid::TubeSpan;
+use super::grid::{Grid, TubeSpan};
 use super::owner::Owner;
-use super::tubes::{NOWHERE, Tube, Tubes};
-use crate::aabb::Aabb;
+use super::tubes::{Entry, NOWHERE, Tube, Tubes};
+use crate::aabb::{Aabb, max, min};
+use crate::lanes::LANES;
 use crate::real::Real;
-use crate::tuning::kernel::TABLE_LOOKUPS_UP_TO;
+use crate::tuning::kernel::VISIT;
 
 /// A box that is looked up.
 pub(super) struct Query<'a, R, const D: usize> {
     pub(super) aabb: &'a Aabb<R, D>,
     pub(super) index: u32,
+    /// The grid of the tubes.
+    pub(super) grid: &'a Grid<R>,
+    /// The first strips of all tubes, if each has a number of its own.
+    pub(super) first: Option<[u32; 2]>,
     /// The tubes that it spans.
     pub(super) span: TubeSpan,
+}
+
+impl<R: Real, const D: usize> Query<'_, R, D> {
+    /// Whether the pair with an entry that it overlaps, of a box, is to be reported in the tube of these strips; `None`: in whatever tube it
+    /// has been found, if each tube is visited once.
+    #[inline(always)]
+    fn reports(&self, owner: Owner, aabb: &Aabb<R, D>, strips: Option<[u32; 2]>) -> bool {
+        let home = self.grid.tube_span(aabb).first;
+        let later = [0, 1].map(|cut| home[cut].max(self.span.first[cut]));
+        later == owner.strips(home) && strips.is_none_or(|strips| strips == later)
+    }
 }
 
 impl<R: Real, const D: usize> Tubes<R, D> {
@@ -31,73 +51,108 @@ impl<R: Real, const D: usize> Tubes<R, D> {
 
     /// Prepares for [`look_up`](Self::look_up), until the next run, if it is not prepared.
     pub(super) fn prepare_lookup(&mut self) {
-        if self.row_length > 0 {
-            self.table.resize(self.range.len(), NOWHERE);
-        }
+        self.bounds = Some(Aabb {
+            mins: self
+                .mins
+                .each_ref()
+                .map(|column| fold(column, R::INFINITY, min)),
+            maxs: self
+                .maxs
+                .each_ref()
+                .map(|column| fold(column, R::NEG_INFINITY, max)),
+        });
+        self.table.resize(self.range.len(), NOWHERE);
         self.running_maxs.extend_from_slice(&self.maxs[0]);
-        for (position, tube) in (0..).zip(&self.tubes) {
-            if !self.table.is_empty() {
-                let [row, column] = tube.strips;
-                self.table[(row * self.row_length + column - self.range.start) as usize] = position;
-            }
+        for (position, tube) in (0..).zip(&mut self.tubes) {
+            self.table[(tube.number - self.range.start) as usize] = position;
             let mut running = R::NEG_INFINITY;
             for max in &mut self.running_maxs[tube.start as usize..tube.end as usize] {
                 running = if *max > running { *max } else { running };
                 *max = running;
             }
+            tube.reach = [self.mins[0][tube.start as usize], running];
         }
+        self.crowds
+            .iter_mut()
+            .for_each(|(_, crowd)| crowd.prepare_lookup());
     }
 
-    /// Reports every box that overlaps a given one, once, however many entries it has.
-    pub(super) fn look_up(&self, query: &Query<R, D>, emitter: &mut Emitter) {
-        let TubeSpan { first, last } = query.span;
-        let tubes = [0, 1].map(|cut| u64::from(last[cut] - first[cut]) + 1);
-        if self.table.is_empty() || tubes[0] * tubes[1] > TABLE_LOOKUPS_UP_TO {
-            return self.search(query, emitter);
-        }
-        for row in first[0]..=last[0] {
-            for column in first[1]..=last[1] {
-                let tube = (row * self.row_length + column).wrapping_sub(self.range.start) as usize;
-                // Tubes of another slab are beyond the end.
-                let position = self.table.get(tube).copied().unwrap_or(NOWHERE);
-                if let Some(tube) = self.tubes.get(position as usize) {
-                    self.look_up_in(tube, query, emitter);
-                }
+    /// Reports the entries of all tubes that overlap a box.
+    pub(super) fn look_up_everywhere(&self, query: &Query<R, D>, emitter: &mut Emitter) {
+        for tube in &self.tubes {
+            let strips = query
+                .first
+                .map(|first| query.grid.strips(tube.number, first));
+            if strips.is_none_or(|strips| query.span.contains(strips)) {
+                self.look_up_in(tube, query, strips, emitter);
             }
         }
     }
 
-    /// The same for a box that may span any number of tubes, few of which need be occupied.
-    fn search(&self, query: &Query<R, D>, emitter: &mut Emitter) {
-        let TubeSpan { first, last } = query.span;
-        let mut rest = &self.tubes[..];
-        let mut row = first[0];
-        // Each row that has tubes, and in it the tubes between the columns.
-        while row <= last[0] {
-            rest = &rest[rest.partition_point(|tube| tube.strips < [row, first[1]])..];
-            let Some(&Tube { strips, .. }) = rest.first() else {
-                return;
-            };
-            if strips[0] > row {
-                row = strips[0];
-                continue;
-            }
-            let in_row = rest.partition_point(|tube| tube.strips <= [row, last[1]]);
-            for tube in &rest[..in_row] {
-                self.look_up_in(tube, query, emitter);
-            }
-            rest = &rest[in_row..];
-            // The greatest strip is 2^31.
-            row += 1;
+    /// Reports the entries of a tube of the range, in these strips, that overlap a box.
+    #[inline(always)]
+    pub(super) fn look_up(
+        &self,
+        number: u32,
+        strips: [u32; 2],
+        query: &Query<R, D>,
+        emitter: &mut Emitter,
+    ) {
+        let position = self.table[(number - self.range.start) as usize];
+        if let Some(tube) = self.tubes.get(position as usize) {
+            self.look_up_in(tube, query, Some(strips), emitter);
         }
     }
 
     #[inline(always)]
-    fn look_up_in(&self, tube: &Tube, query: &Query<R, D>, emitter: &mut Emitter) {
-        let Query { aabb, index, span } = query;
-        let owner = Owner::of(*index, tube.strips, span.first);
+    fn look_up_in(
+        &self,
+        tube: &Tube<R>,
+        query: &Query<R, D>,
+        strips: Option<[u32; 2]>,
+        emitter: &mut Emitter,
+    ) {
+        let Query { aabb, index, .. } = query;
+        let [first, last] = tube.reach;
+        if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
+            emitter.compared += 1;
+            return;
+        }
+        if let Some(crowd) = self.crowd(tube.number) {
+            let compared = crowd.look_up(aabb, |Entry { owner, aabb }| {
+                let is_reported = query.reports(*owner, aabb, strips);
+                emitter.emit_one(Owner(*index), *owner, is_reported);
+            });
+            emitter.compared += VISIT + compared;
+            return;
+        }
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
-        self.columns().window::<true>(start, aabb, owner, emitter);
+        let columns = self.columns();
+        let is_small = query.span.beyond().iter().all(|&beyond| beyond <= 1);
+        if let (Some(strips), true) = (strips, is_small || query.first.is_some()) {
+            let owner = Owner::of(*index, strips, query.span.first);
+            emitter.compared += VISIT + columns.report(start, aabb, owner, emitter);
+            return;
+        }
+        let compared = columns.find(start, aabb, |i| {
+            let owner = self.owners[i];
+            let is_reported = query.reports(owner, &columns.entry(i), strips);
+            emitter.emit_one(Owner(*index), owner, is_reported);
+        });
+        emitter.compared += VISIT + compared;
     }
+}
+
+/// The least or the greatest of numbers and a first one; there may be NaN among them. Eight in a row do not wait for each other.
+#[inline(always)]
+fn fold<R: Real>(numbers: &[R], first: R, choose: impl Fn(R, R) -> R) -> R {
+    let mut eight = [first; LANES];
+    let chunks = numbers.chunks_exact(LANES);
+    let rest = chunks.remainder();
+    for chunk in chunks {
+        eight = core::array::from_fn(|lane| choose(chunk[lane], eight[lane]));
+    }
+    let all = eight.into_iter().chain(rest.iter().copied());
+    all.fold(first, |chosen, number| choose(number, chosen))
 }

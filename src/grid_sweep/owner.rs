@@ -16,11 +16,17 @@ impl Owner {
     /// Beyond the last entry of a tube.
     pub(super) const NOBODY: Self = Self(u32::MAX);
 
-    /// The owner of the entry in the tube `strips` of a box whose `mins` lie in the tube `home`.
+    /// The owner of the entry in the tube of these strips of a box whose `mins` lie in the strips `home`.
     #[inline(always)]
     pub(super) fn of(index: u32, strips: [u32; 2], home: [u32; 2]) -> Self {
         let [row, column] = [0, 1].map(|cut| GHOST[cut] * u32::from(strips[cut] > home[cut]));
         Self(index | row | column)
+    }
+
+    /// The strips of the tube in which this is an entry, of a box whose `mins` lie in the strips `home`.
+    #[inline(always)]
+    pub(super) fn strips(self, home: [u32; 2]) -> [u32; 2] {
+        [0, 1].map(|cut| home[cut] + u32::from(self.0 & GHOST[cut] != 0))
     }
 
     #[inline(always)]
@@ -52,13 +58,11 @@ pub(super) const MAX_GHOSTS: usize = 3;
 
 impl Ghost {
     /// Writes the ghosts of a box that is at most two strips wide to the front of `list`, and returns their number. Entries past
-    /// the count are unspecified. The box is in the tube of number `home`, `columns` of which are in a row, and goes on into the
-    /// next tube on each of the cut axes where `beyond` is one.
+    /// the count are unspecified. The box goes on into the next tube along each of the cut axes where `beyond` is one, and along both.
     #[inline(always)]
     pub(super) fn write_all<const D: usize>(
         index: u32,
-        home: u32,
-        columns: u32,
+        [next_row, next_column, next_both]: [u32; 3],
         beyond: [u32; 2],
         list: &mut [Self; MAX_GHOSTS],
     ) -> usize {
@@ -69,10 +73,10 @@ impl Ghost {
             count += exists as usize;
         };
         let [is_row, is_column] = beyond;
-        write(home + columns, GHOST[0], is_row);
+        write(next_row, GHOST[0], is_row);
         if D > 2 {
-            write(home + 1, GHOST[1], is_column);
-            write(home + columns + 1, GHOST[0] | GHOST[1], is_row & is_column);
+            write(next_column, GHOST[1], is_column);
+            write(next_both, GHOST[0] | GHOST[1], is_row & is_column);
         }
         count
     }

@@ -52,8 +52,7 @@ impl Part {
     ) {
         let (oversized, counts) = (&mut self.oversized, &mut self.ends);
         let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
-        let columns = grid.columns();
-        let tube_count = grid.tube_count() as u32;
+        let tube_count = grid.tube_count();
         oversized.clear();
         counts.clear();
         counts.resize(tube_count as usize + 1, 0);
@@ -76,13 +75,14 @@ impl Part {
                     counts[tube_count as usize] += 1;
                     return;
                 }
-                let home = span.first[0] * columns + span.first[1];
+                let home = grid.tube(span.first);
                 homes[i] = home;
                 counts[home as usize] += 1;
                 let list = ghosts[ghost_count..]
                     .first_chunk_mut()
                     .expect("there is room");
-                ghost_count += Ghost::write_all::<D>(index, home, columns, span.beyond(), list);
+                ghost_count +=
+                    Ghost::write_all::<D>(index, grid.next_tubes(home), span.beyond(), list);
             });
         }
         for ghost in &ghosts[..ghost_count] {

@@ -4,6 +4,7 @@
 //! after the other, are those that a single slab finds, in the same order.
 
 use super::assignment::Assignment;
+use super::crowd::Crowd;
 use super::emitter::Emitter;
 use super::order::Order;
 use super::owner::Owner;
@@ -12,6 +13,7 @@ use super::tubes::{Entry, Tubes};
 use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::stopwatch::{Phase, Stopwatch};
+use crate::tuning::kernel::COMPARED_AN_ENTRY;
 
 /// Some of the tubes of a grid, and the pairs found in them.
 #[derive(Clone, Debug, Default)]
@@ -22,13 +24,23 @@ pub(super) struct Slab<R, const D: usize> {
     pub(super) pairs: Vec<[u32; 2]>,
     /// How many pairs were found that nobody wants.
     pub(super) unwanted: usize,
+    /// How many boxes were compared with another.
+    pub(super) compared: usize,
     pub(super) stopwatch: Stopwatch,
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
     /// Puts each tube of the range together, sorts and sweeps it while it is in the cache, and appends the pairs to `self.pairs`.
     /// Only if tubes are kept, boxes can be looked up in them later.
-    pub(super) fn sweep(&mut self, boxes: &[Aabb<R, D>], assignment: &Assignment, keeps: bool) {
+    ///
+    /// A tube whose entries crowd is searched by a kernel of its own, if they may crowd.
+    pub(super) fn sweep(
+        &mut self,
+        boxes: &[Aabb<R, D>],
+        assignment: &Assignment,
+        may_crowd: bool,
+        keeps: bool,
+    ) {
         let (tubes, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
         let range = tubes.range.clone();
         stopwatch.enter(Phase::Sort);
@@ -44,13 +56,24 @@ impl<R: Real, const D: usize> Slab<R, D> {
             if entries.is_empty() {
                 continue;
             }
-            let sorted = tubes.push(assignment.strips(tube), entries, keeps);
+            let sorted = tubes.push(tube, entries, keeps);
             stopwatch.enter(Phase::Sweep);
-            tubes.columns().sweep(sorted, &mut emitter);
+            let most = match may_crowd {
+                true => COMPARED_AN_ENTRY * entries.len(),
+                false => usize::MAX,
+            };
+            let first_pair = emitter.count();
+            if !tubes.columns().sweep(sorted, most, &mut emitter) {
+                emitter.take_back(first_pair);
+                let crowd = Crowd::search(entries, keeps, &mut emitter);
+                if keeps {
+                    tubes.crowds.push((tube, crowd));
+                }
+            }
             stopwatch.enter(Phase::Sort);
         }
         stopwatch.enter(Phase::Sweep);
-        emitter.finish();
+        self.compared = emitter.finish();
         stopwatch.leave();
     }
 

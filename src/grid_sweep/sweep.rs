@@ -9,6 +9,7 @@ use super::tubes::Tubes;
 use crate::aabb::Aabb;
 use crate::lanes::{ARE_VECTORS, LANES, Lanes};
 use crate::real::Real;
+use crate::tuning::kernel::COMPARED_A_PAIR;
 
 /// How many blocks of eight candidates a box may have before it is swept on its own.
 const BLOCKS: usize = 4;
@@ -43,24 +44,33 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which
     /// another tube reports.
     ///
-    /// In the order of the entries, and of those that follow each of them.
-    pub(super) fn sweep(self, tube: Range<usize>, emitter: &mut Emitter) {
+    /// In the order of the entries, and of those that follow each of them. Gives up, and returns false, as soon as it has compared the
+    /// entries with more others than `most` and a multiple of the pairs among them.
+    pub(super) fn sweep(self, tube: Range<usize>, most: usize, emitter: &mut Emitter) -> bool {
+        let budget = &Budget::new(most, emitter);
         match ARE_VECTORS {
-            true => self.sweep_by_eights(tube, emitter),
-            false => self.sweep_singly(tube, emitter),
+            true => self.sweep_by_eights(tube, budget, emitter),
+            false => self.sweep_singly(tube, budget, emitter),
         }
     }
 
     /// Compares each entry with those that follow it.
-    fn sweep_singly(self, tube: Range<usize>, emitter: &mut Emitter) {
+    fn sweep_singly(self, tube: Range<usize>, budget: &Budget, emitter: &mut Emitter) -> bool {
         for i in tube {
-            self.window_singly::<false>(i + 1, &self.entry(i), self.owners[i], emitter);
+            let compared = self.window_singly::<false>(i + 1, &self.entry(i), |j| {
+                emitter.emit_one(self.owners[i], self.owners[j], true);
+            });
+            emitter.compared += compared;
+            if budget.is_exceeded(emitter) {
+                return false;
+            }
         }
+        true
     }
 
     /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the next but one, until
     /// none of the eight reaches that far along the first axis.
-    fn sweep_by_eights(self, tube: Range<usize>, emitter: &mut Emitter) {
+    fn sweep_by_eights(self, tube: Range<usize>, budget: &Budget, emitter: &mut Emitter) -> bool {
         let mut first = tube.start;
         while first < tube.end {
             let eight = Eight {
@@ -75,6 +85,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 blocks[depth] = self.compare(&eight, first + 1 + depth * LANES, &mut alive);
                 depth += 1;
             }
+            emitter.compared += depth * LANES * LANES;
             if depth == 1 {
                 emitter.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
             } else if depth == 2 {
@@ -83,9 +94,13 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 }
             } else {
                 self.emit_blocks(first, &blocks, alive, emitter);
+                if budget.is_exceeded(emitter) {
+                    return false;
+                }
             }
             first += LANES;
         }
+        true
     }
 
     /// Compares eight entries with those shifted by one to eight places. A byte for each of the eight, with a bit for each
@@ -125,70 +140,99 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             emitter.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
             if alive >> lane & 1 == 1 {
                 let i = first + lane;
-                let start = i + 1 + BLOCKS * LANES;
-                self.window::<false>(start, &self.entry(i), self.owners[i], emitter);
+                let (start, owner) = (i + 1 + BLOCKS * LANES, self.owners[i]);
+                let compared = self.window_by_eights::<false>(start, &self.entry(i), |j, hits| {
+                    emitter.emit(owner, eight(self.owners, j), hits);
+                });
+                emitter.compared += compared;
             }
         }
     }
 
     /// The box of an entry.
     #[inline(always)]
-    fn entry(self, i: usize) -> Aabb<R, D> {
+    pub(super) fn entry(self, i: usize) -> Aabb<R, D> {
         Aabb {
             mins: self.mins.map(|column| column[i]),
             maxs: self.maxs.map(|column| column[i]),
         }
     }
 
-    /// Reports every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies
-    /// beyond it.
+    /// Reports every entry from `start` on that overlaps the box of an owner, up to the first whose `mins[0]` lies beyond it. Returns how
+    /// many it has compared.
     #[inline(always)]
-    pub(super) fn window<const BOTH_SIDES: bool>(
+    pub(super) fn report(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
         owner: Owner,
         emitter: &mut Emitter,
-    ) {
+    ) -> usize {
         match ARE_VECTORS {
-            true => self.window_by_eights::<BOTH_SIDES>(start, aabb, owner, emitter),
-            false => self.window_singly::<BOTH_SIDES>(start, aabb, owner, emitter),
+            true => self.window_by_eights::<true>(start, aabb, |j, hits| {
+                emitter.emit(owner, eight(self.owners, j), hits);
+            }),
+            false => self.window_singly::<true>(start, aabb, |j| {
+                emitter.emit_one(owner, self.owners[j], true);
+            }),
         }
     }
 
-    /// The same, one entry after the other.
+    /// Calls `visit` with every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies beyond it.
+    /// Returns how many it has compared.
+    #[inline(always)]
+    pub(super) fn find(
+        self,
+        start: usize,
+        aabb: &Aabb<R, D>,
+        mut visit: impl FnMut(usize),
+    ) -> usize {
+        match ARE_VECTORS {
+            true => self.window_by_eights::<true>(start, aabb, |j, mut hits| {
+                while hits != 0 {
+                    visit(j + hits.trailing_zeros() as usize);
+                    hits &= hits - 1;
+                }
+            }),
+            false => self.window_singly::<true>(start, aabb, visit),
+        }
+    }
+
+    /// The same, one entry after the other. If not `BOTH_SIDES` are asked, all entries reach the box along
+    /// the first axis.
     #[inline(always)]
     fn window_singly<const BOTH_SIDES: bool>(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
-        owner: Owner,
-        emitter: &mut Emitter,
-    ) {
+        mut visit: impl FnMut(usize),
+    ) -> usize {
         let Aabb { mins, maxs } = aabb;
         for j in start..self.owners.len() {
             // At the sentinel as well.
             let is_reached = self.mins[0][j] <= maxs[0];
             if !is_reached {
-                return;
+                return j - start;
             }
             let mut overlaps = !BOTH_SIDES || self.maxs[0][j] >= mins[0];
             for k in 1..D {
                 overlaps &= (self.mins[k][j] <= maxs[k]) & (self.maxs[k][j] >= mins[k]);
             }
-            emitter.emit_one(owner, self.owners[j], overlaps);
+            if overlaps {
+                visit(j);
+            }
         }
+        0
     }
 
-    /// The same, eight entries at a time.
+    /// The same, eight entries at a time, of which `visit` gets the first, and a bit for each.
     #[inline(always)]
     fn window_by_eights<const BOTH_SIDES: bool>(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
-        owner: Owner,
-        emitter: &mut Emitter,
-    ) {
+        mut visit: impl FnMut(usize, u32),
+    ) -> usize {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
@@ -207,13 +251,37 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             let reached = reached.bits();
             // The lanes before the first that is not reached.
             let in_window = (reached ^ (reached + 1)) >> 1;
-            let hits = overlap.bits() & in_window;
-            emitter.emit(owner, eight(self.owners, j), hits);
-            if reached != (1 << LANES) - 1 {
-                return;
-            }
+            visit(j, overlap.bits() & in_window);
             j += LANES;
+            if reached != (1 << LANES) - 1 {
+                break;
+            }
         }
+        j - start
+    }
+}
+
+/// How much a sweep may take.
+struct Budget {
+    /// How many may have been compared in the end.
+    most: usize,
+    /// How many pairs there were before.
+    first_pair: usize,
+}
+
+impl Budget {
+    /// To compare this many more.
+    fn new(most: usize, emitter: &Emitter) -> Self {
+        Self {
+            most: emitter.compared.saturating_add(most),
+            first_pair: emitter.count(),
+        }
+    }
+
+    #[inline(always)]
+    fn is_exceeded(&self, emitter: &Emitter) -> bool {
+        emitter.compared > self.most
+            && emitter.compared - self.most > COMPARED_A_PAIR * (emitter.count() - self.first_pair)
     }
 }
 
@@ -284,7 +352,7 @@ mod tests {
             };
             let entries: Vec<_> = (0..count).map(&mut entry).collect();
             let mut tubes = Tubes::<f32, 3>::default();
-            let tube = tubes.push([0; 2], &entries, false);
+            let tube = tubes.push(0, &entries, false);
             let columns = tubes.columns();
             let swept = |sweep: &dyn Fn(&mut Emitter)| {
                 let mut pairs = Vec::new();
@@ -293,16 +361,23 @@ mod tests {
                 emitter.finish();
                 pairs
             };
-            let by_eights = swept(&|emitter| columns.sweep_by_eights(tube.clone(), emitter));
-            let singly = swept(&|emitter| columns.sweep_singly(tube.clone(), emitter));
-            assert_eq!(by_eights, singly);
-            let Entry { aabb, owner } = entry(count);
             let [by_eights, singly] = [true, false].map(|is_by_eights| {
-                swept(&|emitter| match is_by_eights {
-                    true => columns.window_by_eights::<true>(tube.start, &aabb, owner, emitter),
-                    false => columns.window_singly::<true>(tube.start, &aabb, owner, emitter),
+                swept(&|emitter| {
+                    let budget = &Budget::new(usize::MAX, emitter);
+                    let is_done = match is_by_eights {
+                        true => columns.sweep_by_eights(tube.clone(), budget, emitter),
+                        false => columns.sweep_singly(tube.clone(), budget, emitter),
+                    };
+                    assert!(is_done);
                 })
             });
+            assert_eq!(by_eights, singly);
+            let Entry { aabb, .. } = entry(count);
+            let [mut by_eights, mut singly] = [Vec::new(), Vec::new()];
+            columns.window_by_eights::<true>(tube.start, &aabb, |j, hits| {
+                by_eights.extend((0..LANES).filter(|i| hits >> i & 1 == 1).map(|i| j + i));
+            });
+            columns.window_singly::<true>(tube.start, &aabb, |j| singly.push(j));
             assert_eq!(by_eights, singly);
         }
     }

@@ -66,61 +66,47 @@ fn millions_are_sampled() {
     assert_eq!(found, [COUNT - COUNT / ROW; 2]);
 }
 
+/// Boxes that crowd in one tube, and that the sample says nothing of.
+#[cfg(feature = "_adapter")]
 #[test]
-fn one_axis_is_cut_where_boxes_lie_along_a_curve() {
-    let along = |step: f32, place: fn(f32) -> [f32; 3]| -> Vec<_> {
-        (0..3000).map(|i| cube(place(step * i as f32))).collect()
+fn what_crowds_has_a_grid_of_its_own() {
+    let mut random = Rand32::new(5);
+    let mut boxes: Vec<_> = (0..2000)
+        .map(|i| {
+            Aabb::new(
+                [(40 * i) as f32, 0.0, 0.0],
+                [(40 * i + 20) as f32, 20.0, 20.0],
+            )
+        })
+        .collect();
+    let mut speck = || cube([6.0, 60.0, 60.0].map(|x| 1e3 + x * random.rand_float()));
+    boxes.extend((0..2000).map(|_| speck()));
+    let mut kernel = GridSweep::default();
+    checked(&mut kernel, &boxes);
+    let crowds = |kernel: &GridSweep<f32, 3>| -> usize {
+        let classes = kernel.classes[..kernel.class_count].iter();
+        let slabs = classes.flat_map(|class| &class.slabs);
+        slabs.map(|slab| slab.tubes.crowds.len()).sum()
     };
-    for (boxes, are_cut) in [
-        (along(0.9, |x| [x, x, x]), [true, false]),
-        (along(0.9, |x| [0.0, x, -x]), [true, false]),
-        // The first of the two axes goes over the same places again and again.
-        (along(30.0, |x| [0.0, x % 3000.0, x * 0.03]), [false, true]),
-        // Few boxes share a tube, but many a strip of either axis.
-        (
-            along(1.0, |x| {
-                [0.0, x % 7.0 * 600.0, (x / 7.0).floor() % 7.0 * 600.0]
-            }),
-            [true, true],
-        ),
-    ] {
-        let mut kernel = GridSweep::default();
-        checked(&mut kernel, &boxes);
-        let strips = kernel.classes[0].grid.axes.map(|axis| axis.last > 0);
-        assert_eq!(strips, are_cut);
+    // They are kept if boxes will be looked up.
+    assert_eq!(crowds(&kernel), 0);
+    let members: Vec<_> = (0..boxes.len() as u32).collect();
+    let [mut found, mut expected] = [Vec::new(), Vec::new()];
+    let stopwatch = &mut Stopwatch::default();
+    let all = None::<fn([u32; 2]) -> bool>;
+    kernel.find_among(&boxes, &members, all, &mut found, stopwatch);
+    assert!(crowds(&kernel) > 0);
+    kernel.prepare_lookup();
+    found.clear();
+    let queries: Vec<_> = (0..boxes.len() as u32).step_by(7).collect();
+    kernel.look_up(&boxes, &queries, |_| true, &mut found);
+    for &i in &queries {
+        let overlapping = members
+            .iter()
+            .filter(|&&j| boxes[i as usize].overlaps(&boxes[j as usize]));
+        expected.extend(overlapping.map(|&j| [i.min(j), i.max(j)]));
     }
-}
-
-/// Walls as long as the world, along this axis, with small boxes between them: so many of each.
-fn walls<const D: usize>(along: usize, walls: usize, small: usize) -> Vec<Aabb<f32, D>> {
-    let mut random = Rand32::new(along as u64);
-    let side = (5.0 * small as f32).powf(1.0 / D as f32);
-    let mut place =
-        || -> [f32; D] { core::array::from_fn(|_| (side * random.rand_float()).floor()) };
-    let small = (0..small).map(|_| cube(place().map(|x| x + 0.25)));
-    let mut boxes: Vec<_> = small.collect();
-    boxes.extend((0..walls).map(|_| {
-        let mut mins = place();
-        mins[along] = 0.0;
-        let mut maxs = mins.map(|x| x + 0.5);
-        maxs[along] = side;
-        Aabb::new(mins, maxs)
-    }));
-    boxes
-}
-
-/// Many walls do not visit all tubes that they span, and a few do not have all others look for them.
-#[test]
-fn the_fewer_look_ups_are_made() {
-    fn seekers<const D: usize>(along: usize, count: usize) -> usize {
-        let mut kernel = GridSweep::default();
-        checked::<D>(&mut kernel, &walls(along, count, 3000));
-        let classes = &kernel.classes[..kernel.class_count];
-        classes.iter().map(|class| class.seekers.len()).sum()
-    }
-    assert!(seekers::<2>(1, 500) >= 3000);
-    for along in 0..3 {
-        assert_eq!(seekers::<3>(along, 5), 0);
-        assert_eq!(seekers::<2>(along % 2, 5), 0);
-    }
+    found.sort_unstable();
+    expected.sort_unstable();
+    assert!(found == expected);
 }

@@ -7,6 +7,7 @@
 
 use std::ops::Range;
 
+use super::crowd::Crowd;
 use super::order::Order;
 use super::owner::Owner;
 use crate::aabb::Aabb;
@@ -25,27 +26,29 @@ pub(super) struct Entry<R, const D: usize> {
 
 /// The entries of one tube are `start..end`; the sentinel is at `end`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tube {
-    /// The strip on each cut axis.
-    pub(super) strips: [u32; 2],
+pub(super) struct Tube<R> {
+    pub(super) number: u32,
     pub(super) start: u32,
     pub(super) end: u32,
+    /// From where to where its boxes reach along the first axis, if boxes are looked up.
+    pub(super) reach: [R; 2],
 }
 
-/// All tubes that have entries, ordered by strips.
+/// All tubes that have entries, by number.
 #[derive(Clone, Debug)]
 pub(super) struct Tubes<R, const D: usize> {
     /// Empty if the tubes are not kept.
-    pub(super) tubes: Vec<Tube>,
+    pub(super) tubes: Vec<Tube<R>>,
     /// The numbers of these tubes: all that there are, or one slab.
     pub(super) range: Range<u32>,
-    /// How many tubes are in a row, if all of the grid are numbered, row after row; otherwise 0.
-    pub(super) row_length: u32,
-    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty unless boxes are looked up, and if not all tubes
-    /// of the grid are numbered.
+    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty unless boxes are looked up.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
+    /// A box around those of all entries, if boxes are looked up.
+    pub(super) bounds: Option<Aabb<R, D>>,
+    /// The tubes among them whose entries crowd, by number, if boxes are looked up.
+    pub(super) crowds: Vec<(u32, Crowd<R, D>)>,
     /// Whose an entry is.
     pub(super) owners: Vec<Owner>,
     /// The running maximum of `maxs[0]` in each tube, by entry; empty unless boxes are looked up.
@@ -62,10 +65,11 @@ impl<R: Default, const D: usize> Default for Tubes<R, D> {
         Self {
             tubes: Vec::new(),
             range: 0..0,
-            row_length: 0,
             table: Vec::new(),
             mins: core::array::from_fn(|_| Vec::new()),
             maxs: core::array::from_fn(|_| Vec::new()),
+            bounds: None,
+            crowds: Vec::new(),
             owners: Vec::new(),
             running_maxs: Vec::new(),
             order: Order::default(),
@@ -75,9 +79,10 @@ impl<R: Default, const D: usize> Default for Tubes<R, D> {
 
 impl<R: Real, const D: usize> Tubes<R, D> {
     /// Removes all tubes. Those that come have numbers of this range.
-    pub(super) fn clear(&mut self, range: Range<u32>, row_length: u32) {
-        (self.range, self.row_length) = (range, row_length);
+    pub(super) fn clear(&mut self, range: Range<u32>) {
+        self.range = range;
         self.tubes.clear();
+        self.crowds.clear();
         self.table.clear();
         self.running_maxs.clear();
     }
@@ -97,7 +102,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     /// Adds the next tube that has entries. They are where it says, until the next tube comes unless this one is kept.
     pub(super) fn push(
         &mut self,
-        strips: [u32; 2],
+        number: u32,
         entries: &[Entry<R, D>],
         keeps: bool,
     ) -> Range<usize> {
@@ -109,9 +114,24 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.sort(start, entries);
         if keeps {
             let (start, end) = (start as u32, end as u32);
-            self.tubes.push(Tube { strips, start, end });
+            self.tubes.push(Tube {
+                number,
+                start,
+                end,
+                reach: [R::ZERO; 2],
+            });
         }
         start..end
+    }
+
+    /// The crowd in the tube of this number, if there is one.
+    #[inline(always)]
+    pub(super) fn crowd(&self, number: u32) -> Option<&Crowd<R, D>> {
+        if self.crowds.is_empty() {
+            return None;
+        }
+        let position = self.crowds.binary_search_by_key(&number, |&(tube, _)| tube);
+        position.ok().map(|i| &self.crowds[i].1)
     }
 
     /// The owners of all entries that are kept.

@@ -7,7 +7,7 @@
 //! for as many moves as take boxes half their size ahead on average, and for no more than [`LONGEST`], for sooner or later things turn. Finding the
 //! best number scene by scene, by what each has cost, was tried and gains nothing on that.
 
-use crate::aabb::Aabb;
+use crate::aabb::{Aabb, max, min};
 use crate::real::Real;
 use crate::tuning::foresight::{
     AHEAD, CUT, CUT_RUNS, FIRST, LONGEST, SKIN, SPEED_SAMPLE, WIDEST_SKIN,
@@ -126,18 +126,6 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
 fn step<R: Real, const D: usize>(now: &Aabb<R, D>, before: &Aabb<R, D>, axis: usize) -> R {
     let sum = (now.mins[axis] - before.mins[axis]) + (now.maxs[axis] - before.maxs[axis]);
     sum * R::from_f64(0.5)
-}
-
-/// The second one if they cannot be compared.
-#[inline(always)]
-fn min<R: Real>(a: R, b: R) -> R {
-    if a < b { a } else { b }
-}
-
-/// The second one if they cannot be compared.
-#[inline(always)]
-fn max<R: Real>(a: R, b: R) -> R {
-    if a > b { a } else { b }
 }
 
 #[cfg(test)]

@@ -1,14 +1,12 @@
 //! What has stayed in its fat box, and what has left it.
 //!
-//! When few boxes leave their fat boxes, sorting all of them again for each update would be a waste. So there are three
-//! layers. The *base* is in the order that the last full run left behind. The *delta* is of all that have left since then, in the
-//! order of the last run over the delta. And what is *recent* has left since that run; it is small and has no order. An update
-//! looks the leavers up in the first two, and runs the kernel on the third alone. Entries of one layer that have left since are
-//! outdated and passed over.
+//! When few boxes leave their fat boxes, sorting all of them again for each update would be a waste. So there are two
+//! layers. The *base* is in the order that the last full run left behind. What is *recent* has left its fat box since then; it is small,
+//! and sorted in each update. An update looks the leavers up in the base, where entries that have left since are passed over, and runs the
+//! kernel on what is recent.
 //!
-//! A layer is sorted anew, and takes in all layers above it, once those have cost as much as sorting would. So the time is
-//! never more than about twice what it would be if the best moment were known beforehand. Kernels that cannot look
-//! boxes up have no layers: with them, every search is a full run.
+//! There is a full run once what is recent has cost as much as one. So the time is never more than about twice what it would be if the best
+//! moment were known beforehand. Kernels that cannot look boxes up have no layers: with them, every search is a full run.
 
 use crate::aabb::Aabb;
 use crate::grid_sweep::{GridSweep, retain_from};
@@ -19,76 +17,33 @@ use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::stats::{Stats, Work};
 use crate::stopwatch::{Phase, Stopwatch};
-use crate::tuning::update::{COMPARE_ALL_UP_TO, DELTA_LOOKUP_COST, KEEP_SCRATCH_UP_TO};
+use crate::tuning::update::{COMPARE_ALL_UP_TO, KEEP_SCRATCH_UP_TO};
 
 /// A kernel, and the layers if it can have them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Layers<R: Real, const D: usize> {
     kernel: Kernel,
     are_used: bool,
-    base: Layer<R, D>,
-    delta: Layer<R, D>,
+    /// In the order of the last full run.
+    base: GridSweep<R, D>,
+    is_base_sorted: bool,
+    /// All that have left their fat boxes since then.
+    outdated: SlotSet,
+    /// What the layer above has cost since then, in boxes of a run.
+    cost: usize,
     recent: GridSweep<R, D>,
     /// Scratch: the members of a run.
     members: Vec<u32>,
     rank_sweep: RankSweep<R, D>,
 }
 
-/// The layers above the base, which the last full run has sorted.
+/// The layer above the base, which the last full run has sorted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct AboveBase {
-    /// What they have cost since the last full run, in boxes of a run.
+    /// What it has cost since the last full run, in boxes of a run.
     pub(super) cost: usize,
     /// How many slots are recent.
     pub(super) recent: usize,
-}
-
-/// A layer that has an order.
-#[derive(Clone, Debug, Default)]
-struct Layer<R, const D: usize> {
-    order: GridSweep<R, D>,
-    is_sorted: bool,
-    /// All that have left since it was sorted.
-    outdated: SlotSet,
-    /// What has been spent on the layers above it since then, in boxes of a run.
-    cost: usize,
-}
-
-impl<R: Real, const D: usize> Layer<R, D> {
-    /// Replaces the members, indices of valid boxes, and appends the overlapping pairs among them that are wanted. Returns how many are not.
-    fn sort(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        members: &[u32],
-        wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
-        found: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) -> usize {
-        self.outdated.clear();
-        self.cost = 0;
-        self.is_sorted = true;
-        self.order
-            .find_among(boxes, members, wanted, found, stopwatch)
-    }
-
-    /// Appends the pairs of the leavers, which must have valid boxes and be outdated, with the members that are not outdated.
-    fn look_up(
-        &mut self,
-        boxes: &[Aabb<R, D>],
-        leavers: &[u32],
-        may_meet: impl Fn([u32; 2]) -> bool + Sync,
-        found: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
-    ) {
-        stopwatch.enter(Phase::Sweep);
-        self.order.prepare_lookup();
-        let outdated = &self.outdated;
-        let is_current = |pair: [u32; 2]| {
-            let [a, b] = pair.map(|slot| outdated.contains(slot));
-            a != b && may_meet(pair)
-        };
-        self.order.look_up(boxes, leavers, is_current, found);
-    }
 }
 
 impl<R: Real, const D: usize> Layers<R, D> {
@@ -103,27 +58,24 @@ impl<R: Real, const D: usize> Layers<R, D> {
 
     /// What is above the base layer, if layers are used and the base layer is sorted, so that leavers may be looked up.
     pub(super) fn above_base(&self) -> Option<AboveBase> {
-        let Self { base, delta, .. } = self;
-        let newest = if delta.is_sorted { delta } else { base };
-        (self.are_used && base.is_sorted).then_some(AboveBase {
-            cost: base.cost,
-            recent: newest.outdated.len(),
+        (self.are_used && self.is_base_sorted).then_some(AboveBase {
+            cost: self.cost,
+            recent: self.outdated.len(),
         })
     }
 
     /// Makes the next proxy that leaves its fat box cause a full run.
     pub(super) fn forget(&mut self) {
-        self.base.is_sorted = false;
+        self.is_base_sorted = false;
     }
 
-    /// Fills in what it knows: how many slots are above the base layer, and the grid of the last full run, if it still holds.
+    /// Fills in what it knows: how many slots are above the base layer, and the size classes of the last full run, if it still holds.
     pub(super) fn describe(&self, stats: &mut Stats) {
-        let Layer {
-            order, is_sorted, ..
-        } = &self.base;
-        stats.above_base = self.base.outdated.len();
-        stats.classes = if *is_sorted { order.class_count() } else { 0 };
-        stats.strips = if *is_sorted { order.strips() } else { [0; 2] };
+        stats.above_base = self.outdated.len();
+        stats.classes = match self.is_base_sorted {
+            true => self.base.class_count(),
+            false => 0,
+        };
     }
 
     /// Appends to `found` the overlapping pairs among the valid boxes that are wanted. Returns how many are not.
@@ -135,18 +87,19 @@ impl<R: Real, const D: usize> Layers<R, D> {
         stopwatch: &mut Stopwatch,
     ) -> usize {
         let first = found.len();
-        self.base.is_sorted = false;
-        self.base.outdated.clear();
-        self.delta.is_sorted = false;
-        self.delta.outdated.clear();
+        self.is_base_sorted = false;
+        self.outdated.clear();
+        self.cost = 0;
         match self.kernel {
             Kernel::GridSweep if boxes.len() > COMPARE_ALL_UP_TO => {
                 collect_valid(boxes, &mut self.members);
-                let members = &self.members;
-                let unwanted = self.base.sort(boxes, members, wanted, found, stopwatch);
+                let unwanted = self
+                    .base
+                    .find_among(boxes, &self.members, wanted, found, stopwatch);
+                self.is_base_sorted = true;
                 if boxes.len() > KEEP_SCRATCH_UP_TO {
                     self.members = Vec::new();
-                    self.base.order.free_scratch();
+                    self.base.free_scratch();
                 }
                 return unwanted;
             }
@@ -192,42 +145,37 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let queries: Vec<_> = queries
             .filter(|&slot| boxes[slot as usize].is_valid())
             .collect();
-        for layer in [&mut self.base, &mut self.delta] {
-            layer.outdated.make_room(boxes.len());
-            for &slot in leavers.slots() {
-                layer.outdated.insert(slot);
-            }
+        let Self {
+            base,
+            outdated,
+            recent,
+            members,
+            ..
+        } = self;
+        outdated.make_room(boxes.len());
+        for &slot in leavers.slots() {
+            outdated.insert(slot);
         }
-        self.base
-            .look_up(boxes, &queries, &may_meet, found, stopwatch);
-        let mut work = Work {
-            looked_up: leavers.len(),
-            ..Work::default()
+        stopwatch.enter(Phase::Sweep);
+        base.prepare_lookup();
+        let is_current = |pair: [u32; 2]| {
+            let [a, b] = pair.map(|slot| outdated.contains(slot));
+            a != b && may_meet(pair)
         };
+        let compared = base.look_up(boxes, &queries, is_current, found);
 
-        let (base, delta) = (&mut self.base, &mut self.delta);
-        let (recent, members) = (&mut self.recent, &mut self.members);
-        let is_due = !delta.is_sorted || delta.cost > base.outdated.len();
-        let due = match is_due {
-            true => &base.outdated,
-            false => &delta.outdated,
-        };
+        let slots = outdated.slots().iter().copied();
         members.clear();
-        let slots = due.slots().iter().copied();
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
-        base.cost += due.len();
-        work.searched = due.len();
-        if is_due {
-            delta.sort(boxes, members, Some(is_new), found, stopwatch);
-        } else {
-            base.cost += DELTA_LOOKUP_COST * leavers.len();
-            delta.cost += due.len();
-            work.looked_up += leavers.len();
-            delta.look_up(boxes, &queries, &may_meet, found, stopwatch);
-            recent.find_among(boxes, members, Some(is_new), found, stopwatch);
+        recent.find_among(boxes, members, Some(is_new), found, stopwatch);
+        self.cost += outdated.len();
+        Work {
+            looked_up: leavers.len(),
+            visited: compared,
+            searched: outdated.len(),
+            found: found.len(),
+            ..Work::default()
         }
-        work.found = found.len();
-        work
     }
 }
 

@@ -9,7 +9,7 @@ mod tests;
 use super::foresight::Foresight;
 use super::layers::AboveBase;
 use crate::stats::Work;
-use crate::tuning::prices::{FOUND, LISTED, LOOKED_UP, PICKED, SEARCHED, WALKED};
+use crate::tuning::prices::{FOUND, LISTED, LOOKED_UP, PICKED, SEARCHED, VISITED, WALKED};
 use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, FULL_RUN_SLACK, LISTS_COST, MOST_CANDIDATES};
 
 /// What decides the plan of an update.
@@ -114,9 +114,11 @@ impl PlanInputs {
         let full_run = SEARCHED * slots + FOUND * found;
         // Each finds all candidates of its own, which are those of another as well.
         let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
-        let look_ups = LOOKED_UP * leavers
-            + SEARCHED * (to_u64(above_base.recent) + leavers)
-            + FOUND * found_by_look_ups;
+        let look_up =
+            LOOKED_UP.saturating_add(VISITED.saturating_mul(self.cost.visits_a_look_up()));
+        let look_ups = look_up.saturating_mul(leavers).saturating_add(
+            SEARCHED * (to_u64(above_base.recent) + leavers) + FOUND * found_by_look_ups,
+        );
         // As long as an update costs less than the mean since the last full run, that run still pays. Fat boxes made
         // at one time tend to be left at one time; then it no longer does.
         let mean = self.cost.searching / self.cost.updates.max(1);
@@ -143,6 +145,9 @@ impl PlanInputs {
 pub(super) struct Cost {
     pub(super) updates: u64,
     pub(super) searching: u64,
+    /// Of that, look-ups and what they visited.
+    pub(super) looked_up: u64,
+    pub(super) visited: u64,
 }
 
 impl Cost {
@@ -150,6 +155,7 @@ impl Cost {
     pub(super) fn add(&mut self, work: &Work) {
         let counts = [
             (work.looked_up, LOOKED_UP),
+            (work.visited, VISITED),
             (work.searched, SEARCHED),
             (work.found, FOUND),
         ];
@@ -158,6 +164,13 @@ impl Cost {
             let cost = cost.saturating_mul(to_u64(count));
             self.searching = self.searching.saturating_add(cost);
         }
+        self.looked_up = self.looked_up.saturating_add(to_u64(work.looked_up));
+        self.visited = self.visited.saturating_add(to_u64(work.visited));
+    }
+
+    /// What a look-up has visited, on average; nothing if there was none.
+    fn visits_a_look_up(&self) -> u64 {
+        self.visited / self.looked_up.max(1)
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod boxes;
 mod check;
+mod effort;
 mod errors;
 mod fuzzed;
 mod inputs;

@@ -20,6 +20,21 @@ named! {
         OneToFour "sizes 1 to 4" "Sides between 1 and 4."
         FewLarge "one in 100 is 100 times as large" "One cube in a hundred is 100 times as large."
         SixOrders "sizes over six orders" "Sides over six powers of ten."
+        FourOrders "sizes over four orders" "Sides over four powers of ten."
+        WallsAlongFirst "walls along the first axis" "Small cubes between walls as long as the world, one box in eight; no cube touches a wall."
+        WallsAlongSecond "walls along the second axis" "The same along the second axis."
+        WallsAlongLast "walls along the last axis" "The same along the last axis."
+        Specks10 "specks in a gap of 10" "Half of the cubes have side 10 and are spread out, half have side 1 and crowd in one gap between them."
+        Specks100 "specks in a gap of 100" "The same with side 100."
+        Specks1000 "specks in a gap of 1,000" "The same with side 1,000."
+        ManySpecks "nine specks in ten, in a gap of 100" "The same with side 100, of which there is one in ten."
+        Floor "floor of tiles under grains" "Half are flat tiles that touch each other, half are grains a tenth as wide, in a layer above."
+        Maze "maze of wall segments" "Walls 1:20:5 along the edges of a lattice, along each axis in turn."
+        City "city of towers 1:1:20" "Houses twenty times as high as wide, in streets."
+        Lying "the same city, lying on its side" "Houses that are long along the first axis."
+        Plates "plates across two axes" "Half are plates across the first axis, half across the second, beside them; nothing touches."
+        Parked "column, three in 100 at 1e30" "A column along the last axis; three cubes in a hundred are parked far away."
+        FarAway "one in 50 is 1e12 away" "Uniform, and one cube in fifty is as far away as 10¹²."
         FarOut "at 1e7, four ulps wide" "At 10⁷, where a cube of side 4 is four numbers wide."
     }
 }
@@ -72,6 +87,46 @@ impl HardBoxes {
             Self::SixOrders => scatter_drawn(random, count, |random| {
                 [1e-3 * (1e3 / 1e-3_f32).powf(random.range(0.0, 1.0)); D]
             }),
+            Self::FourOrders => scatter_drawn(random, count, |random| {
+                [1e4_f32.powf(random.range(0.0, 1.0)); D]
+            }),
+            Self::WallsAlongFirst => walls(random, count, 0),
+            Self::WallsAlongSecond => walls(random, count, 1),
+            Self::WallsAlongLast => walls(random, count, D - 1),
+            Self::Specks10 => specks(random, count, 10.0, 2),
+            Self::Specks100 => specks(random, count, 100.0, 2),
+            Self::Specks1000 => specks(random, count, 1000.0, 2),
+            Self::ManySpecks => specks(random, count, 100.0, 10),
+            Self::Floor => floor(random, count),
+            Self::Maze => on_lattice(count, 25.0, |i| {
+                let long = i % D;
+                std::array::from_fn(|k| match (k + D - long) % D {
+                    0 => 20.0,
+                    1 => 5.0,
+                    _ => 1.0,
+                })
+            }),
+            Self::City => on_lattice(count, 1.5, |_| {
+                std::array::from_fn(|k| if k == D - 1 { 20.0 } else { 1.0 })
+            }),
+            Self::Lying => on_lattice(count, 1.5, |_| {
+                std::array::from_fn(|k| if k == 0 { 20.0 } else { 1.0 })
+            }),
+            Self::Plates => plates(count),
+            Self::Parked => {
+                let mut boxes = scatter(random, &vec![unit; count], |k| k == D - 1);
+                for (i, parked) in boxes.iter_mut().take(count * 3 / 100).enumerate() {
+                    *parked = cube([1e30 * (1.0 + i as f32 / count as f32); D], 1e24);
+                }
+                boxes
+            }
+            Self::FarAway => {
+                let mut boxes = scatter(random, &vec![unit; count], |_| true);
+                for far in boxes.iter_mut().take(count / 50) {
+                    *far = cube(far[0].map(|x| x + 1e12 * random.range(-1.0, 1.0)), 1e5);
+                }
+                boxes
+            }
             Self::FarOut => {
                 let boxes = scatter(random, &vec![[FAR_SIDE; D]; count], |_| true);
                 let corner = |mins: [f32; D]| mins.map(|x| x + FAR);
@@ -122,6 +177,110 @@ fn scatter<const D: usize>(
         [mins, std::array::from_fn(|k| mins[k] + sides[k])]
     };
     sides.iter().map(place).collect()
+}
+
+/// Cubes in the cells of a lattice, and walls as long as the world along an axis, one in eight, on the faces of its cells.
+fn walls<const D: usize>(random: &mut Random, count: usize, along: usize) -> Vec<[[f32; D]; 2]> {
+    let length = (5.0 * count as f32).powf(1.0 / D as f32);
+    let along = along.min(D - 1);
+    let mut draw = |i: usize| {
+        let mut mins: [f32; D] = std::array::from_fn(|_| random.range(0.0, length).floor());
+        let mut maxs = mins.map(|x| x + 0.125);
+        if i % 8 == 7 {
+            (mins[along], maxs[along]) = (0.0, length + 1.0);
+            return [mins, maxs];
+        }
+        cube(mins.map(|x| x + 0.25), 0.5)
+    };
+    (0..count).map(&mut draw).collect()
+}
+
+/// Cubes of a side, one box in so many, spread out on a lattice; the others have side 1 and lie in one of its gaps, as densely as fits.
+fn specks<const D: usize>(
+    random: &mut Random,
+    count: usize,
+    side: f32,
+    one_in: usize,
+) -> Vec<[[f32; D]; 2]> {
+    let large = count / one_in;
+    let mut boxes = on_lattice(large, 2.0, |_| [side; D]);
+    let small = scatter(random, &vec![[1.0; D]; count - large], |_| true);
+    // They fit in the gap, which may take smaller ones.
+    let space = small
+        .iter()
+        .flat_map(|[_, maxs]| maxs)
+        .fold(0.0, |a, &b| f32::max(a, b));
+    let scale = f32::min(1.0, 0.9 * side / space);
+    let place = |x: f32| 1.05 * side + scale * x;
+    boxes.extend(small.iter().map(|b| b.map(|corner| corner.map(place))));
+    boxes
+}
+
+/// Tiles of 10:10:1 in a plane across the last axis, and as many grains of side 1 in a layer above.
+fn floor<const D: usize>(random: &mut Random, count: usize) -> Vec<[[f32; D]; 2]> {
+    let row = (count as f32 / 2.0)
+        .powf(1.0 / (D - 1).max(1) as f32)
+        .ceil() as usize;
+    let tile = |i: usize| {
+        let mins: [f32; D] = std::array::from_fn(|k| match k == D - 1 {
+            true => -1.0,
+            false => 10.0 * (i / row.pow(k as u32) % row) as f32,
+        });
+        [
+            mins,
+            std::array::from_fn(|k| mins[k] + if k == D - 1 { 1.0 } else { 10.0 }),
+        ]
+    };
+    let mut boxes: Vec<_> = (0..count / 2).map(tile).collect();
+    let mut grain = || {
+        cube(
+            std::array::from_fn(|k| match k == D - 1 {
+                true => random.range(0.5, 3.0),
+                false => random.range(0.0, 10.0 * row as f32),
+            }),
+            1.0,
+        )
+    };
+    boxes.extend((count / 2..count).map(|_| grain()));
+    boxes
+}
+
+/// Boxes of these sides at the points of a lattice, whose spacing along each axis is so many times the longest that a box is there; they do
+/// not overlap if that is more than 1.
+fn on_lattice<const D: usize>(
+    count: usize,
+    spacing: f32,
+    sides: impl Fn(usize) -> [f32; D],
+) -> Vec<[[f32; D]; 2]> {
+    let row = (count as f32).powf(1.0 / D as f32).ceil().max(1.0) as usize;
+    let one = sides(0);
+    let is_alike = (0..D).all(|i| sides(i) == one);
+    let at = |i: usize| {
+        let sides = sides(i);
+        let mins: [f32; D] = std::array::from_fn(|k| {
+            let step = if is_alike { spacing * one[k] } else { spacing };
+            step * (i / row.pow(k as u32) % row) as f32
+        });
+        [mins, std::array::from_fn(|k| mins[k] + sides[k])]
+    };
+    (0..count).map(at).collect()
+}
+
+/// Plates across the first axis, and others across the second, beside them; no two touch.
+fn plates<const D: usize>(count: usize) -> Vec<[[f32; D]; 2]> {
+    let length = 3.0 * count as f32;
+    let at = |i: usize| {
+        let (across, others) = match i % 2 {
+            0 => (0, 0.0),
+            _ => (1, -length - 10.0),
+        };
+        let place = 3.0 * (i / 2) as f32;
+        let from = |k: usize, at: [f32; 2]| if k == across { at[0] } else { at[1] };
+        let mins = std::array::from_fn(|k| from(k, [place, others]));
+        let maxs = std::array::from_fn(|k| from(k, [place + 1.0, others + length]));
+        [mins, maxs]
+    };
+    (0..count).map(at).collect()
 }
 
 /// Clusters on the points of a lattice.
@@ -175,11 +334,16 @@ mod tests {
                 // Some lie on a shared border, and the diagonal is as long as a line.
                 HardBoxes::FarOut => 0.8..2.0,
                 HardBoxes::Clusters => 0.4..1.2,
-                HardBoxes::OneToFour
-                | HardBoxes::FewLarge
-                | HardBoxes::SixOrders
-                | HardBoxes::Needles => 0.1..200.0,
-                _ => 0.7..0.9,
+                HardBoxes::Uniform
+                | HardBoxes::Line
+                | HardBoxes::Column
+                | HardBoxes::PlaneAcrossFirst
+                | HardBoxes::PlaneAcrossSecond
+                | HardBoxes::PlaneAcrossLast
+                | HardBoxes::Diagonal
+                | HardBoxes::Runaway => 0.7..0.9,
+                // Of several sizes.
+                _ => 0.0..200.0,
             };
             let boxes = kind.boxes::<3>(4000, 7);
             let overlap = |[a, b]: [&[[f32; 3]; 2]; 2]| {

@@ -22,7 +22,7 @@
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the folders `dim2` and `dim3`, and what differs between
 //! its versions in `version`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`] and [`HardFrames`] need no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`], [`Mixture`] and [`HardFrames`] need no engine.
 
 #[macro_use]
 mod named;
@@ -32,6 +32,7 @@ mod converging;
 mod hard_boxes;
 mod hard_motions;
 mod kind;
+mod mixture;
 mod outcome;
 mod random;
 mod stampede;
@@ -42,6 +43,7 @@ pub use converging::ConvergingBoxes;
 pub use hard_boxes::HardBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
+pub use mixture::Mixture;
 pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Sharing, Spread, Tally, WholeSteps};
 pub use stampede::Stampede;
 pub use timing::{Times, Timing, milliseconds};

@@ -17,6 +17,7 @@ fn world() -> PlanInputs {
         cost: Cost {
             updates: 1,
             searching: FULL_RUN,
+            ..Cost::default()
         },
     }
 }

@@ -39,11 +39,10 @@ impl Plane {
 }
 
 #[test]
-fn classes_and_strips_follow_sizes_and_places() {
+fn classes_follow_sizes() {
     let mut plane = Plane::new(Settings::default());
     let stats = plane.desk.broad_phase.stats();
     assert_eq!(stats.classes, 1);
-    assert!(stats.strips[0] > 1 && stats.strips[1] == 1);
     for &handle in plane.handles.iter().step_by(10) {
         plane.desk.colliders[handle].set_shape(SharedShape::ball(9.0));
     }

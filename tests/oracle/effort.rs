@@ -1,0 +1,114 @@
+//! What `GridSweep` does for what it finds: it counts what it compares, and no clock is needed to see that its time grows with boxes and pairs.
+
+use unisize::{Aabb, GridSweep, PairFinder};
+use unisize_scenes::{HardBoxes, Mixture};
+
+/// The most comparisons, and visits of tubes, for each box and pair: of arrangements that somebody has thought of, and of the worst that a
+/// search has found, plates and needles in all directions.
+const BOUND: f64 = 400.0;
+const MOST: f64 = 6000.0;
+
+/// How much more for each of four times as many boxes: tubes that were not crowded may be, and a tree of grids may be one level deeper.
+const GROWTH: f64 = 3.0;
+
+/// Comparisons for each box and pair, with axes exchanged in turn so many times.
+fn effort<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> f64 {
+    let turned = |corner: &[f32; D]| std::array::from_fn(|k| corner[(k + turns) % D]);
+    let boxes: Vec<Aabb<f32, D>> = boxes
+        .iter()
+        .map(|[mins, maxs]| Aabb::new(turned(mins), turned(maxs)))
+        .collect();
+    let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
+    assert_eq!(kernel.find_pairs(&boxes, &mut pairs), Ok(()));
+    kernel.compared() as f64 / (boxes.len() + pairs.len()) as f64
+}
+
+fn check<const D: usize>(name: &str, bound: f64, boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>) {
+    for turns in 0..D {
+        let [few, many] = [1 << 12, 1 << 14].map(|count| effort(&boxes(count), turns));
+        assert!(
+            many < bound && many < GROWTH * few.max(16.0),
+            "{name} in {D}D, turned {turns} times: {few}, {many}"
+        );
+    }
+}
+
+#[test]
+fn no_arrangement_takes_much_more_than_what_is_found() {
+    for kind in HardBoxes::ALL {
+        // They have a quadratic number of pairs.
+        if kind != HardBoxes::Coincident {
+            check::<2>(kind.name(), BOUND, |count| kind.boxes(count, 7));
+            check::<3>(kind.name(), BOUND, |count| kind.boxes(count, 7));
+        }
+    }
+}
+
+/// What the search for hard boxes has found to be worst, at the times when it did.
+const FOUND: [[[f32; 9]; 3]; 5] = [
+    [
+        [
+            0.8673, 0.6206, 0.4166, 0.5447, 0.5024, 0.9813, 0.7836, 0.9483, 0.7193,
+        ],
+        [
+            0.5389, 1.0, 0.5038, 0.8312, 0.0873, 0.9537, 0.3312, 0.0635, 0.9620,
+        ],
+        [
+            0.6810, 0.4988, 0.7839, 1.0, 0.7490, 0.9413, 0.1802, 0.4863, 0.1081,
+        ],
+    ],
+    [
+        [
+            0.5417, 0.8855, 0.7212, 0.4962, 1.0, 1.0, 0.1477, 0.6089, 0.4981,
+        ],
+        [
+            0.5464, 0.2265, 0.4578, 0.3775, 0.0, 1.0, 0.4963, 0.6179, 0.3104,
+        ],
+        [
+            0.3483, 0.6227, 0.7795, 0.3664, 0.0564, 0.9061, 0.3565, 0.6505, 0.6865,
+        ],
+    ],
+    [
+        [
+            0.7125, 0.2503, 0.4183, 0.9315, 0.7522, 0.6116, 0.4392, 0.3582, 0.2646,
+        ],
+        [
+            0.7599, 0.5727, 0.7323, 0.2044, 0.1357, 1.0, 0.0976, 0.4336, 0.2836,
+        ],
+        [
+            0.6792, 0.0, 0.2187, 0.2893, 0.6370, 0.1697, 0.0921, 0.3221, 0.6689,
+        ],
+    ],
+    [
+        [
+            0.6242, 0.6098, 0.5246, 0.9197, 0.4442, 0.8612, 0.1783, 0.3784, 0.0344,
+        ],
+        [
+            0.9045, 0.2229, 0.1125, 0.2049, 0.2577, 1.0, 0.2017, 0.1056, 0.3335,
+        ],
+        [
+            0.1128, 0.1502, 0.2654, 0.5968, 0.6595, 0.4633, 0.0913, 0.3694, 0.9058,
+        ],
+    ],
+    [
+        [
+            0.3134, 0.5383, 0.1774, 0.9588, 0.4020, 1.0, 0.9266, 0.2530, 0.4746,
+        ],
+        [
+            0.1097, 0.3787, 0.5810, 0.2643, 0.5885, 1.0, 0.4924, 0.7828, 0.1099,
+        ],
+        [
+            0.1128, 0.4711, 0.0296, 0.9830, 0.3340, 0.6700, 0.6628, 0.5311, 0.7522,
+        ],
+    ],
+];
+
+#[test]
+fn the_worst_that_was_found_takes_no_more_for_each_of_many() {
+    for (i, populations) in FOUND.into_iter().enumerate() {
+        let mixture = Mixture::new(populations);
+        let name = format!("mixture {i}");
+        check::<2>(&name, MOST, |count| mixture.boxes(count, 7));
+        check::<3>(&name, MOST, |count| mixture.boxes(count, 7));
+    }
+}
