@@ -5,8 +5,8 @@
 //!
 //! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates, and only when
 //! proxies leave their fat boxes must there be a search for new ones. In between, each candidate is held or not, as its
-//! two boxes overlap or not. Neither hashing nor sorting is needed for that. This is the neighbour list of molecular
-//! dynamics (Verlet 1967), made exact.
+//! two boxes overlap or not. Held pairs whose candidates are retired are kept in a hash table until it is known whether they are found
+//! again. This is the neighbour list of molecular dynamics (Verlet 1967), made exact.
 
 mod box_update;
 mod candidates;

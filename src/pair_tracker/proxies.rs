@@ -93,11 +93,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         &mut self.volumes
     }
 
-    /// Whether boxes and keys alone do not tell which pairs were held.
-    pub(super) fn have_history(&self) -> bool {
-        self.volumes.are_used() || self.are_rekeyed
-    }
-
     /// The slots whose boxes or keys were written since the last `finish`; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
         &self.notes.touched

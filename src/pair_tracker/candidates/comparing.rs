@@ -26,7 +26,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let Self {
             candidates,
             proxies,
-            observer,
+            ..
         } = self;
         let Candidates {
             pairs,
@@ -37,29 +37,18 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             held_count,
             ..
         } = &mut **candidates;
-        if proxies.have_history() {
-            retired.reserve(*held_count);
-            answers.ask(pairs.len(), COMPARED, |rows| {
-                let [_, held] = near_and_held(&states[rows.clone()]);
-                let is_left = |i: usize| proxies.are_left(pairs[rows.start + i]);
-                ones(held).fold(0, |word, i| word | u64::from(is_left(i)) << i)
-            });
-            answers.iter().for_each(|row| retired.insert(pairs[row]));
-            if proxies.are_rekeyed {
-                let near = pairs.iter().zip(states.iter());
-                let near = near.filter(|&(_, &state)| state == PairState::Near);
-                let pairs = near.map(|(&pair, _)| pair);
-                forbidden.extend(pairs.filter(|&pair| proxies.is_forbidden(pair)));
-            }
-        } else {
-            answers.ask(pairs.len(), COMPARED, |rows| {
-                let rows = pairs[rows.clone()].iter().zip(&states[rows]);
-                gather(rows, |(&pair, state)| {
-                    state.is_held() && proxies.has_ended(pair)
-                })
-            });
-            let ended = answers.iter();
-            ended.for_each(|row| observer.report(PairChange::Deleted(pairs[row])));
+        retired.reserve(*held_count);
+        answers.ask(pairs.len(), COMPARED, |rows| {
+            let [_, held] = near_and_held(&states[rows.clone()]);
+            let is_left = |i: usize| proxies.are_left(pairs[rows.start + i]);
+            ones(held).fold(0, |word, i| word | u64::from(is_left(i)) << i)
+        });
+        answers.iter().for_each(|row| retired.insert(pairs[row]));
+        if proxies.are_rekeyed {
+            let near = pairs.iter().zip(states.iter());
+            let near = near.filter(|&(_, &state)| state == PairState::Near);
+            let pairs = near.map(|(&pair, _)| pair);
+            forbidden.extend(pairs.filter(|&pair| proxies.is_forbidden(pair)));
         }
         states.clear();
         candidates.dues.clear();
@@ -307,14 +296,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             PairState::Apart => {}
             PairState::Near if proxies.is_forbidden(pair) => candidates.forbidden.push(pair),
             PairState::Near => {}
-            PairState::Held if proxies.have_history() => {
-                if proxies.are_left(pair) {
-                    candidates.retired.insert(pair);
-                }
-            }
-            PairState::Held if proxies.has_ended(pair) => {
-                self.observer.report(PairChange::Deleted(pair));
-            }
+            // The pairs of removed proxies end without an event.
+            PairState::Held if proxies.are_left(pair) => candidates.retired.insert(pair),
             PairState::Held => {}
         }
     }

@@ -134,20 +134,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             .all(|&slot| self.previous[slot as usize].is_valid())
     }
 
-    /// Whether a pair that was found was held before, where there is no [history](Self::have_history). It was if and only if its boxes
-    /// overlapped, because kernels are exact.
-    #[inline(always)]
-    pub(super) fn was_held(&self, pair: [u32; 2]) -> bool {
-        overlap(&self.previous, pair)
-    }
-
-    /// Whether a held pair whose candidate is retired ends, where there is no [history](Self::have_history): not if its boxes still
-    /// overlap, for then it is found again. The pairs of removed proxies, which have no box before either, end without an event.
-    #[inline(always)]
-    pub(super) fn has_ended(&self, pair: [u32; 2]) -> bool {
-        !self.overlap(pair) & overlap(&self.previous, pair)
-    }
-
     /// Whether a pair may meet, by the keys as they are now.
     #[inline]
     pub(in crate::pair_tracker) fn may_meet(&self, pair: [u32; 2]) -> bool {

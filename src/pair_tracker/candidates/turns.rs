@@ -155,19 +155,12 @@ impl Found<'_> {
             states,
             notes,
         } = self;
-        let have_history = proxies.have_history();
         for (pairs, states) in pairs.chunks(64).zip(states.chunks_mut(64)) {
             for i in ones(proxies.overlapping(pairs)) {
                 let pair = pairs[i];
                 // Most pairs that are held were held before.
-                let place = match have_history {
-                    true => candidates.retired.place(pair),
-                    false => None,
-                };
-                let was_held = match have_history {
-                    true => place.is_some(),
-                    false => proxies.was_held(pair),
-                };
+                let place = candidates.retired.place(pair);
+                let was_held = place.is_some();
                 notes.taken.extend(place);
                 let state = proxies.state_of_overlapping(pair, was_held);
                 let state = settled(observer, pair, was_held, state);
