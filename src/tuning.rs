@@ -45,9 +45,16 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
+    /// Comparisons that a query takes as long as before it visits its first tube. Above: large boxes are looked up among small ones. Below:
+    /// small among large ones.
+    pub(crate) const QUERY: f64 = 400.0;
+
     /// Comparisons that visiting a tube takes as long as: its entries are searched for the first to be compared. Above: small boxes are looked
     /// up among large ones. Below: large among small ones.
     pub(crate) const VISIT: usize = 32;
+
+    /// The same of a tube none of whose entries is near along the first axis.
+    pub(crate) const PASSED_OVER: usize = 8;
 
     /// Shares of the boxes. The grid is laid over what lies between these two. Nearer 0 and 1: a few boxes far out make the
     /// strips too wide. Nearer the middle: more boxes lie outside, in the first and in the last strip.

@@ -12,7 +12,7 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO,
+    CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO, QUERY,
 };
 use crate::tuning::prices::{LOOKED_UP, SLOT};
 
@@ -168,7 +168,8 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.look_up(&boxes[query as usize], query, &mut emitter);
             count += 1;
         }
-        emitter.finish() as f64 / f64::from(count.max(1)) * queries.len() as f64
+        let compared = emitter.finish() as f64 / f64::from(count.max(1));
+        (QUERY + compared) * queries.len() as f64
     }
 
     /// Appends the pairs of boxes of other classes with those of this one.

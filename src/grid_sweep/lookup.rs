@@ -18,7 +18,7 @@ use super::tubes::{Entry, NOWHERE, Tube, Tubes};
 use crate::aabb::{Aabb, max, min};
 use crate::lanes::LANES;
 use crate::real::Real;
-use crate::tuning::kernel::VISIT;
+use crate::tuning::kernel::{PASSED_OVER, VISIT};
 
 /// A box that is looked up.
 pub(super) struct Query<'a, R, const D: usize> {
@@ -115,7 +115,7 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         let Query { aabb, index, .. } = query;
         let [first, last] = tube.reach;
         if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            emitter.compared += 1;
+            emitter.compared += PASSED_OVER;
             return;
         }
         if let Some(crowd) = self.crowd(tube.number) {
