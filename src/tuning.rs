@@ -68,6 +68,10 @@ pub(crate) mod kernel {
     /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
     pub(crate) const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
 
+    /// Boxes. Strips are wider where tubes would have fewer than these on average. Above: what crowds in some tubes is compared. Below: tubes
+    /// of a few boxes, each of which costs more than it saves.
+    pub(crate) const BOXES_A_TUBE: f64 = 32.0;
+
     /// Candidates a box. Strips are narrowed where boxes lie so densely that each would have more: the sweep decides them in
     /// blocks of eight. Above: two blocks a box. Below: more ghosts.
     pub(crate) const CANDIDATES_A_BOX: f64 = 8.0;

@@ -6,8 +6,9 @@ use crate::aabb::Aabb;
 use crate::parallel;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_PLACE_QUANTILES, GRID_SAMPLE, GRID_SIZE_QUANTILE,
-    GRID_SPARE, LONG_FROM, NARROWED_UP_TO, ONE_TUBE_UP_TO, POINTS_A_TUBE, Sample,
+    BOXES_A_TUBE, BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_PLACE_QUANTILES, GRID_SAMPLE,
+    GRID_SIZE_QUANTILE, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, ONE_TUBE_UP_TO, POINTS_A_TUBE,
+    Sample,
 };
 
 impl<R: Real> Grid<R> {
@@ -57,6 +58,16 @@ impl<R: Real> Grid<R> {
         let narrowest = match is_crowd {
             false => widest / NARROWED_UP_TO,
             true => 1.0,
+        };
+        // Where boxes lie far apart, tubes of a few boxes each would cost more than they save.
+        let places = cut_samples[..cuts]
+            .iter()
+            .fold(1.0, |places, axis| places * (axis.inner_spread / axis.size));
+        let sparse = root(places / (n / BOXES_A_TUBE), cuts);
+        let widest = if sparse.is_finite() {
+            sparse.max(widest)
+        } else {
+            widest
         };
         let width_in_boxes = affordable.clamp(narrowest, widest);
 
@@ -119,6 +130,8 @@ struct AxisSample {
     middle: f64,
     /// The distance between the least and the greatest of `mins`, except for a few.
     spread: f64,
+    /// Twice the distance that holds the inner half of them.
+    inner_spread: f64,
     /// The finite `mins`, in no order.
     mins: Vec<f64>,
 }
@@ -135,6 +148,7 @@ impl AxisSample {
             .collect();
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         let spread = high - low;
+        let [lower, upper] = [0.25, 0.75].map(|q| quantile(&mut mins, q));
         let shares = sizes
             .iter()
             .map(|&size| if size < spread { size / spread } else { 1.0 });
@@ -143,6 +157,7 @@ impl AxisSample {
             size: quantile(&mut sizes, share),
             middle: quantile(&mut mins, 0.5),
             spread,
+            inner_spread: 2.0 * (upper - lower),
             mins,
         }
     }
