@@ -142,10 +142,8 @@ impl AxisSample {
             .iter()
             .map(|b| [b.mins[axis].to_f64(), b.maxs[axis].to_f64()]);
         let mut sizes: Vec<f64> = extents.clone().map(|[min, max]| max - min).collect();
-        let mut mins: Vec<f64> = extents
-            .map(|[min, _]| min)
-            .filter(|x| x.is_finite())
-            .collect();
+        let mut mins: Vec<f64> = extents.map(|[min, _]| min).collect();
+        mins.retain(|min| min.is_finite());
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         let spread = high - low;
         let [lower, upper] = [0.25, 0.75].map(|q| quantile(&mut mins, q));

@@ -87,16 +87,16 @@ impl<R: Real, const D: usize> Tubes<R, D> {
         self.running_maxs.clear();
     }
 
-    /// Makes room for so many entries in so many tubes, and for no more: they will be kept.
+    /// Makes room for so many entries in so many tubes. The first time for no more: few sets of boxes that are kept grow.
     pub(super) fn reserve(&mut self, entries: usize, tubes: usize) {
         let len = entries + tubes + PADDING;
         for numbers in self.mins.iter_mut().chain(self.maxs.iter_mut()) {
-            resize_exact(numbers, len, R::NAN);
+            resize(numbers, len, R::NAN);
             // Beyond the last sentinel, where nothing is written.
             numbers[entries + tubes..].fill(R::NAN);
         }
-        resize_exact(&mut self.owners, len, Owner::NOBODY);
-        self.tubes.reserve_exact(tubes);
+        resize(&mut self.owners, len, Owner::NOBODY);
+        self.tubes.reserve(tubes);
     }
 
     /// Adds the next tube that has entries. They are where it says, until the next tube comes unless this one is kept.
@@ -195,9 +195,10 @@ fn four_at<T>(items: &mut [T], start: usize) -> &mut [T; 4] {
         .expect("there are as many places as entries")
 }
 
-/// Resizes a list: what it held is kept, `filler` follows, and no more room than that is reserved.
-fn resize_exact<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
-    list.truncate(len);
-    list.reserve_exact(len - list.len());
+/// Resizes a list: its items stay, and `filler` follows. An empty list gets no more room than that.
+fn resize<T: Copy>(list: &mut Vec<T>, len: usize, filler: T) {
+    if list.is_empty() {
+        list.reserve_exact(len);
+    }
     list.resize(len, filler);
 }
