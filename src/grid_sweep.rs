@@ -29,7 +29,7 @@ use assignment::Assignment;
 #[cfg(feature = "_adapter")]
 pub(crate) use class::retain_from;
 use class::{Class, FoundInvalid, Run, look_up_in_parts};
-use emitter::Emitter;
+use emitter::{Emitter, Tally};
 use members::{Everyone, Members};
 
 /// Entries are numbered with 32 bits, and a box may have four.
@@ -100,12 +100,12 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
                 keeps: false,
                 pairs,
                 wanted: None::<fn([u32; 2]) -> bool>,
-                unwanted: 0,
-                compared: 0,
+                most: usize::MAX,
+                tally: Tally::default(),
                 stopwatch: &mut stopwatch,
             };
             let found = self.run(members, &mut run);
-            self.compared = run.compared;
+            self.compared = run.tally.compared;
             found
         });
         stopwatch.leave();
@@ -150,14 +150,16 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the overlapping pairs among `members`, which are indices of valid boxes, that are wanted, and remembers the
-    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`]. Returns how many pairs were not
-    /// wanted; if no condition is given, all are.
+    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`]. If no condition is given, all pairs
+    /// are wanted. Returns how many pairs overlap, wanted or not; if they are more than `most`, the run stops early, appends some of them,
+    /// and nothing may be looked up.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
         &mut self,
         boxes: &[Aabb<R, D>],
         members: &[u32],
         wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
+        most: usize,
         pairs: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> usize {
@@ -170,13 +172,13 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             keeps: true,
             pairs,
             wanted,
-            unwanted: 0,
-            compared: 0,
+            most,
+            tally: Tally::default(),
             stopwatch,
         };
         // The boxes are valid.
         let _ = self.run(members, &mut run);
-        run.unwanted
+        run.tally.emitted
     }
 
     /// Appends the overlapping pairs among the members, class by class.
@@ -190,7 +192,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.run_class(members, run)?;
         loop {
             let class = &mut self.classes[self.class_count - 1];
-            if class.oversized.is_empty() {
+            if class.oversized.is_empty() || run.is_over() {
                 break;
             }
             let oversized = std::mem::take(&mut class.oversized);
@@ -199,6 +201,9 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
         for coarse in 1..self.class_count {
             for fine in 0..coarse {
+                if run.is_over() {
+                    return Ok(());
+                }
                 self.match_classes(fine, coarse, run);
             }
         }
@@ -270,18 +275,18 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// overlaps, if they are wanted. Members have the boxes that they had then; the pair of a member with itself is not left out.
     ///
     /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
-    /// each tube that it spans. Returns how many members were compared with a query, with what it took to visit tubes.
+    /// each tube that it spans. Stops when there are more than `most` pairs, wanted or not.
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],
         queries: &[u32],
         wanted: impl Fn([u32; 2]) -> bool + Sync,
+        most: usize,
         pairs: &mut Vec<[u32; 2]>,
-    ) -> usize {
-        let [_, compared] = look_up_in_parts(queries, pairs, Some(&wanted), |i, emitter| {
+    ) -> Tally {
+        look_up_in_parts(queries, pairs, Some(&wanted), most, |i, emitter| {
             self.look_up_box(&boxes[i as usize], i, emitter);
-        });
-        compared
+        })
     }
 
     /// Emits the pair of a box with every member that it overlaps.

@@ -176,6 +176,10 @@ pub(crate) mod update {
     /// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut to a quarter: huge boxes are about to pass over
     /// many small ones, say. Above: memory. Below: dense scenes lose their foresight.
     pub(crate) const MOST_CANDIDATES: usize = 8;
+
+    /// Pairs of fat boxes for each slot and pair of overlapping boxes. A search that finds so many more than the last one is given up, and
+    /// foresight is cut. Above: memory. Below: a crowd of new boxes is searched twice.
+    pub(crate) const MOST_FOUND: usize = 64;
 }
 
 /// How far ahead fat boxes are drawn.

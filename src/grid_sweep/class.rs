@@ -2,7 +2,7 @@
 
 use super::assignment::Assignment;
 use super::choose::sample_indices;
-use super::emitter::Emitter;
+use super::emitter::{Emitter, Tally};
 use super::grid::{Grid, TubeSpan};
 use super::lookup::Query;
 use super::members::Members;
@@ -30,11 +30,22 @@ pub(super) struct Run<'a, R, const D: usize, F> {
     pub(super) pairs: &'a mut Vec<[u32; 2]>,
     /// Which pairs are wanted; `None`: all.
     pub(super) wanted: Option<F>,
-    /// How many pairs were found that are not.
-    pub(super) unwanted: usize,
-    /// How many boxes were compared with another, and tubes visited.
-    pub(super) compared: usize,
+    /// How many pairs may be found, wanted or not. If there are more, the run stops, and has found some of them.
+    pub(super) most: usize,
+    pub(super) tally: Tally,
     pub(super) stopwatch: &'a mut Stopwatch,
+}
+
+impl<R, const D: usize, F> Run<'_, R, D, F> {
+    /// How many more pairs may be found.
+    fn room(&self) -> usize {
+        self.most.saturating_sub(self.tally.emitted)
+    }
+
+    /// Whether more pairs were found than may be. That does not depend on the number of slabs.
+    pub(super) fn is_over(&self) -> bool {
+        self.tally.emitted > self.most
+    }
 }
 
 /// A box is invalid: what has been found is unspecified.
@@ -131,18 +142,17 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         // The first one need not copy its pairs.
         std::mem::swap(&mut slabs[0].pairs, run.pairs);
-        let wanted = run.wanted.as_ref();
+        let (wanted, most) = (run.wanted.as_ref(), run.room());
         run.section.for_each(slabs, |slab| {
             let first = slab.pairs.len();
-            slab.sweep(boxes, assignment, may_crowd, keeps);
-            slab.unwanted = drop_unwanted(&mut slab.pairs, first, wanted);
+            slab.sweep(boxes, assignment, may_crowd, keeps, most);
+            slab.tally.unwanted = drop_unwanted(&mut slab.pairs, first, wanted);
         });
         std::mem::swap(&mut slabs[0].pairs, run.pairs);
         for slab in &mut slabs[1..] {
             run.pairs.append(&mut slab.pairs);
         }
-        run.unwanted += slabs.iter().map(|slab| slab.unwanted).sum::<usize>();
-        run.compared += slabs.iter().map(|slab| slab.compared).sum::<usize>();
+        slabs.iter().for_each(|slab| run.tally += slab.tally);
         // They have worked at the same time.
         for slab in &*slabs {
             let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
@@ -162,13 +172,13 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// How much it takes to look these boxes up in the class, by a sample of them.
     pub(super) fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
         let (mut pairs, mut count) = (Vec::new(), 0);
-        let mut emitter = Emitter::new(&mut pairs);
+        let mut emitter = Emitter::new(&mut pairs, 0);
         for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
             let query = queries[i];
             self.look_up(&boxes[query as usize], query, &mut emitter);
             count += 1;
         }
-        let compared = emitter.finish() as f64 / f64::from(count.max(1));
+        let compared = emitter.finish().compared as f64 / f64::from(count.max(1));
         (QUERY + compared) * queries.len() as f64
     }
 
@@ -181,12 +191,10 @@ impl<R: Real, const D: usize> Class<R, D> {
         run.stopwatch.enter(Phase::Sweep);
         self.prepare_lookup();
         let boxes = run.boxes;
-        let wanted = run.wanted.as_ref();
-        let [unwanted, compared] = look_up_in_parts(queries, run.pairs, wanted, |i, emitter| {
+        let (wanted, most) = (run.wanted.as_ref(), run.room());
+        run.tally += look_up_in_parts(queries, run.pairs, wanted, most, |i, emitter| {
             self.look_up(&boxes[i as usize], i, emitter);
         });
-        run.unwanted += unwanted;
-        run.compared += compared;
         run.stopwatch.leave();
     }
 
@@ -246,36 +254,44 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 }
 
-/// Appends what is found for each query, if it is wanted, in the order of the queries, by several threads if they are many. Returns how
-/// many pairs are not, and how many boxes were compared, and tubes visited.
+/// Appends what is found for each query, if it is wanted, in the order of the queries, by several threads if they are many. Stops when
+/// there are more than `most` pairs.
 pub(super) fn look_up_in_parts(
     queries: &[u32],
     pairs: &mut Vec<[u32; 2]>,
     wanted: Option<&(impl Fn([u32; 2]) -> bool + Sync)>,
+    most: usize,
     look_up: impl Fn(u32, &mut Emitter) + Sync,
-) -> [usize; 2] {
+) -> Tally {
     let section = Section::of(queries.len(), LOOKED_UP);
     let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
     let parts = queries.chunks(queries_a_part);
-    let mut parts: Vec<_> = parts.map(|queries| (queries, Vec::new(), [0; 2])).collect();
+    let parts = parts.map(|queries| (queries, Vec::new(), Tally::default()));
+    let mut parts: Vec<_> = parts.collect();
     if let [(_, found, _), ..] = &mut parts[..] {
         // The first one need not copy its pairs.
         std::mem::swap(found, pairs);
     }
-    section.for_each(&mut parts, |(queries, found, counts)| {
+    section.for_each(&mut parts, |(queries, found, tally)| {
         let first = found.len();
-        let mut emitter = Emitter::new(found);
-        queries.iter().for_each(|&i| look_up(i, &mut emitter));
-        let compared = emitter.finish();
-        *counts = [drop_unwanted(found, first, wanted), compared];
+        let mut emitter = Emitter::new(found, most);
+        for &i in *queries {
+            look_up(i, &mut emitter);
+            if emitter.is_over() {
+                break;
+            }
+        }
+        *tally = emitter.finish();
+        tally.unwanted = drop_unwanted(found, first, wanted);
     });
-    let counts = [0, 1].map(|i| parts.iter().map(|(_, _, counts)| counts[i]).sum());
+    let mut all = Tally::default();
+    parts.iter().for_each(|(_, _, tally)| all += *tally);
     let mut parts = parts.into_iter().map(|(_, found, _)| found);
     if let Some(first) = parts.next() {
         *pairs = first;
     }
     parts.for_each(|found| pairs.extend(found));
-    counts
+    all
 }
 
 /// Drops the pairs from `first` on that are not wanted. Returns how many.

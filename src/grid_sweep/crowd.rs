@@ -4,7 +4,7 @@
 
 use super::GridSweep;
 use super::class::Run;
-use super::emitter::Emitter;
+use super::emitter::{Emitter, Tally};
 use super::members::Everyone;
 use super::tubes::Entry;
 use crate::aabb::Aabb;
@@ -33,13 +33,16 @@ impl<R: Real, const D: usize> Crowd<R, D> {
             keeps,
             pairs: &mut pairs,
             wanted: None::<fn([u32; 2]) -> bool>,
-            unwanted: 0,
-            compared: 0,
+            most: emitter.most,
+            tally: Tally::default(),
             stopwatch: &mut Stopwatch::default(),
         };
         // What is invalid has been refused before it came into a tube.
         let _ = kernel.run(Everyone(boxes.len()), &mut run);
-        emitter.compared += run.compared;
+        emitter.compared += run.tally.compared;
+        if run.is_over() {
+            emitter.give_up(run.tally.emitted);
+        }
         for pair in pairs {
             let [a, b] = pair.map(|i| entries[i as usize].owner);
             emitter.emit_one(a, b, true);
@@ -60,11 +63,11 @@ impl<R: Real, const D: usize> Crowd<R, D> {
         /// Above all others, so that it comes last in a pair.
         const QUERY: u32 = super::MAX_BOXES as u32;
         let mut pairs = Vec::new();
-        let mut emitter = Emitter::new(&mut pairs);
+        let mut emitter = Emitter::new(&mut pairs, usize::MAX);
         self.kernel.look_up_box(aabb, QUERY, &mut emitter);
-        let compared = emitter.finish();
+        let tally = emitter.finish();
         let found = pairs.iter().map(|&[i, _]| &self.entries[i as usize]);
         found.for_each(visit);
-        compared
+        tally.compared
     }
 }

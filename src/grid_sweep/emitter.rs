@@ -8,24 +8,54 @@ use super::owner::Owner;
 use crate::lanes::LANES;
 use crate::pair_finder::ordered;
 
+/// What was done, in numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tally {
+    /// Pairs that were emitted, also if nobody wants them.
+    pub(crate) emitted: usize,
+    /// Those of them that nobody wants.
+    pub(crate) unwanted: usize,
+    /// Boxes that were compared with another, and tubes visited.
+    pub(crate) compared: usize,
+}
+
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.emitted += other.emitted;
+        self.unwanted += other.unwanted;
+        self.compared += other.compared;
+    }
+}
+
 /// How many pairs are collected before they are appended to the output.
 const BUFFER: usize = 512;
 
 /// Collects pairs and appends them to a list. Pairs of ghosts on the same axis are left out: another tube has them.
+///
+/// Once there are more than it may append, it only counts them.
 pub(super) struct Emitter<'a> {
     pairs: &'a mut Vec<[u32; 2]>,
+    /// How many pairs the list had before.
+    first: usize,
     buffer: [[u32; 2]; BUFFER],
     len: usize,
+    /// How many pairs were emitted, but for those in the buffer.
+    flushed: usize,
+    /// How many may be appended.
+    pub(super) most: usize,
     /// How many boxes were compared with another to find the pairs, and tubes visited.
     pub(super) compared: usize,
 }
 
 impl<'a> Emitter<'a> {
-    pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>) -> Self {
+    pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>, most: usize) -> Self {
         Self {
+            first: pairs.len(),
             pairs,
             buffer: [[0; 2]; BUFFER],
             len: 0,
+            flushed: 0,
+            most,
             compared: 0,
         }
     }
@@ -94,26 +124,44 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// How many pairs were emitted, with those that were there before.
+    /// How many pairs were emitted.
     #[inline(always)]
     pub(super) fn count(&self) -> usize {
-        self.pairs.len() + self.len
+        self.flushed + self.len
     }
 
-    /// Takes back all pairs but so many.
+    /// Counts pairs that are too many to be emitted.
+    pub(super) fn give_up(&mut self, pairs: usize) {
+        self.flushed += pairs;
+    }
+
+    /// Whether more pairs were emitted than may be appended.
+    pub(super) fn is_over(&self) -> bool {
+        self.flushed > self.most
+    }
+
+    /// Takes back all pairs but so many, if no more were emitted than may be appended.
     pub(super) fn take_back(&mut self, count: usize) {
-        self.len = count.saturating_sub(self.pairs.len());
-        self.pairs.truncate(count);
+        self.len = count.saturating_sub(self.flushed);
+        self.flushed = self.flushed.min(count);
+        self.pairs.truncate(self.first + self.flushed);
     }
 
     fn flush(&mut self) {
-        self.pairs.extend_from_slice(&self.buffer[..self.len]);
+        self.flushed += self.len;
+        if !self.is_over() {
+            self.pairs.extend_from_slice(&self.buffer[..self.len]);
+        }
         self.len = 0;
     }
 
-    /// Appends what is left. Returns how many boxes were compared, and tubes visited.
-    pub(super) fn finish(mut self) -> usize {
+    /// Appends what is left, and tells what it took.
+    pub(super) fn finish(mut self) -> Tally {
         self.flush();
-        self.compared
+        Tally {
+            emitted: self.flushed,
+            compared: self.compared,
+            unwanted: 0,
+        }
     }
 }

@@ -5,7 +5,7 @@
 
 use super::assignment::Assignment;
 use super::crowd::Crowd;
-use super::emitter::Emitter;
+use super::emitter::{Emitter, Tally};
 use super::order::Order;
 use super::owner::Owner;
 use super::part::Part;
@@ -22,10 +22,7 @@ pub(super) struct Slab<R, const D: usize> {
     /// Scratch: the entries of one tube, and the pairs.
     entries: Vec<Entry<R, D>>,
     pub(super) pairs: Vec<[u32; 2]>,
-    /// How many pairs were found that nobody wants.
-    pub(super) unwanted: usize,
-    /// How many boxes were compared with another.
-    pub(super) compared: usize,
+    pub(super) tally: Tally,
     pub(super) stopwatch: Stopwatch,
 }
 
@@ -33,13 +30,14 @@ impl<R: Real, const D: usize> Slab<R, D> {
     /// Puts each tube of the range together, sorts and sweeps it while it is in the cache, and appends the pairs to `self.pairs`.
     /// Only if tubes are kept, boxes can be looked up in them later.
     ///
-    /// A tube whose entries crowd is searched by a kernel of its own, if they may crowd.
+    /// A tube whose entries crowd is searched by a kernel of its own, if they may crowd. Stops when there are more than `most` pairs.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
         may_crowd: bool,
         keeps: bool,
+        most: usize,
     ) {
         let (tubes, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
         let range = tubes.range.clone();
@@ -49,7 +47,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
             let occupied = range.clone().filter(|&tube| assignment.is_occupied(tube));
             tubes.reserve(end - start, occupied.count());
         }
-        let mut emitter = Emitter::new(&mut self.pairs);
+        let mut emitter = Emitter::new(&mut self.pairs, most);
         for tube in range {
             entries.clear();
             gather_parts(boxes, &assignment.parts, tube, entries);
@@ -58,12 +56,16 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             let sorted = tubes.push(tube, entries, keeps);
             stopwatch.enter(Phase::Sweep);
-            let most = match may_crowd {
+            let most_compared = match may_crowd {
                 true => COMPARED_AN_ENTRY * entries.len(),
                 false => usize::MAX,
             };
             let first_pair = emitter.count();
-            if !tubes.columns().sweep(sorted, most, &mut emitter) {
+            let is_swept = tubes.columns().sweep(sorted, most_compared, &mut emitter);
+            if emitter.is_over() {
+                break;
+            }
+            if !is_swept {
                 emitter.take_back(first_pair);
                 let crowd = Crowd::search(entries, keeps, &mut emitter);
                 if keeps {
@@ -73,7 +75,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
             stopwatch.enter(Phase::Sort);
         }
         stopwatch.enter(Phase::Sweep);
-        self.compared = emitter.finish();
+        self.tally = emitter.finish();
         stopwatch.leave();
     }
 

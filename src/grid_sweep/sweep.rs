@@ -356,7 +356,7 @@ mod tests {
             let columns = tubes.columns();
             let swept = |sweep: &dyn Fn(&mut Emitter)| {
                 let mut pairs = Vec::new();
-                let mut emitter = Emitter::new(&mut pairs);
+                let mut emitter = Emitter::new(&mut pairs, usize::MAX);
                 sweep(&mut emitter);
                 emitter.finish();
                 pairs

@@ -94,12 +94,12 @@ fn what_crowds_has_a_grid_of_its_own() {
     let [mut found, mut expected] = [Vec::new(), Vec::new()];
     let stopwatch = &mut Stopwatch::default();
     let all = None::<fn([u32; 2]) -> bool>;
-    kernel.find_among(&boxes, &members, all, &mut found, stopwatch);
+    kernel.find_among(&boxes, &members, all, usize::MAX, &mut found, stopwatch);
     assert!(crowds(&kernel) > 0);
     kernel.prepare_lookup();
     found.clear();
     let queries: Vec<_> = (0..boxes.len() as u32).step_by(7).collect();
-    kernel.look_up(&boxes, &queries, |_| true, &mut found);
+    kernel.look_up(&boxes, &queries, |_| true, usize::MAX, &mut found);
     for &i in &queries {
         let overlapping = members
             .iter()
@@ -109,4 +109,51 @@ fn what_crowds_has_a_grid_of_its_own() {
     found.sort_unstable();
     expected.sort_unstable();
     assert!(found == expected);
+}
+
+/// Boxes of two sizes, and specks that crowd in one tube.
+#[cfg(feature = "_adapter")]
+#[test]
+fn a_search_that_finds_too_many_pairs_is_given_up_however_it_is_cut() {
+    let mut random = Rand32::new(9);
+    let mut at = |spread: [f32; 3], size: f32| {
+        let mins = spread.map(|x| x * random.rand_float());
+        Aabb::new(mins, mins.map(|x| x + size))
+    };
+    let mut boxes: Vec<_> = (0..1000).map(|_| at([40.0; 3], 3.0)).collect();
+    boxes.extend((0..100).map(|_| at([40.0; 3], 30.0)));
+    boxes.extend((0..1000).map(|_| at([5.0, 2.0, 2.0], 0.01)));
+    let mut all = Vec::new();
+    BruteForce.find_pairs(&boxes, &mut all).unwrap();
+    let members: Vec<_> = (0..boxes.len() as u32).collect();
+    let wanted = |[a, b]: [u32; 2]| (a + b) % 3 == 0;
+    let stopwatch = &mut Stopwatch::default();
+    let count = all.len();
+    for slabs in [1, 2, 3, 8, 16] {
+        let mut kernel = GridSweep::<f32, 3>::with_slabs(slabs.try_into().unwrap());
+        for most in [0, 1, count / 8, count / 2, count - 1, count, usize::MAX] {
+            let mut found = Vec::new();
+            let overlapping =
+                kernel.find_among(&boxes, &members, Some(wanted), most, &mut found, stopwatch);
+            assert_eq!(overlapping > most, count > most);
+            assert!(found.len() <= slabs.saturating_mul(most));
+            found.sort_unstable();
+            if overlapping <= most {
+                let wanted = all.iter().copied().filter(|&pair| wanted(pair));
+                assert!(overlapping == count && wanted.eq(found));
+            } else {
+                assert!(found.iter().all(|pair| all.binary_search(pair).is_ok()));
+            }
+        }
+        kernel.prepare_lookup();
+        let mut found = Vec::new();
+        // Each pair by both of its boxes, and each box with itself.
+        let both = 2 * count + boxes.len();
+        for most in [0, both - 1, both] {
+            found.clear();
+            let tally = kernel.look_up(&boxes, &members, |_| true, most, &mut found);
+            assert_eq!(tally.emitted > most, both > most);
+        }
+        assert_eq!(found.len(), both);
+    }
 }

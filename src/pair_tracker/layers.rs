@@ -32,10 +32,15 @@ pub(super) struct Layers<R: Real, const D: usize> {
     /// What the layer above has cost since then, in boxes of a run.
     cost: usize,
     recent: GridSweep<R, D>,
+    /// How many pairs of boxes overlap, wanted or not, as of the last full run.
+    found: usize,
     /// Scratch: the members of a run.
     members: Vec<u32>,
     rank_sweep: RankSweep<R, D>,
 }
+
+/// There are far more pairs than foresight can be worth.
+pub(super) struct TooMany;
 
 /// The layer above the base, which the last full run has sorted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -78,30 +83,37 @@ impl<R: Real, const D: usize> Layers<R, D> {
         };
     }
 
-    /// Appends to `found` the overlapping pairs among the valid boxes that are wanted. Returns how many are not.
+    /// Appends to `found` the overlapping pairs among the valid boxes that are wanted. Returns how many overlap, wanted or not, or that
+    /// they are far more than last time, and that only some were found: more than there were, and `most`.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
         wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
+        most: usize,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) -> usize {
+    ) -> Result<usize, TooMany> {
         let first = found.len();
-        self.is_base_sorted = false;
+        self.forget();
         self.outdated.clear();
         self.cost = 0;
         match self.kernel {
             Kernel::GridSweep if boxes.len() > COMPARE_ALL_UP_TO => {
                 collect_valid(boxes, &mut self.members);
-                let unwanted = self
+                let (members, most) = (&self.members, self.found.saturating_add(most));
+                let overlapping = self
                     .base
-                    .find_among(boxes, &self.members, wanted, found, stopwatch);
+                    .find_among(boxes, members, wanted, most, found, stopwatch);
+                if overlapping > most {
+                    return Err(TooMany);
+                }
+                self.found = overlapping;
                 self.is_base_sorted = true;
                 if boxes.len() > KEEP_SCRATCH_UP_TO {
                     self.members = Vec::new();
                     self.base.free_scratch();
                 }
-                return unwanted;
+                return Ok(overlapping);
             }
             Kernel::GridSweep | Kernel::BruteForce => {
                 stopwatch.enter(Phase::Sweep);
@@ -120,23 +132,25 @@ impl<R: Real, const D: usize> Layers<R, D> {
                 found.extend(pairs.iter().map(|pair| pair.map(|i| slots[i as usize])));
             }
         }
-        let count = found.len();
+        let overlapping = found.len() - first;
         if let Some(wanted) = wanted {
             retain_from(found, first, wanted);
         }
-        count - found.len()
+        Ok(overlapping)
     }
 
     /// Appends to `found` the overlapping pairs among the valid boxes that may meet and involve one of the `leavers`, which must be all that
-    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns what it took.
+    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns what it took, or that there are far
+    /// more pairs than there were, and `most`, and that only some were found.
     pub(super) fn find_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &SlotSet,
         may_meet: impl Fn([u32; 2]) -> bool + Sync,
+        most: usize,
         found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
-    ) -> Work {
+    ) -> Result<Work, TooMany> {
         let is_new = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| leavers.contains(slot));
             (a | b) && may_meet(pair)
@@ -162,20 +176,26 @@ impl<R: Real, const D: usize> Layers<R, D> {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
             a != b && may_meet(pair)
         };
-        let compared = base.look_up(boxes, &queries, is_current, found);
+        let most = self.found.saturating_add(most);
+        let tally = base.look_up(boxes, &queries, is_current, most, found);
+        if tally.emitted > most {
+            return Err(TooMany);
+        }
 
         let slots = outdated.slots().iter().copied();
         members.clear();
         members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
-        recent.find_among(boxes, members, Some(is_new), found, stopwatch);
+        if recent.find_among(boxes, members, Some(is_new), most, found, stopwatch) > most {
+            return Err(TooMany);
+        }
         self.cost += outdated.len();
-        Work {
+        Ok(Work {
             looked_up: leavers.len(),
-            visited: compared,
+            visited: tally.compared,
             searched: outdated.len(),
             found: found.len(),
             ..Work::default()
-        }
+        })
     }
 }
 

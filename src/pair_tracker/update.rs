@@ -17,13 +17,14 @@
 
 use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
+use super::layers::TooMany;
 use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
 use super::{FilterKey, PairObserver, PairTracker};
 use crate::real::Real;
 use crate::stats::Work;
 use crate::stopwatch::Phase;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
-use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO};
+use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, MOST_FOUND};
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Brings the pairs up to date and reports what has changed since the last call.
@@ -55,10 +56,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.found.clear();
                 self.compare(mode, observer);
             }
-            Plan::LookUp(mode) => {
-                self.look_up();
-                self.compare(mode, observer);
-            }
+            Plan::LookUp(mode) => match self.look_up() {
+                Ok(()) => self.compare(mode, observer),
+                Err(TooMany) => {
+                    self.foresight.shorten();
+                    self.cost = Cost::default();
+                    self.run_in_full(self.foresight, observer);
+                }
+            },
             Plan::FullRun(foresight) => {
                 self.cost = Cost::default();
                 self.run_in_full(foresight, observer);
@@ -98,18 +103,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Inflates the leavers anew and looks them up among all others.
-    fn look_up(&mut self) {
+    fn look_up(&mut self) -> Result<(), TooMany> {
         self.proxies.inflate_leavers(self.foresight);
         self.found.clear();
-        let proxies = &self.proxies;
+        let (proxies, most) = (&self.proxies, self.most_found());
         self.work = self.layers.find_leavers(
             &proxies.fat_boxes,
             &proxies.leavers,
             |pair| !proxies.are_filtered || proxies.may_meet(pair),
+            most,
             &mut self.found,
             &mut self.stopwatch,
-        );
+        )?;
         self.stopwatch.enter(Phase::Difference);
+        Ok(())
     }
 
     /// Compares candidates, retires those of the leavers, and takes in what was found for these.
@@ -145,15 +152,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.found.clear();
         let count = self.candidates.len();
         self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
-        self.search();
-        while !self.foresight.is_fixed && self.are_too_many_found() {
+        let mut most = self.most_found();
+        while self.search(most).is_err() || self.are_too_many_found(most) {
             self.foresight.shorten();
             self.proxies.inflate_all(self.foresight);
             self.found = Vec::new();
-            self.search();
-            // Also if there was no foresight before: what has not moved since may have its fat box from an earlier time.
+            // Only now: even without foresight, what has not moved since may have had its fat box from an earlier time.
             if self.foresight.moves == 0 {
-                break;
+                most = usize::MAX;
             }
         }
         let mut comparing = Comparing {
@@ -169,19 +175,29 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Appends the pairs that may meet among all fat boxes that overlap to what was found.
-    fn search(&mut self) {
+    /// Appends the pairs that may meet among all fat boxes that overlap to what was found. Gives up when far more than `most` overlap.
+    fn search(&mut self, most: usize) -> Result<(), TooMany> {
         let proxies = &self.proxies;
         let may_meet = |pair| proxies.may_meet(pair);
-        let unwanted = self.layers.find_all(
+        let overlapping = self.layers.find_all(
             &proxies.fat_boxes,
             proxies.are_filtered.then_some(may_meet),
+            most,
             &mut self.found,
             &mut self.stopwatch,
         );
-        self.work.searched += proxies.len();
-        self.work.found += self.found.len() + unwanted;
         self.stopwatch.enter(Phase::Difference);
+        self.work.searched += proxies.len();
+        self.work.found += overlapping?;
+        Ok(())
+    }
+
+    /// How many more pairs of fat boxes than last time a search may find before it gives up.
+    fn most_found(&self) -> usize {
+        match self.foresight.is_fixed {
+            true => usize::MAX,
+            false => MOST_FOUND * (self.proxies.len() + self.candidates.overlapping_count),
+        }
     }
 
     /// Whether this number of candidates is more than foresight can be worth.
@@ -190,10 +206,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         policy::are_too_many(candidates, self.proxies.len(), overlapping)
     }
 
-    /// Whether too many candidates were found. How many of them overlap is not known yet.
-    fn are_too_many_found(&self) -> bool {
+    /// Whether too many candidates were found, if there is a limit. How many of them overlap is not known yet.
+    fn are_too_many_found(&self, most: usize) -> bool {
         // There are hardly ever that many, so boxes are hardly ever compared here.
-        self.are_too_many(self.found.len()) && {
+        most < usize::MAX && self.are_too_many(self.found.len()) && {
             let overlapping = self.found.iter();
             let overlapping = overlapping.filter(|&&pair| self.proxies.overlap(pair));
             policy::are_too_many(self.found.len(), self.proxies.len(), overlapping.count())

@@ -92,9 +92,11 @@ pub(super) fn overlapping<R: Real, const D: usize, K: FilterKey>(
     keys: &[K],
 ) -> Vec<[u32; 2]> {
     let mut found = Vec::new();
-    Layers::new(kernel, true).find_all(
+    // Without a limit.
+    let _ = Layers::new(kernel, true).find_all(
         boxes,
         None::<fn([u32; 2]) -> bool>,
+        usize::MAX,
         &mut found,
         &mut Stopwatch::default(),
     );

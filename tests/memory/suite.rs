@@ -4,7 +4,7 @@
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
 use super::{PairFilter, Settings, UnisizeBroadPhase, rapier};
-use crate::memory::{live_bytes, reallocations};
+use crate::memory::{allocated_bytes, live_bytes, reallocations};
 use crate::turn;
 use desk::Desk;
 
@@ -110,6 +110,14 @@ fn kinds() -> [Vec<SharedShape>; 3] {
     [vec![cuboid], vec![capsule], mixed]
 }
 
+/// An update without the checks of a desk, which take memory as well.
+fn update_unchecked(desk: &mut Desk, listed: &[ColliderHandle]) {
+    let (colliders, bodies) = (&desk.colliders, &desk.bodies);
+    let events = &mut Vec::new();
+    desk.broad_phase
+        .update(&desk.params, colliders, bodies, listed, &[], events);
+}
+
 /// How many times lists are reallocated while this many colliders are added that do not meet, in updates of `step` each, and while their
 /// broad phase is read from a snapshot.
 fn reallocated(kinds: &[SharedShape], count: usize, step: usize) -> [usize; 2] {
@@ -127,10 +135,7 @@ fn reallocated(kinds: &[SharedShape], count: usize, step: usize) -> [usize; 2] {
         .collect();
     let before = reallocations();
     for listed in all.chunks(step) {
-        let (colliders, bodies) = (&desk.colliders, &desk.bodies);
-        let events = &mut Vec::new();
-        desk.broad_phase
-            .update(&desk.params, colliders, bodies, listed, &[], events);
+        update_unchecked(&mut desk, listed);
     }
     let while_adding = reallocations() - before;
     [while_adding, reallocated_by_reading(&desk.broad_phase)]
@@ -165,5 +170,46 @@ fn reallocations_of_volumes_grow_with_the_logarithm_of_colliders() {
                 assert!(found <= of_balls + most, "{found} beside {of_balls}");
             }
         }
+    }
+}
+
+/// Tall columns sink towards a stack of long bars, and stop before they touch one: each is about to meet all bars.
+#[test]
+fn memory_does_not_follow_pairs_that_may_never_meet() {
+    const COUNT: usize = 3000;
+    const STEP: Real = 2.0;
+    /// 4 kB a collider, with all that lists take while they grow. The pairs ahead would take four times that.
+    const MOST: usize = COUNT << 12;
+    let _turn = turn();
+    let mut desk = Desk::default();
+    let thin = 1e-4;
+    let mut add = |x: Real, y: Real, centre| {
+        let mut extents = [thin; DIM];
+        extents[..2].copy_from_slice(&[x, y]);
+        let shape = SharedShape::new(rapier::parry::shape::Cuboid::new(extents.into()));
+        let collider = ColliderBuilder::new(shape);
+        let collider = collider.active_collision_types(ActiveCollisionTypes::all());
+        let handle = desk.colliders.insert(collider);
+        desk.place(handle, centre);
+        handle
+    };
+    let share = |i: usize| i as Real / COUNT as Real;
+    let bars: Vec<_> = (0..COUNT / 2)
+        .map(|i| add(50.0, thin, [0.0, 100.0 * share(i)]))
+        .collect();
+    let place = |i: usize, bottom| [80.0 * share(i) - 20.0, bottom + 50.0];
+    let columns: Vec<_> = (0..COUNT / 2)
+        .map(|i| add(thin, 50.0, place(i, 60.0)))
+        .collect();
+    desk.update(&[bars, columns.clone()].concat(), &[]);
+    for step in 1..4 {
+        for (i, &column) in columns.iter().enumerate() {
+            desk.place(column, place(i, 60.0 - STEP * step as Real));
+        }
+        let before = allocated_bytes();
+        update_unchecked(&mut desk, &columns);
+        let allocated = allocated_bytes() - before;
+        assert!(allocated < MOST, "{allocated} bytes in an update");
+        assert_eq!(desk.counts(), [COUNT, 0, 0]);
     }
 }

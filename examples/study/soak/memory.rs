@@ -12,6 +12,12 @@ pub(crate) fn live_bytes() -> usize {
     stats.bytes_allocated.wrapping_sub(stats.bytes_deallocated)
 }
 
+/// The bytes that have been allocated so far, freed or not.
+#[allow(dead_code)] // Only tests ask.
+pub(crate) fn allocated_bytes() -> usize {
+    ALLOCATOR.stats().bytes_allocated
+}
+
 /// How often a list of the program has been moved or resized so far.
 #[allow(dead_code)] // Only tests ask.
 pub(crate) fn reallocations() -> usize {
