@@ -392,6 +392,7 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
 
     /// Whether they are apart along the line to one centre from where the segments of the other volume, which is given, are nearest to
     /// it, or nearly so.
+    #[inline(always)]
     fn is_apart_by_shortest(&self, volume: VolumeRef<'a, R, D>) -> bool {
         // To which side the line goes does not matter.
         let axis = volume.half_axes.iter().fold(self.between, |axis, &half| {
