@@ -1,6 +1,10 @@
-//! The smallest program: a pile of balls on a floor, stepped with unisize.
+//! The smallest program: a pile of balls on a floor, on unisize in place of Rapier's own broad phase. Copy the one marked line.
 //!
-//! `cargo run --release --features rapier3d-027 --example drop_in`
+//! ```text
+//! cargo run --release --features rapier3d-027 --example drop_in
+//! ```
+//!
+//! This is Rapier 0.27, whose pipeline takes any broad phase. For 0.36 see `examples/patched`.
 
 use rapier3d::prelude::*;
 use unisize::rapier3d_027::UnisizeBroadPhase;
@@ -16,7 +20,7 @@ fn main() {
         colliders.insert_with_parent(ColliderBuilder::ball(0.5), body, &mut bodies);
     }
 
-    // The one line that differs from a program with Rapier's own: `DefaultBroadPhase::new()`.
+    // The only line that changes. It was `DefaultBroadPhase::new()`.
     let mut broad_phase = UnisizeBroadPhase::new();
 
     let mut pipeline = PhysicsPipeline::new();
@@ -42,9 +46,14 @@ fn main() {
         );
     }
 
-    let touching = narrow_phase
-        .contact_pairs()
-        .filter(|pair| pair.has_any_active_contact)
-        .count();
-    println!("{touching} contacts among {:?}", broad_phase.stats());
+    let pairs = narrow_phase.contact_pairs();
+    let touching = pairs.filter(|pair| pair.has_any_active_contact).count();
+    let stats = broad_phase.stats();
+    println!(
+        "{} colliders, {} pairs, {touching} of them touch",
+        stats.proxies, stats.pairs
+    );
+    // A collider whose box has a NaN or is inverted is refused, and the first one is logged.
+    assert_eq!(stats.refused, 0, "some colliders have no valid box");
+    assert!(touching > 0, "the balls lie on the floor");
 }

@@ -1,0 +1,65 @@
+//! Would unisize help your scene? `Trial` takes the place of the broad phase in your program, and reports.
+//!
+//! ```text
+//! cargo run --release --features rapier3d-027 --example trial
+//! ```
+//!
+//! The world stays on Rapier's own broad phase and moves as before, to the last bit. unisize gets the same input at each filter level. Fails
+//! if its pairs were not Rapier's own.
+
+use std::time::Instant;
+
+use rapier3d::prelude::*;
+use unisize::rapier3d_027::Trial;
+
+const STEPS: usize = 300;
+
+fn main() {
+    // Your scene instead.
+    let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
+    colliders.insert(ColliderBuilder::cuboid(30.0, 0.5, 30.0));
+    for i in 0..3000 {
+        let (x, y, z) = (i % 15, i / 225, i / 15 % 15);
+        let place = vector![x as f32 * 1.1, 1.5 + y as f32 * 1.1, z as f32 * 1.1];
+        let body = bodies.insert(RigidBodyBuilder::dynamic().translation(place));
+        colliders.insert_with_parent(ColliderBuilder::ball(0.5), body, &mut bodies);
+    }
+
+    // The only line that changes. It was `DefaultBroadPhase::new()`.
+    let mut broad_phase = Trial::new();
+
+    let mut pipeline = PhysicsPipeline::new();
+    let mut islands = IslandManager::new();
+    let mut narrow_phase = NarrowPhase::new();
+    let mut impulse_joints = ImpulseJointSet::new();
+    let mut multibody_joints = MultibodyJointSet::new();
+    let mut ccd_solver = CCDSolver::new();
+    let start = Instant::now();
+    for _ in 0..STEPS {
+        pipeline.step(
+            &vector![0.0, -9.81, 0.0],
+            &IntegrationParameters::default(),
+            &mut islands,
+            &mut broad_phase,
+            &mut narrow_phase,
+            &mut bodies,
+            &mut colliders,
+            &mut impulse_joints,
+            &mut multibody_joints,
+            &mut ccd_solver,
+            &(),
+            &(),
+        );
+    }
+    let elapsed = start.elapsed();
+
+    let report = broad_phase.report();
+    println!("{report}");
+    assert!(report.is_equal(), "the pairs were not Rapier's own");
+    if let Some(level) = report.fitting() {
+        // The trial itself takes time: it is no part of your steps.
+        let steps = elapsed.saturating_sub(report.overhead);
+        let gain = report.least_gain(steps, level);
+        println!("Whole steps would be at least {gain:.2} times as fast on unisize.");
+    }
+}
