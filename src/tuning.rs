@@ -115,7 +115,7 @@ pub(crate) mod kernel {
     pub(crate) const SORT_BOTH_AXES_FROM: usize = 1 << 14;
 }
 
-/// Pairs over time: the tracker and the proxy table. Shown by `cargo bench --all-features -- hard-motions`, and over
+/// Pairs over time: the tracker and the proxy table. Shown by `measure -- hard-motions`, and over
 /// whole worlds by the example `compare`.
 pub(crate) mod update {
     /// Listed colliders. Up to this many are read in the order in which they are listed, because they fit in the caches
@@ -277,7 +277,7 @@ pub(crate) mod threads {
     pub(crate) const PART_FROM: u64 = 100_000 / SCALE;
 }
 
-/// The tree for queries. Shown by `cargo bench --all-features -- queries`, and by the example `compare` with `--rays 1`.
+/// The tree for queries. Shown by `measure -- queries`, and by the example `compare` with `--rays 1`.
 pub(crate) mod queries {
     /// Leaves. A tree of no more is built afresh when it loses one, since Parry's trees that lose nearly all leaves are not
     /// sound, and its leaves keep their places: all of it can be visited in no time.

@@ -251,7 +251,9 @@ fn move_and_turn<const D: usize>(
     volume.ball.center = core::array::from_fn(|k| volume.ball.center[k] + by[k]);
     let (p, q) = (axis % D, (axis + 1) % D);
     for half in &mut volume.half_axes {
-        let (sin, cos) = angle.sin_cos();
+        // A turn by nearly this angle, by the half-angle formulas: they are the same on every platform.
+        let t = angle / 2.0;
+        let [sin, cos] = [2.0 * t, 1.0 - t * t].map(|x| x / (1.0 + t * t));
         (half[p], half[q]) = (cos * half[p] - sin * half[q], sin * half[p] + cos * half[q]);
     }
 }

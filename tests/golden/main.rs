@@ -12,8 +12,9 @@
 ))]
 
 mod hash;
+mod hashes;
 
-#[path = "../flavours/mod.rs"]
+#[path = "../common/flavours.rs"]
 #[macro_use]
 mod flavours;
 
@@ -22,10 +23,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            #[cfg(feature = "enhanced-determinism")]
-            use unisize::$unisize::PairFilter;
             use unisize::$unisize::{Kernel, Settings, Stats, UnisizeBroadPhase};
-            use unisize_scenes::$name as scenes;
             use $rapier as rapier;
 
             const FLAVOUR: &str = stringify!($name);
@@ -36,18 +34,6 @@ macro_rules! flavour {
 }
 
 for_each_027!(flavour);
-
-/// Checks the hash of a replay or a scene, which `hashes.txt` has for each flavour.
-fn golden(flavour: &str, name: &str, found: &hash::Hash) {
-    let mut rows = include_str!("hashes.txt").lines().skip(2);
-    let mut columns = rows.next().expect("the names").split_whitespace();
-    let column = columns.position(|column| column == flavour);
-    let mut rows = rows.map(str::split_whitespace);
-    let row = rows.find(|row| row.clone().next() == Some(name));
-    let golden = row.and_then(|mut row| row.nth(column?));
-    let found = format!("{:016x}", found.0);
-    assert_eq!(golden, Some(&found[..]), "{name} in {flavour}");
-}
 
 // It does not look into macros.
 #[cfg(rustfmt)]

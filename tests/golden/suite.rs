@@ -1,14 +1,13 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::{FLAVOUR, Kernel, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
-use crate::golden;
+use super::{FLAVOUR, Kernel, Settings, Stats, UnisizeBroadPhase, rapier};
 use crate::hash::Hash;
+use crate::hashes::golden;
 use crowd::Crowd;
 use oorandom::Rand32;
 use rapier::prelude::*;
-use scenes::PairEvent;
 
-#[path = "../crowd/mod.rs"]
+#[path = "../common/crowd.rs"]
 mod crowd;
 
 /// A way in which colliders move about.
@@ -65,11 +64,10 @@ struct Way {
     is_on_bodies: bool,
 }
 
-fn write(hash: &mut Hash, events: &[PairEvent]) {
+fn write(hash: &mut Hash, events: &[(bool, ColliderPair)]) {
     hash.write(events.len() as u32);
-    for event in events {
-        hash.write(u32::from(event.is_add()));
-        let pair = event.pair();
+    for &(begins, pair) in events {
+        hash.write(u32::from(begins));
         for handle in [pair.collider1, pair.collider2] {
             let (index, generation) = handle.into_raw_parts();
             hash.write(index);
@@ -241,28 +239,5 @@ fn kernels_do_not_matter() {
         for replay in ALL.iter().filter(|replay| replay.count <= most) {
             replay.check(&way);
         }
-    }
-}
-
-/// Whole simulations, which are the same on every platform only with this feature.
-#[cfg(feature = "enhanced-determinism")]
-#[test]
-fn scenes_are_golden() {
-    use super::PairFilter;
-    use super::scenes::{Observed, Scene};
-    use unisize_scenes::SceneKind;
-
-    for kind in SceneKind::ALL {
-        let mut scene = Scene::build(kind, 60, 1);
-        // With all pairs, also those that can have no effect.
-        let settings = Settings::default().with_filter(PairFilter::Off);
-        let broad_phase = UnisizeBroadPhase::with_settings(settings);
-        let mut broad_phase = Observed::new(broad_phase).with_events();
-        let mut hash = Hash::default();
-        for _ in 0..100 {
-            scene.step(&mut broad_phase, &(), &());
-            write(&mut hash, &broad_phase.take_events());
-        }
-        golden(FLAVOUR, kind.name(), &hash);
     }
 }

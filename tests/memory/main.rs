@@ -4,10 +4,10 @@
 #![cfg(feature = "_adapter")]
 
 #[allow(dead_code)] // Without an engine there is nothing to count.
-#[path = "../../examples/study/soak/memory.rs"]
-mod memory;
+#[path = "../common/allocations.rs"]
+mod allocations;
 
-#[path = "../flavours/mod.rs"]
+#[path = "../common/flavours.rs"]
 #[macro_use]
 mod flavours;
 
@@ -28,47 +28,6 @@ macro_rules! flavour {
 
 for_each_027!(flavour);
 for_each_036!(flavour);
-
-/// A short run of the study `soak`: many updates of worlds in which everything changes, in the same memory.
-///
-/// The study makes a million: `cargo run --release --all-features --example study -- soak`.
-#[path = "."]
-mod soak {
-    #[allow(unused_macros)]
-    macro_rules! soak {
-        ($name:ident, $unisize:ident) => {
-            #[path = "../../examples/study/engine"]
-            mod $name {
-                use unisize::$unisize as ours;
-                use unisize_scenes::$name as scenes;
-
-                mod soak;
-
-                #[test]
-                fn memory_does_not_grow() {
-                    const UPDATES: u64 = 20_000;
-                    let _turn = crate::turn();
-                    let mut soak = soak::Soak::new(200, 7);
-                    let mut peaks = crate::memory::Peaks::default();
-                    for done in 1..=UPDATES {
-                        soak.update();
-                        peaks.note(done, UPDATES);
-                        if done % 50 == 0 {
-                            soak.check();
-                        }
-                    }
-                    assert!(soak.pairs() > 0);
-                    assert!(peaks.are_flat(), "{peaks:?}");
-                }
-            }
-        };
-    }
-
-    #[cfg(feature = "rapier2d-027")]
-    soak!(dim2, rapier2d_027);
-    #[cfg(feature = "rapier3d-027")]
-    soak!(dim3, rapier3d_027);
-}
 
 mod slabs;
 

@@ -4,7 +4,7 @@ use std::num::NonZero;
 
 use unisize::{Aabb, GridSweep, PairFinder};
 
-use crate::memory::live_bytes;
+use crate::allocations::live_bytes;
 
 /// Above what any of these worlds takes with eight slabs.
 const MOST_A_BOX: usize = 400;

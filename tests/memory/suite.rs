@@ -4,11 +4,11 @@
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
 use super::{PairFilter, Settings, UnisizeBroadPhase, rapier};
-use crate::memory::{allocated_bytes, live_bytes, reallocations};
+use crate::allocations::{allocated_bytes, live_bytes, reallocations};
 use crate::turn;
 use desk::Desk;
 
-#[path = "../desk/mod.rs"]
+#[path = "../common/desk.rs"]
 #[allow(dead_code)] // Settings stay as they are.
 mod desk;
 

@@ -1,7 +1,7 @@
 //! What `GridSweep` does for what it finds: it counts what it compares, and no clock is needed to see that its time grows with boxes and pairs.
 
+use crate::arrangements::{HardBoxes, Mixture};
 use unisize::{Aabb, GridSweep, PairFinder};
-use unisize_scenes::{HardBoxes, Mixture};
 
 /// The most comparisons, and visits of tubes, for each box and pair: of arrangements that somebody has thought of, and of the worst that a
 /// search has found, plates and needles in all directions.

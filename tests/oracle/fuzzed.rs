@@ -10,7 +10,6 @@ use std::num::NonZero;
 use crate::numbers::Number;
 use arbitrary::{Result, Unstructured};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
-use unisize_reference::SweepAndPrune;
 
 use crate::numbers::{alphabet, stepped};
 
@@ -73,10 +72,7 @@ type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>
 
 /// The kernels of which only the pairs are compared.
 fn others<R: Number, const D: usize>() -> Kernels<R, D> {
-    vec![
-        ("RankSweep", Box::new(RankSweep::default())),
-        ("SweepAndPrune", Box::new(SweepAndPrune::default())),
-    ]
+    vec![("RankSweep", Box::new(RankSweep::default()))]
 }
 
 /// The boxes of one list, and what they are made from.

@@ -4,12 +4,12 @@
 
 use core::array::from_fn;
 
+use crate::arrangements::HardBoxes;
 use crate::boxes::{self, list, scattered, uniform};
 use crate::limits::{far_from_origin, infinite, scales, strays};
 use crate::numbers::{Number, stepped};
 use crate::random::Random;
 use unisize::Aabb;
-use unisize_scenes::HardBoxes;
 
 /// A list of boxes with its name in a report.
 pub(crate) struct Input<R, const D: usize> {

@@ -12,15 +12,17 @@ mod fuzzed;
 mod inputs;
 mod limits;
 mod numbers;
-mod paper;
 mod random;
 mod replay;
 mod slabs;
 mod timed;
 
-#[path = "../cases/mod.rs"]
+#[allow(dead_code, unreachable_pub)] // The laboratory's crate of scenes publishes all of it.
+#[path = "../common/boxes/mod.rs"]
+mod arrangements;
+#[path = "../common/cases.rs"]
 mod cases;
-#[path = "../cases/check.rs"]
+#[path = "../common/random_values.rs"]
 mod random_values;
 
 use slabs::InSlabs;
@@ -73,10 +75,3 @@ mod brute_force {
 suites!(grid_sweep, GridSweep, f32_1 f32, 1, f64_4 f64, 4);
 suites!(grid_sweep_in_slabs, InSlabs);
 suites!(rank_sweep, RankSweep, f32_1 f32, 1, f64_4 f64, 4);
-
-mod references {
-    use super::*;
-    use unisize_reference::SweepAndPrune;
-
-    suites!(sweep_and_prune, SweepAndPrune, f32_1 f32, 1, f64_4 f64, 4);
-}

@@ -1,6 +1,6 @@
 //! The suite in each flavour of Rapier whose feature is on, with what depends on its version. The fuzzer compiles this file as well.
 
-#[path = "../flavours/mod.rs"]
+#[path = "../common/flavours.rs"]
 #[macro_use]
 mod list;
 

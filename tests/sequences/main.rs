@@ -20,9 +20,9 @@ mod ops;
 mod replay;
 mod strategies;
 
-#[path = "../cases/mod.rs"]
+#[path = "../common/cases.rs"]
 mod cases;
-#[path = "../cases/check.rs"]
+#[path = "../common/random_values.rs"]
 mod random_values;
 
 // It does not look into macros.

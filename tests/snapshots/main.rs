@@ -5,7 +5,7 @@
 
 mod boxes;
 
-#[path = "../flavours/mod.rs"]
+#[path = "../common/flavours.rs"]
 #[macro_use]
 mod flavours;
 
@@ -15,7 +15,6 @@ macro_rules! flavour {
         #[path = "."]
         mod $name {
             use unisize::$unisize::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
-            use unisize_scenes::$name as scenes;
             use $rapier as rapier;
 
             mod suite;

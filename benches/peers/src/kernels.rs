@@ -31,11 +31,10 @@ mod parry3 {
 }
 
 use crate::pair_set;
-use crate::progress::progress_bar;
-use crate::report::Report;
 use crate::row::Row;
 use anyhow::{Context, Result};
 use contender::{Contender, Family, Frame};
+use unisize_report::{Report, progress_bar};
 use unisize_scenes::DriftingBoxes;
 
 /// How long one number of boxes is measured.

@@ -5,24 +5,18 @@
 //! ```
 //!
 //! Every pair set is compared with that of an oracle before any time of it is reported. Broad phases are measured against Rapier's own
-//! in whole scenes, by `examples/compare`.
+//! in whole scenes, by `benches/compare`.
 
 mod chart;
-#[path = "../../common/json_lines.rs"]
-mod json_lines;
 mod kernels;
 mod pair_set;
-#[path = "../../../examples/progress/bar.rs"]
-mod progress;
-#[path = "../../common/report.rs"]
-mod report;
 mod row;
 mod times;
 
 use anyhow::Result;
 use clap::Parser;
-use report::Report;
 use std::path::PathBuf;
+use unisize_report::Report;
 
 /// Measures unisize against its peers: a table on the terminal, JSON lines and a chart.
 #[derive(Debug, Parser)]

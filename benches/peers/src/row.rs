@@ -1,7 +1,7 @@
 //! One figure: a contender in a case.
 
-use crate::report::Report;
 use std::io;
+use unisize_report::Report;
 
 /// What one contender took in one case.
 #[derive(Clone, Debug)]

@@ -152,9 +152,8 @@ function tell() {
 }
 
 function searches() {
-  const [first, second, ahead, runs, updates] = sides.unisize.searches().map((count) => integer.format(count));
-  const strips = form.elements.space.value === "2d" ? first : `${first} × ${second}`;
-  return `So far ${runs} searches for all pairs in ${updates} updates, the last one in ${strips} strips, ${ahead} moves ahead.`;
+  const [ahead, runs, updates] = sides.unisize.searches().map((count) => integer.format(count));
+  return `So far ${runs} searches for all pairs in ${updates} updates, the last one ${ahead} moves ahead.`;
 }
 
 function agreement() {

@@ -77,7 +77,7 @@ trait World {
     fn draw(&self, drawing: &mut Drawing);
     fn box_lines(&self) -> Vec<f32>;
     fn fat_box_lines(&self) -> Vec<f32>;
-    fn searches(&self) -> [f64; 5];
+    fn searches(&self) -> [f64; 3];
     fn pair_lines(&self, touching: bool) -> Vec<f32>;
 }
 
@@ -173,8 +173,8 @@ impl Side {
         self.world.fat_box_lines()
     }
 
-    /// How unisize searches: the strips along two axes in the last search for all pairs, how many moves ahead its boxes reach, the searches
-    /// for all pairs so far, and the updates so far; zeros on the other side.
+    /// How unisize searches: how many moves ahead its boxes reach, the searches for all pairs so far, and the updates so far; zeros on the
+    /// other side.
     pub fn searches(&self) -> Vec<f64> {
         self.world.searches().to_vec()
     }

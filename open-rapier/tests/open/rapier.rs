@@ -7,7 +7,7 @@ use std::process::Command;
 use crate::fixture::outcome;
 use crate::seam::PACKAGES;
 
-/// `examples/opened` has programs that implement the trait.
+/// `benches/patched` has programs that implement the trait.
 const LIBRARY: &str = "pub use rapier2d::prelude::CustomBroadPhase;";
 
 const MANIFEST: &str = "

@@ -1,10 +1,9 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase, rapier, scenes};
+use super::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase, rapier};
 
 mod damage;
 mod settings;
-mod simulations;
 
-#[path = "../../crowd/mod.rs"]
+#[path = "../../common/crowd.rs"]
 mod crowd;

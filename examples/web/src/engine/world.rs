@@ -135,12 +135,11 @@ impl<B: Steppable> World for Run<B> {
         finite.flat_map(|aabb| edges(corners_of(&aabb))).collect()
     }
 
-    fn searches(&self) -> [f64; 5] {
+    fn searches(&self) -> [f64; 3] {
         let unisize = self.unisize.map(|unisize| unisize(&self.broad_phase));
         let stats = unisize.map(UnisizeBroadPhase::stats).unwrap_or_default();
-        let [first, second] = stats.strips.map(f64::from);
         let [runs, updates] = [stats.full_runs, stats.updates].map(|count| count as f64);
-        [first, second, stats.foresight.into(), runs, updates]
+        [stats.foresight.into(), runs, updates]
     }
 
     fn pair_lines(&self, touching: bool) -> Vec<f32> {

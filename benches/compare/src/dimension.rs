@@ -1,0 +1,62 @@
+//! Runs one comparison: one source, compiled once in each dimension.
+
+use super::{DIM, ours, scenes};
+use crate::case::Case;
+use crate::options::Options;
+use crate::row::Row;
+use ours::{Settings, UnisizeBroadPhase};
+use scenes::{Candidate, Comparison};
+use std::sync::atomic::{AtomicU64, Ordering};
+use unisize::PairFilter;
+use unisize_scenes::Sharing;
+
+/// Compares in one case.
+pub(crate) fn compare(case: Case, options: &Options) -> Row {
+    let comparison = Comparison {
+        steps: options.steps(),
+        before: options.before(),
+        rays: options.rays,
+        repeats: options.repeats(),
+        ..Comparison::new(case.kind, options.bodies(case), options.seed)
+    };
+    let outcome = if options.pair_filter() == PairFilter::Shapes {
+        // The default's pairs are all of those whose boxes overlap: so first, it is these that must be the same.
+        let boxes = Comparison {
+            repeats: 0,
+            ..comparison
+        };
+        let boxes = boxes.run(&candidate(crate::version::FILTER_OF_DEFAULT));
+        let shapes = candidate(PairFilter::Shapes).leaving_out_more();
+        let mut outcome = comparison.run(&shapes);
+        outcome.first_difference = boxes.first_difference.or(outcome.first_difference);
+        outcome
+    } else {
+        comparison.run(&candidate(options.pair_filter()))
+    };
+    Row::new(case, DIM, options, outcome)
+}
+
+fn candidate(filter: PairFilter) -> Candidate<UnisizeBroadPhase> {
+    let settings = Settings::default().with_filter(filter).with_timed(true);
+    let candidate = Candidate::new(
+        move || UnisizeBroadPhase::with_settings(settings),
+        |ours| ours.pairs().collect(),
+        UnisizeBroadPhase::as_query_pipeline,
+    );
+    // An update that has nothing to do leaves the statistics as they are.
+    let updates = AtomicU64::new(0);
+    candidate.with_sharing(move |ours| {
+        let stats = ours.stats();
+        if updates.swap(stats.updates, Ordering::Relaxed) == stats.updates {
+            return Sharing::default();
+        }
+        let times = stats.times;
+        let [ms, ms_shared] =
+            [times.total(), times.shared.time].map(|time| time.as_secs_f64() * 1e3);
+        Sharing {
+            ms,
+            ms_shared,
+            sections: times.shared.sections.into(),
+        }
+    })
+}

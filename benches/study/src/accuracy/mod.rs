@@ -1,0 +1,266 @@
+//! What the time buys: errors against the computing time for one simulated second.
+//!
+//! Scenes are simulated on Rapier's own broad phase, on unisize, and on methods that miss pairs in exchange for speed, with four time
+//! steps, from starts that differ a little by their seed. Errors are measured by Rapier's world alone, so that they show what a broad
+//! phase has lost: joints stretch, bodies are in each other or outside of what should hold them. What comes of it:
+//!
+//! - for each **method** the time of whole steps and its errors in the scene where they are largest;
+//! - whether it can be **told apart** from Rapier's own broad phase by any error in any scene: a test on the same starts, corrected for
+//!   the number of tests;
+//! - whether the tests would **notice** a broad phase that loses one pair in a thousand.
+//!
+//! The solver goes through contacts in the order in which their pairs were reported, and in a calm scene another order can have a
+//! tiny effect that is always the same. So the first start of every scene, and all starts of a scene in which unisize is told apart,
+//! are simulated again with the events of both in the same order: if they find the same pairs, the runs are then equal bit for bit, in
+//! all errors, and in the motions of all bodies at the end.
+
+pub(crate) mod ensembles;
+mod verdict;
+
+use crate::finder::Finder;
+use crate::options::Common;
+use crate::output::Output;
+use crate::statistics::geometric_mean;
+use crate::version::{FINDERS, RAPIER};
+use crate::{dim2, dim3};
+use anyhow::Result;
+use clap::Args;
+use ensembles::{DEEPEST, Ensembles, LOST, STRAYED, STRETCH};
+use indicatif::ProgressBar;
+use std::ops::Range;
+use unisize_charts::{Axis, Chart, Panel, Series};
+use unisize_report::progress_bar;
+use unisize_scenes::SceneKind;
+use verdict::Verdict;
+
+/// The scenes, which nothing moves but physics. Joints should hold, balls should rest beside each other, columns should stand, and
+/// nothing should leave its container.
+pub(crate) const SCENES: [SceneKind; 5] = [
+    SceneKind::Ropes,
+    SceneKind::FallingBalls,
+    SceneKind::MixedEight,
+    SceneKind::Stacks,
+    SceneKind::Gas,
+];
+
+/// About how many bodies there are, and how many seconds are simulated, in a quick run and in a full one.
+const BODIES: [usize; 2] = [40, 200];
+const SECONDS: [f64; 2] = [0.8, 2.0];
+
+/// Steps per simulated second: the time steps of every curve.
+const FREQUENCIES: [u32; 4] = [30, 60, 120, 240];
+
+/// The time step of the tables, in steps per second.
+const SHOWN: u32 = 60;
+
+/// With fewer seeds nothing is said. With n seeds no p-value is less than 2 / 2<sup>n</sup>: with 11 seeds and some sixty tests, the
+/// correction makes more than 0.05 of it. With a few more, only that all seeds agree would be seen.
+const FEWEST_SEEDS: u64 = 15;
+
+/// What does the time of a simulation buy, and can unisize be told apart from Rapier's own broad phase?
+///
+/// Exits with 1 if simulations on both differ though their events are in the same order, or if the tests do not notice that one pair
+/// in a thousand is lost. Fewer than 15 seeds, and a quick run, give no verdict but on the order.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    common: Common,
+    /// A scene; may be given several times [default: five of them]
+    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
+    only: Vec<String>,
+}
+
+impl Arguments {
+    /// Runs the study; whether unisize has passed.
+    pub(crate) fn run(&self) -> Result<bool> {
+        let mut output = Output::create("accuracy", &self.common)?;
+        let seeds = self.common.seeds([2, 20]);
+        let scenes = self.common.scenes(&SCENES, &self.only);
+        let runs = FINDERS.len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
+        let bar = progress_bar((runs * scenes.len() * self.common.dims().len()) as u64);
+        let mut studies = Vec::new();
+        for &dim in self.common.dims() {
+            for &scene in &scenes {
+                bar.set_message(format!("{} {dim}D", scene.name()));
+                let mut study = self.ensembles(dim, scene);
+                measure(&mut study, seeds.clone(), &bar);
+                studies.push(study);
+            }
+        }
+        bar.finish_and_clear();
+        let verdict = Verdict::of(&studies);
+        report(&studies, &verdict, &mut output)?;
+        for &dim in self.common.dims() {
+            output.chart(Some(dim), || chart(dim, &studies))?;
+        }
+        Ok(self.conclude(&studies, &verdict, seeds))
+    }
+
+    fn ensembles(&self, dim: u8, kind: SceneKind) -> Ensembles {
+        let seconds = self.common.usual(SECONDS);
+        // Steps are those of a sixtieth.
+        let steps = self.common.steps.map(|steps| steps as f64 / 60.0);
+        let seconds = steps.unwrap_or(seconds).min(seconds);
+        Ensembles::new(dim, kind, self.common.usual(BODIES), seconds)
+    }
+
+    fn conclude(&self, studies: &[Ensembles], verdict: &Verdict, seeds: Range<u64>) -> bool {
+        let is_finite = studies.iter().all(Ensembles::is_finite);
+        if !is_finite {
+            println!("\nNOT FINITE: a simulation exploded.");
+        }
+        let has_verdict = !self.common.quick && seeds.end - seeds.start >= FEWEST_SEEDS;
+        let mut is_equal = true;
+        for (scene, study) in studies.iter().enumerate() {
+            let is_told_apart = has_verdict && verdict.tells_apart(scene, Finder::DEFAULT);
+            let count = if is_told_apart {
+                seeds.end - seeds.start
+            } else {
+                1
+            };
+            let is_same = is_same_in_order(study, seeds.start..seeds.start + count);
+            let title = study.title();
+            if !is_same {
+                println!("\n{title}: runs DIFFER, even with events in order.");
+            } else if is_told_apart {
+                println!("\n{title}: told apart by the order of events alone.");
+            }
+            is_equal &= is_same;
+        }
+        if is_equal {
+            println!("\nWith events in order, unisize and Rapier's own are equal bit for bit.");
+        }
+        if !has_verdict {
+            println!("No verdict: that takes {FEWEST_SEEDS} seeds, and no quick run.");
+            return is_finite && is_equal;
+        }
+        let told_apart = |finder| verdict.told_apart(studies.len(), finder);
+        let noticed = told_apart(Finder::Lossy);
+        println!(
+            "unisize is told apart in {} of {} scenes by {} tests; the control in {noticed}.",
+            told_apart(Finder::DEFAULT),
+            studies.len(),
+            verdict.tests(Finder::DEFAULT),
+        );
+        is_finite && is_equal && noticed > 0
+    }
+}
+
+/// Simulates a scene with every method, time step and seed. Methods go in turns, and another one begins with every seed, so that
+/// none has the machine at a better time than the others.
+fn measure(study: &mut Ensembles, seeds: Range<u64>, bar: &ProgressBar) {
+    let mut finders = FINDERS.to_vec();
+    for seed in seeds {
+        for frequency in FREQUENCIES {
+            for &finder in &finders {
+                let case = study.case(finder, frequency, seed);
+                let run = match study.dim {
+                    2 => dim2::accuracy::run(&case),
+                    _ => dim3::accuracy::run(&case),
+                };
+                study.push(finder, frequency, run);
+                bar.inc(1);
+            }
+        }
+        finders.rotate_left(1);
+    }
+}
+
+/// Whether all runs of a scene are the same, bit for bit, with the events of each update in order.
+fn is_same_in_order(study: &Ensembles, mut seeds: Range<u64>) -> bool {
+    seeds.all(|seed| {
+        FREQUENCIES.into_iter().all(|frequency| {
+            let case = study.case(Finder::DEFAULT, frequency, seed);
+            match study.dim {
+                2 => dim2::accuracy::is_same_in_order(&case),
+                _ => dim3::accuracy::is_same_in_order(&case),
+            }
+        })
+    })
+}
+
+/// Writes what each method does to all scenes, and to each of them.
+fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Result<()> {
+    for &finder in FINDERS {
+        let step = |study: &Ensembles| {
+            study.milliseconds(finder, SHOWN) / study.milliseconds(Finder::DEFAULT, SHOWN)
+        };
+        let steps: Vec<_> = studies.iter().map(step).collect();
+        let worst = |name: &str| {
+            let of_scene = |study: &Ensembles| {
+                let index = study.errors().iter().position(|error| *error == name)?;
+                Some(study.error(finder, SHOWN, index))
+            };
+            studies.iter().filter_map(of_scene).reduce(f64::max)
+        };
+        let scenes = studies.len();
+        let told_apart = (finder != Finder::Rapier)
+            .then(|| format!("{} of {scenes}", verdict.told_apart(scenes, finder)));
+        output.row(
+            "method",
+            &[
+                ("method", finder.name().into()),
+                ("cannot_miss", finder.is_exact().into()),
+                ("step", geometric_mean(&steps).into()),
+                ("stretch", worst(STRETCH).into()),
+                ("strayed", worst(STRAYED).into()),
+                ("penetration", worst(DEEPEST).into()),
+                ("lost_percent", worst(LOST).map(|lost| 100.0 * lost).into()),
+                ("told_apart", told_apart.into()),
+            ],
+        )?;
+    }
+    for comparison in &verdict.0 {
+        let study = &studies[comparison.scene];
+        let median = |finder| study.error(finder, SHOWN, comparison.error).into();
+        output.row(
+            "error",
+            &[
+                ("dimension", study.dim.into()),
+                ("scene", study.case.kind.name().into()),
+                ("error", study.errors()[comparison.error].into()),
+                ("method", comparison.finder.name().into()),
+                ("rapier", median(Finder::Rapier)),
+                ("other", median(comparison.finder)),
+                ("worse", comparison.worse.into()),
+                ("better", comparison.better.into()),
+                ("p", comparison.p.into()),
+                ("corrected", comparison.corrected.into()),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+/// The chart of one dimension: error against computing time, a panel for each scene, a curve for each method, and a point for each time
+/// step.
+fn chart(dim: u8, studies: &[Ensembles]) -> Chart {
+    let title = format!(
+        "Error against computing time, {dim}D, Rapier {RAPIER}: low is accurate, left is fast"
+    );
+    let of_dim = studies.iter().filter(|study| study.dim == dim);
+    Chart::new(title, of_dim.map(panel))
+        .note("The points of a curve: time steps of 1/30, 1/60, 1/120 and 1/240 s, from the left to the right; medians of the starts.")
+}
+
+/// All methods in one scene, by the first of its errors.
+fn panel(study: &Ensembles) -> Panel {
+    let mut finders = FINDERS.to_vec();
+    // The first one is drawn above all others.
+    finders.sort_by_key(|&finder| (!finder.is_exact(), finder != Finder::DEFAULT));
+    let points = |finder: Finder| {
+        FREQUENCIES.map(|frequency| {
+            let ms = study.milliseconds(finder, frequency);
+            (ms, study.error(finder, frequency, 0))
+        })
+    };
+    let series = finders
+        .into_iter()
+        .map(|finder| Series::new(finder.name(), finder.color(), points(finder)));
+    Panel::new(
+        format!("{}, {} bodies", study.title(), study.case.bodies),
+        Axis::log("ms of computing for one simulated second"),
+        Axis::log(study.errors().first().copied().unwrap_or_default()),
+        series,
+    )
+}

@@ -1,0 +1,364 @@
+//! What methods miss that trade accuracy for speed, and what it saves, all on the same frames.
+//!
+//! - **recall**: how many of the pairs whose shapes touch, by Parry's exact queries, are held;
+//! - **cost**: the time of the broad phase, and of the broad and the narrow phase together, because a wide margin moves work from one
+//!   to the other.
+//!
+//! What cannot miss is told from what happened not to. Of the latter, n frames without a miss say that fewer than about 3 / n of all
+//! frames have one (the rule of three).
+
+use crate::finder::{Cell, Finder};
+use crate::options::Common;
+use crate::output::Output;
+use crate::statistics::{geometric_mean, median, rarer_than};
+use crate::{dim2, dim3};
+use anyhow::Result;
+use clap::Args;
+use unisize::Kernel;
+use unisize_charts::{Axis, Chart, Panel, Series};
+use unisize_report::progress_bar;
+use unisize_scenes::SceneKind;
+
+/// The scenes. None of them removes a collider, which could not be passed on.
+const SCENES: [SceneKind; 6] = [
+    SceneKind::Ropes,
+    SceneKind::Hopper,
+    SceneKind::Crowd,
+    SceneKind::MixedEight,
+    SceneKind::Gas,
+    SceneKind::Sleeping,
+];
+
+/// What is measured, unisize by default first: one of each idea.
+pub(crate) const FINDERS: [Finder; 11] = [
+    Finder::DEFAULT,
+    Finder::Unisize(Kernel::GridSweep, Some(0.0)),
+    Finder::Unisize(Kernel::RankSweep, None),
+    Finder::Rapier,
+    Finder::Grid(Cell::Largest),
+    Finder::Grid(Cell::Median),
+    Finder::Seldom(2, None),
+    Finder::Seldom(2, Some(0.5)),
+    Finder::Seldom(4, None),
+    Finder::Seldom(8, None),
+    Finder::Lossy,
+];
+
+/// Steps before those that are measured, of a quick run and of a full one: by then, things touch in every scene.
+const LEAD_IN: [usize; 2] = [80, 140];
+const STEPS: [usize; 2] = [20, 80];
+
+/// About how many bodies there are, of most scenes, of ropes, and of any in a quick run.
+const BODIES: usize = 2_000;
+const ROPES: usize = 1_000;
+const QUICK_BODIES: usize = 120;
+
+/// What is compared with the truth: once in so many steps. It is odd, so that each of every two, four or eight is met equally often.
+const TRUTH_EVERY: [usize; 2] = [3, 5];
+
+/// What do methods miss that trade accuracy for speed, and how much faster are they?
+///
+/// Exits with 1 if unisize, or what cannot miss either, misses a pair whose shapes touch, or nearly do.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    common: Common,
+    /// A scene; may be given several times [default: six of them]
+    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
+    only: Vec<String>,
+}
+
+/// Frames, and what is measured on them.
+pub(crate) struct Course {
+    pub(crate) kind: SceneKind,
+    pub(crate) bodies: usize,
+    pub(crate) seed: u64,
+    /// Steps before those that are measured.
+    pub(crate) lead_in: usize,
+    pub(crate) steps: usize,
+    pub(crate) truth_every: usize,
+}
+
+/// What one method held and missed on a course, and its cost.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Figures {
+    /// Pairs of shapes that touch or overlap, and how many of them it missed.
+    pub(crate) touching: usize,
+    pub(crate) missed: usize,
+    /// How many it missed of those that are nearer than the prediction distance, touching ones included.
+    pub(crate) near_missed: usize,
+    /// Frames that were compared with the truth, and those in which a touching pair was missed.
+    pub(crate) frames: usize,
+    pub(crate) frames_with_misses: usize,
+    /// Pairs held, summed over these frames.
+    pub(crate) held: usize,
+    /// Milliseconds per step, of the broad phase and of broad and narrow phase together.
+    pub(crate) broad: f64,
+    pub(crate) both: f64,
+}
+
+impl Figures {
+    /// Of several seeds: the sum of all counts, and the median of times.
+    fn of(seeds: &[Self]) -> Self {
+        let sum = |count: fn(&Self) -> usize| seeds.iter().map(count).sum();
+        Self {
+            touching: sum(|of| of.touching),
+            missed: sum(|of| of.missed),
+            near_missed: sum(|of| of.near_missed),
+            frames: sum(|of| of.frames),
+            frames_with_misses: sum(|of| of.frames_with_misses),
+            held: sum(|of| of.held),
+            broad: median(seeds.iter().map(|of| of.broad)),
+            both: median(seeds.iter().map(|of| of.both)),
+        }
+    }
+
+    fn share_missed(&self) -> f64 {
+        self.missed as f64 / self.touching.max(1) as f64
+    }
+}
+
+/// All methods in one scene, in their order.
+struct Study {
+    scene: SceneKind,
+    dim: u8,
+    figures: Vec<Figures>,
+}
+
+impl Arguments {
+    /// Runs the study; whether unisize has passed.
+    pub(crate) fn run(&self) -> Result<bool> {
+        let mut output = Output::create("missed", &self.common)?;
+        let studies = self.studies();
+        let methods = Method::all(&studies);
+        for method in &methods {
+            method.report(&mut output)?;
+        }
+        for study in &studies {
+            study.report(&mut output)?;
+        }
+        output.chart(None, || chart(&methods))?;
+        Ok(is_sound(&studies))
+    }
+
+    /// Measures all methods in all scenes.
+    fn studies(&self) -> Vec<Study> {
+        let kinds = self.common.scenes(&SCENES, &self.only);
+        let steps = self.common.steps.unwrap_or(self.common.usual(STEPS));
+        let seeds = self.common.seeds([1, 3]);
+        let all = kinds.len() * self.common.dims().len() * seeds.clone().count() * steps;
+        let bar = progress_bar(all as u64);
+        let mut studies = Vec::new();
+        for &dim in self.common.dims() {
+            for &kind in &kinds {
+                bar.set_message(format!("{} {dim}D", kind.name()));
+                let bodies = match kind {
+                    SceneKind::Ropes => ROPES,
+                    _ => BODIES,
+                };
+                let race = |seed| {
+                    let course = Course {
+                        kind,
+                        bodies: self.common.usual([QUICK_BODIES, bodies]),
+                        seed,
+                        lead_in: self.common.usual(LEAD_IN),
+                        steps,
+                        truth_every: self.common.usual(TRUTH_EVERY),
+                    };
+                    match dim {
+                        2 => dim2::missed::race(&course, || bar.inc(1)),
+                        _ => dim3::missed::race(&course, || bar.inc(1)),
+                    }
+                };
+                let races: Vec<_> = seeds.clone().map(race).collect();
+                let of_finder = |index| {
+                    let seeds: Vec<_> = races.iter().map(|race| race[index]).collect();
+                    Figures::of(&seeds)
+                };
+                studies.push(Study {
+                    scene: kind,
+                    dim,
+                    figures: (0..FINDERS.len()).map(of_finder).collect(),
+                });
+            }
+        }
+        bar.finish_and_clear();
+        studies
+    }
+}
+
+impl Study {
+    fn report(&self, output: &mut Output) -> Result<()> {
+        for (finder, figures) in FINDERS.into_iter().zip(&self.figures) {
+            output.row(
+                "scene",
+                &[
+                    ("dimension", self.dim.into()),
+                    ("scene", self.scene.name().into()),
+                    ("method", finder.name().into()),
+                    ("touching", figures.touching.into()),
+                    ("missed", figures.missed.into()),
+                    ("near_missed", figures.near_missed.into()),
+                    ("frames", figures.frames.into()),
+                    ("frames_with_misses", figures.frames_with_misses.into()),
+                    ("held", figures.held.into()),
+                    ("broad_ms", figures.broad.into()),
+                    ("both_ms", figures.both.into()),
+                ],
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// One method in all scenes.
+struct Method {
+    finder: Finder,
+    /// The time of broad and narrow phase over that of unisize by default, the mean of all scenes.
+    both: f64,
+    /// The share that is missed in the worst scene.
+    missed: f64,
+    frames: usize,
+    frames_with_misses: usize,
+}
+
+impl Method {
+    fn all(studies: &[Study]) -> Vec<Self> {
+        let of = |(index, finder): (usize, Finder)| {
+            let figures = || studies.iter().map(|study| &study.figures[index]);
+            let ratio = |study: &Study| study.figures[index].both / study.figures[0].both;
+            Self {
+                finder,
+                both: geometric_mean(&studies.iter().map(ratio).collect::<Vec<_>>()),
+                missed: figures().map(Figures::share_missed).fold(0.0, f64::max),
+                frames: figures().map(|of| of.frames).sum(),
+                frames_with_misses: figures().map(|of| of.frames_with_misses).sum(),
+            }
+        };
+        FINDERS.into_iter().enumerate().map(of).collect()
+    }
+
+    /// Whether it has missed nothing, but could.
+    fn happened_not_to_miss(&self) -> bool {
+        self.frames_with_misses == 0 && !self.finder.is_exact()
+    }
+
+    /// How many frames have misses, or may have where none had.
+    fn misses(&self) -> String {
+        let frames = self.frames;
+        match self.frames_with_misses {
+            0 if self.finder.is_exact() => "cannot".to_owned(),
+            0 => format!("0 of {frames}, below {:.2} %", 100.0 * rarer_than(frames)),
+            count => format!("{count} of {frames}"),
+        }
+    }
+
+    fn report(&self, output: &mut Output) -> Result<()> {
+        output.row(
+            "method",
+            &[
+                ("method", self.finder.name().into()),
+                ("cannot_miss", self.finder.is_exact().into()),
+                ("both", self.both.into()),
+                ("missed_percent", (100.0 * self.missed).into()),
+                ("misses", self.misses().into()),
+            ],
+        )
+    }
+}
+
+/// Each method as a labelled point: the mean time against what is missed at worst. What happened not to miss is hollow.
+fn chart(methods: &[Method]) -> Chart {
+    let series = methods.iter().map(|method| {
+        let name = method.finder.name();
+        let point = (method.missed, method.both);
+        let series = Series::new(name, method.finder.color(), [point]).labelled();
+        match method.happened_not_to_miss() {
+            true => series.ringed(),
+            false if method.finder == Finder::DEFAULT => series.bold(),
+            false => series,
+        }
+    });
+    let panel = Panel::new(
+        "",
+        Axis::log("share of touching pairs that is missed, at worst"),
+        Axis::log("broad and narrow phase, over unisize, mean"),
+        series,
+    );
+    let title = "Contacts missed against time: left is exact, low is fast";
+    let chart = Chart::new(title, [panel]).without_legend();
+    match methods.iter().find(|method| method.happened_not_to_miss()) {
+        None => chart,
+        Some(Method { frames, .. }) => chart.note(format!(
+            "A ring: nothing was missed in {frames} frames, but could be, in up to {:.2} % of all.",
+            100.0 * rarer_than(*frames)
+        )),
+    }
+}
+
+/// Whether something touches, and what cannot miss has missed nothing of it; prints what is wrong.
+fn is_sound(studies: &[Study]) -> bool {
+    let mut is_sound = true;
+    let mut touching = 0;
+    for study in studies {
+        let title = format!("{} {}D", study.scene.name(), study.dim);
+        touching += study.figures[0].touching;
+        if study.figures[0].touching == 0 {
+            println!("NOTHING TOUCHES in {title}: nothing could be missed.");
+        }
+        let finders = FINDERS.into_iter().zip(&study.figures);
+        for (finder, figures) in finders.filter(|of| of.0.is_exact()) {
+            let missed = figures.missed + figures.near_missed;
+            if missed > 0 {
+                is_sound = false;
+                println!("MISSED: {missed} pairs in {title} by {}", finder.name());
+            }
+        }
+    }
+    if is_sound {
+        println!("What cannot miss missed nothing of {touching} pairs that touch.");
+    }
+    is_sound && touching > 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn study(missed: impl Fn(usize) -> usize) -> Study {
+        let figures = (0..FINDERS.len()).map(|index| Figures {
+            touching: 200,
+            missed: missed(index),
+            frames: 16,
+            frames_with_misses: missed(index),
+            ..Figures::default()
+        });
+        Study {
+            scene: SceneKind::Ropes,
+            dim: 2,
+            figures: figures.collect(),
+        }
+    }
+
+    #[test]
+    fn only_a_miss_of_what_cannot_miss_is_wrong() {
+        for (index, finder) in FINDERS.into_iter().enumerate() {
+            let study = study(|of| usize::from(of == index));
+            assert_eq!(is_sound(&[study]), !finder.is_exact(), "{}", finder.name());
+        }
+        assert!(!is_sound(&[]));
+    }
+
+    #[test]
+    fn what_could_have_missed_has_a_bound() {
+        for method in Method::all(&[study(|_| 0), study(|_| 0)]) {
+            let expected = match method.finder.is_exact() {
+                true => "cannot",
+                false => "0 of 32, below 8.94 %",
+            };
+            assert_eq!(method.misses(), expected);
+        }
+        let missing = Method::all(&[study(|_| 3)]);
+        assert!(missing.iter().all(|of| of.misses() == "3 of 16"));
+    }
+}

@@ -1,8 +1,0 @@
-//! The tests of the scenes in `examples/scenes/tests`, on an opened Rapier 0.36.
-
-#[macro_use]
-#[path = "../../../scenes/tests/suite/mod.rs"]
-mod suite;
-
-scene_tests!(dim2_036);
-scene_tests!(dim3_036);

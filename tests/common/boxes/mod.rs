@@ -1,0 +1,11 @@
+//! Boxes that are hard for one method or another, without an engine. The laboratory's crate of scenes has them too.
+
+#[macro_use]
+mod named;
+
+mod hard_boxes;
+mod mixture;
+pub(crate) mod random;
+
+pub use hard_boxes::HardBoxes;
+pub use mixture::Mixture;
