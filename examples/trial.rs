@@ -55,11 +55,11 @@ fn main() {
 
     let report = broad_phase.report();
     println!("{report}");
-    assert!(report.is_equal(), "the pairs were not Rapier's own");
-    if let Some(level) = report.fitting() {
+    assert!(report.pairs_match(), "the pairs were not Rapier's own");
+    if let Some(level) = report.recommended_filter() {
         // The trial itself takes time: it is no part of your steps.
         let steps = elapsed.saturating_sub(report.overhead);
-        let gain = report.least_gain(steps, level);
+        let gain = report.min_speedup(steps, level);
         println!("Whole steps would be at least {gain:.2} times as fast on unisize.");
     }
 }

@@ -44,16 +44,16 @@ impl<R: Real, const D: usize> Aabb<R, D> {
     /// use unisize::Aabb;
     ///
     /// let square = Aabb::new([0.0, 0.0], [1.0, 1.0]);
-    /// assert!(square.overlaps(&Aabb::new([1.0, 1.0], [2.0, 2.0]))); // In a corner.
-    /// assert!(!square.overlaps(&Aabb::new([1.0, 1.1], [2.0, 2.0])));
+    /// assert!(square.intersects(&Aabb::new([1.0, 1.0], [2.0, 2.0]))); // In a corner.
+    /// assert!(!square.intersects(&Aabb::new([1.0, 1.1], [2.0, 2.0])));
     /// ```
     #[inline]
-    pub fn overlaps(&self, other: &Self) -> bool {
-        let mut overlaps = true;
+    pub fn intersects(&self, other: &Self) -> bool {
+        let mut intersect = true;
         for k in 0..D {
-            overlaps &= (self.mins[k] <= other.maxs[k]) & (other.mins[k] <= self.maxs[k]);
+            intersect &= (self.mins[k] <= other.maxs[k]) & (other.mins[k] <= self.maxs[k]);
         }
-        overlaps
+        intersect
     }
 
     /// Whether `other` lies inside this box, sides included.
@@ -98,7 +98,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
     /// The part of a valid box that lies within another.
     #[inline]
     pub(crate) fn within(&self, other: &Self) -> Option<Self> {
-        self.overlaps(other).then(|| Self {
+        self.intersects(other).then(|| Self {
             mins: array::from_fn(|k| max(self.mins[k], other.mins[k])),
             maxs: array::from_fn(|k| min(self.maxs[k], other.maxs[k])),
         })

@@ -22,7 +22,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for BruteForce {
         check_boxes(boxes)?;
         for (i, a) in boxes.iter().enumerate() {
             for (j, b) in boxes.iter().enumerate().skip(i + 1) {
-                if a.overlaps(b) {
+                if a.intersects(b) {
                     pairs.push([i as u32, j as u32]);
                 }
             }

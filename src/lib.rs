@@ -56,7 +56,7 @@
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
 //!
 //! All kernels return the same set of pairs, on every input, bit for bit: closed boxes, compared as the numbers stand
-//! ([`Aabb::overlaps`]). They are generic over `f32` and `f64` and over two and three dimensions. None panics, for any
+//! ([`Aabb::intersects`]). They are generic over `f32` and `f64` and over two and three dimensions. None panics, for any
 //! boxes: NaN and inverted boxes are an [`InvalidInput`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]

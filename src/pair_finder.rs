@@ -36,7 +36,7 @@ use crate::real::Real;
 pub trait PairFinder<R, const D: usize> {
     /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
     ///
-    /// Overlap is closed and exact, as in [`Aabb::overlaps`]. The order of the pairs is the finder's own;
+    /// Overlap is closed and exact, as in [`Aabb::intersects`]. The order of the pairs is the finder's own;
     /// it is the same in every run.
     ///
     /// # Errors

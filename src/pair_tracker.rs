@@ -91,9 +91,9 @@ pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     foresight: Foresight,
     /// What the last update took.
     work: Work,
-    /// What searching has cost since the last full run, that run included.
+    /// What searching has cost since the last full search, that run included.
     cost: Cost,
-    full_runs: u64,
+    full_searches: u64,
     candidates: Candidates,
     layers: Layers<R, D>,
     /// Scratch: the candidates found by the kernel.
@@ -110,7 +110,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             foresight: Foresight::new(foresight),
             work: Work::default(),
             cost: Cost::default(),
-            full_runs: 0,
+            full_searches: 0,
             candidates: Candidates::default(),
             layers: Layers::new(kernel, layers),
             found: Vec::new(),
@@ -155,13 +155,13 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             });
     }
 
-    /// Fills in what it knows: pairs, candidates, layers, the foresight, full runs.
+    /// Fills in what it knows: pairs, candidates, layers, the foresight, full searches.
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.held_count;
         stats.candidates = self.candidates.len();
         stats.foresight = u32::from(self.foresight.moves);
         stats.work = self.work;
-        stats.full_runs = self.full_runs;
+        stats.full_searches = self.full_searches;
         self.layers.describe(stats);
     }
 }

@@ -144,7 +144,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
                 })
             });
         } else {
-            let overlap = |p, q| boxes[p as usize].overlaps(&boxes[q as usize]);
+            let overlap = |p, q| boxes[p as usize].intersects(&boxes[q as usize]);
             self.sweep(swept, pairs, overlap);
         }
         self.stopwatch.leave();

@@ -27,7 +27,7 @@ pub struct Stats {
     /// Updates so far that had colliders to look at.
     pub updates: u64,
     /// Searches for all pairs so far; the other updates did without one.
-    pub full_runs: u64,
+    pub full_searches: u64,
     /// How long each phase of the last update took; zeros unless [`Settings::timed`](crate::Settings::timed) asks for it.
     pub times: PhaseTimes,
 
@@ -37,7 +37,7 @@ pub struct Stats {
     /// Colliders whose box it changed: they were new, had left their margin, or were refused.
     #[doc(hidden)]
     pub moved: usize,
-    /// Slots in the layers above the base: their proxy is new, gone, or has left its fat box since the last full run.
+    /// Slots in the layers above the base: their proxy is new, gone, or has left its fat box since the last full search.
     #[doc(hidden)]
     pub above_base: usize,
     /// Pairs of fat boxes that overlap: held, or soon to be.
@@ -46,7 +46,7 @@ pub struct Stats {
     /// How many moves ahead fat boxes reach.
     #[doc(hidden)]
     pub foresight: u32,
-    /// Size classes in the last full run; 0 before the first one, and with a kernel that has none.
+    /// Size classes in the last full search; 0 before the first one, and with a kernel that has none.
     #[doc(hidden)]
     pub classes: usize,
     /// What the last update took.

@@ -144,21 +144,21 @@ pub(crate) mod update {
     /// Below: picking costs as much as comparing.
     pub(crate) const COMPARE_ALL_FROM_ONE_IN: usize = 3;
 
-    /// Slots. In worlds of no more, a full run compares each with each: choosing a grid and sorting into it takes longer, and so do
+    /// Slots. In worlds of no more, a full search compares each with each: choosing a grid and sorting into it takes longer, and so do
     /// look-ups. Above: the number of comparisons is quadratic.
     pub(crate) const COMPARE_ALL_UP_TO: usize = 16;
 
     /// Picks from all candidates. Making the lists costs about as much as this many. Above: the lists come late. Below: they
-    /// are made, and dropped unused at the next full run.
+    /// are made, and dropped unused at the next full search.
     pub(crate) const LISTS_COST: u32 = 8;
 
-    /// A part of a full run. There is one if the look-ups of an update cost more by this than the mean of all updates since the
-    /// last full run, that run included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
-    /// Below: full runs for what was chance.
-    pub(crate) const FULL_RUN_SLACK: u64 = 16;
+    /// A part of a full search. There is one if the look-ups of an update cost more by this than the mean of all updates since the
+    /// last full search, that run included. Above: waves, fat boxes made at one time and left at one time, are looked up box by box.
+    /// Below: full searches for what was chance.
+    pub(crate) const FULL_SEARCH_SLACK: u64 = 16;
 
-    /// Boxes or pairs. With more, what only a full run needs is freed after it. Above: half of all memory lies unused in
-    /// nine updates of ten. Below: small worlds allocate in every full run.
+    /// Boxes or pairs. With more, what only a full search needs is freed after it. Above: half of all memory lies unused in
+    /// nine updates of ten. Below: small worlds allocate in every full search.
     pub(crate) const KEEP_SCRATCH_UP_TO: usize = 1 << 12;
 
     /// One row of the candidates in this many. Once more are tombstones, they are removed. Above: rows are moved, and lists made
@@ -169,7 +169,7 @@ pub(crate) mod update {
     /// set are written. Below: slots of the set are visited one by one, in any order.
     pub(crate) const CLEAR_ALL_FROM_ONE_IN: usize = 4;
 
-    /// One candidate in this many. A full run makes room for so many more than there are. Above: the list of what was found grows
+    /// One candidate in this many. A full search makes room for so many more than there are. Above: the list of what was found grows
     /// in the midst of the run, and is copied. Below: memory.
     pub(crate) const FOUND_SPARE_ONE_IN: usize = 8;
 
@@ -210,7 +210,7 @@ pub(crate) mod foresight {
     /// searches until there are few enough.
     pub(crate) const CUT: u16 = 4;
 
-    /// Full runs until what was cut is doubled again. Above: foresight that would pay is lost. Below: too many candidates are found,
+    /// Full searches until what was cut is doubled again. Above: foresight that would pay is lost. Below: too many candidates are found,
     /// and thrown away, again and again.
     pub(crate) const CUT_RUNS: u32 = 16;
 }
@@ -245,18 +245,18 @@ pub(crate) mod prices {
     /// Inflating, comparing or copying the box of a slot. Above and below: the same.
     pub(crate) const SLOT: u64 = 30;
 
-    /// Looking a box up in a sorted layer, besides what it visits. Above: full runs where a look-up would do. Below: tens of thousands are
+    /// Looking a box up in a sorted layer, besides what it visits. Above: full searches where a look-up would do. Below: tens of thousands are
     /// looked up one by one.
     pub(crate) const LOOKED_UP: u64 = 5000;
 
     /// A comparison of a look-up, or as much: few for most boxes, and many for moving walls. Above and below: the same.
     pub(crate) const VISITED: u64 = 4;
 
-    /// A box of a run: drawing, sorting and sweeping. Above: few full runs. Below: many.
+    /// A box of a run: drawing, sorting and sweeping. Above: few full searches. Below: many.
     pub(crate) const SEARCHED: u64 = 450;
 
     /// A candidate found: writing it down, finding out whether it was held, and comparing it for some updates to come. Above: tens of
-    /// thousands of boxes are looked up one by one. Below: full runs where look-ups would do.
+    /// thousands of boxes are looked up one by one. Below: full searches where look-ups would do.
     pub(crate) const FOUND: u64 = 350;
 }
 

@@ -120,12 +120,12 @@ impl UnisizeBroadPhase {
     /// ```text
     /// broad_phase = UnisizeBroadPhase::with_settings(settings);
     /// narrow_phase = NarrowPhase::new();
-    /// UnisizeBroadPhase::list_all(&mut colliders);
+    /// UnisizeBroadPhase::mark_all_modified(&mut colliders);
     /// ```
     ///
     /// It serves Rapier's own broad phase too. Contacts are found anew: their warm-start impulses are lost, and what touches is reported as a
     /// beginning collision once more.
-    pub fn list_all(colliders: &mut ColliderSet) {
+    pub fn mark_all_modified(colliders: &mut ColliderSet) {
         let handles: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
         for handle in handles {
             if let Some(collider) = colliders.get_mut(handle) {

@@ -262,7 +262,7 @@ impl Tree {
         let count = sample.len();
         let strays = sample.filter(|&&slot| {
             let i = slot as usize;
-            boxes[i].is_valid() && !boxes[i].overlaps(&self.placed[i])
+            boxes[i].is_valid() && !boxes[i].intersects(&self.placed[i])
         });
         strays.count() * JUDGE_FROM_ONE_IN > count
     }
@@ -270,7 +270,7 @@ impl Tree {
     /// Brings the leaf of a slot and its ancestors up to date.
     fn write(&mut self, slot: u32, aabb: Aabb) {
         let placed = &mut self.placed[slot as usize];
-        if !aabb.overlaps(placed) && self.bvh.leaf_count() > SMALL_UP_TO {
+        if !aabb.intersects(placed) && self.bvh.leaf_count() > SMALL_UP_TO {
             *placed = aabb;
             self.bvh.remove(slot);
             self.loose += 1;

@@ -103,7 +103,7 @@ fn what_crowds_has_a_grid_of_its_own() {
     for &i in &queries {
         let overlapping = members
             .iter()
-            .filter(|&&j| boxes[i as usize].overlaps(&boxes[j as usize]));
+            .filter(|&&j| boxes[i as usize].intersects(&boxes[j as usize]));
         expected.extend(overlapping.map(|&j| [i.min(j), i.max(j)]));
     }
     found.sort_unstable();

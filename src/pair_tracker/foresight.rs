@@ -21,7 +21,7 @@ pub(super) struct Foresight {
     pub(super) is_fixed: bool,
     /// No more than this, since there were too many candidates.
     limit: u16,
-    /// Full runs until the limit is doubled.
+    /// Full searches until the limit is doubled.
     rest: u32,
 }
 
@@ -36,7 +36,7 @@ impl Foresight {
         }
     }
 
-    /// The foresight of a full run, where things move by `speed()` box sizes on average, if anything moves.
+    /// The foresight of a full search, where things move by `speed()` box sizes on average, if anything moves.
     pub(super) fn renewed(mut self, speed: impl FnOnce() -> Option<f64>) -> Self {
         if self.is_fixed {
             return self;

@@ -1,12 +1,12 @@
 //! What has stayed in its fat box, and what has left it.
 //!
 //! When few boxes leave their fat boxes, sorting all of them again for each update would be a waste. So there are two
-//! layers. The *base* is in the order that the last full run left behind. What is *recent* has left its fat box since then; it is small,
+//! layers. The *base* is in the order that the last full search left behind. What is *recent* has left its fat box since then; it is small,
 //! and sorted in each update. An update looks the leavers up in the base, where entries that have left since are passed over, and runs the
 //! kernel on what is recent.
 //!
-//! There is a full run once what is recent has cost as much as one. So the time is never more than about twice what it would be if the best
-//! moment were known beforehand. Kernels that cannot look boxes up have no layers: with them, every search is a full run.
+//! There is a full search once what is recent has cost as much as one. So the time is never more than about twice what it would be if the best
+//! moment were known beforehand. Kernels that cannot look boxes up have no layers: with them, every search is a full search.
 
 use crate::aabb::Aabb;
 use crate::grid_sweep::{GridSweep, retain_from};
@@ -24,7 +24,7 @@ use crate::tuning::update::{COMPARE_ALL_UP_TO, KEEP_SCRATCH_UP_TO};
 pub(super) struct Layers<R: Real, const D: usize> {
     kernel: Kernel,
     are_used: bool,
-    /// In the order of the last full run.
+    /// In the order of the last full search.
     base: GridSweep<R, D>,
     is_base_sorted: bool,
     /// All that have left their fat boxes since then.
@@ -32,7 +32,7 @@ pub(super) struct Layers<R: Real, const D: usize> {
     /// What the layer above has cost since then, in boxes of a run.
     cost: usize,
     recent: GridSweep<R, D>,
-    /// How many pairs of boxes overlap, wanted or not, as of the last full run.
+    /// How many pairs of boxes overlap, wanted or not, as of the last full search.
     found: usize,
     /// Scratch: the members of a run.
     members: Vec<u32>,
@@ -42,10 +42,10 @@ pub(super) struct Layers<R: Real, const D: usize> {
 /// There are far more pairs than foresight can be worth.
 pub(super) struct TooMany;
 
-/// The layer above the base, which the last full run has sorted.
+/// The layer above the base, which the last full search has sorted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct AboveBase {
-    /// What it has cost since the last full run, in boxes of a run.
+    /// What it has cost since the last full search, in boxes of a run.
     pub(super) cost: usize,
     /// How many slots are recent.
     pub(super) recent: usize,
@@ -69,12 +69,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
         })
     }
 
-    /// Makes the next proxy that leaves its fat box cause a full run.
+    /// Makes the next proxy that leaves its fat box cause a full search.
     pub(super) fn forget(&mut self) {
         self.is_base_sorted = false;
     }
 
-    /// Fills in what it knows: how many slots are above the base layer, and the size classes of the last full run, if it still holds.
+    /// Fills in what it knows: how many slots are above the base layer, and the size classes of the last full search, if it still holds.
     pub(super) fn describe(&self, stats: &mut Stats) {
         stats.above_base = self.outdated.len();
         stats.classes = match self.is_base_sorted {
@@ -205,7 +205,7 @@ fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u
         // What is not valid overlaps nothing.
         let overlapping = (0..b)
             .zip(boxes)
-            .filter(|(_, first)| first.overlaps(second));
+            .filter(|(_, first)| first.intersects(second));
         found.extend(overlapping.map(|(a, _)| [a, b]));
     }
 }

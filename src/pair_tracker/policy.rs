@@ -1,7 +1,7 @@
 //! What an update does: a function from a few numbers to a plan.
 //!
 //! Comparing boxes that are known to be near each other is cheap. Looking a few boxes up among all others costs more. A
-//! full run, a search for all pairs, costs most, but it postpones the next ones. The costs are in `tuning`.
+//! full search, a search for all pairs, costs most, but it postpones the next ones. The costs are in `tuning`.
 
 #[cfg(test)]
 mod tests;
@@ -10,7 +10,9 @@ use super::foresight::Foresight;
 use super::layers::AboveBase;
 use crate::stats::Work;
 use crate::tuning::prices::{FOUND, LISTED, LOOKED_UP, PICKED, SEARCHED, VISITED, WALKED};
-use crate::tuning::update::{COMPARE_ALL_FROM_ONE_IN, FULL_RUN_SLACK, LISTS_COST, MOST_CANDIDATES};
+use crate::tuning::update::{
+    COMPARE_ALL_FROM_ONE_IN, FULL_SEARCH_SLACK, LISTS_COST, MOST_CANDIDATES,
+};
 
 /// What decides the plan of an update.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +33,7 @@ pub(super) struct PlanInputs {
     pub(super) above_base: Option<AboveBase>,
     /// How far ahead the present fat boxes reach.
     pub(super) foresight: Foresight,
-    /// What searching has cost in all updates since the last full run, that run included.
+    /// What searching has cost in all updates since the last full search, that run included.
     pub(super) cost: Cost,
 }
 
@@ -45,7 +47,7 @@ pub(super) enum Plan {
     /// Little has: it is looked up in the layers, then candidates are compared.
     LookUp(CompareMode),
     /// Much has, or is about to: what has moved is inflated anew with this foresight, and all pairs are searched for.
-    FullRun(Foresight),
+    FullSearch(Foresight),
 }
 
 /// Which candidates are compared.
@@ -86,13 +88,13 @@ impl ListState {
 }
 
 impl Plan {
-    /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full run.
+    /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full search.
     pub(super) fn of(inputs: &PlanInputs, mean_speed: impl FnOnce() -> Option<f64>) -> Self {
         if inputs.touched + inputs.revolumed == 0 {
             return Self::Nothing;
         }
-        if inputs.is_full_run_due() {
-            return Self::FullRun(inputs.foresight.renewed(mean_speed));
+        if inputs.is_full_search_due() {
+            return Self::FullSearch(inputs.foresight.renewed(mean_speed));
         }
         let mode = inputs.compare_mode();
         match inputs.leavers {
@@ -103,7 +105,7 @@ impl Plan {
 }
 
 impl PlanInputs {
-    fn is_full_run_due(&self) -> bool {
+    fn is_full_search_due(&self) -> bool {
         if self.leavers == 0 {
             return false;
         }
@@ -111,7 +113,7 @@ impl PlanInputs {
             return true;
         };
         let [leavers, slots, found] = [self.leavers, self.slots, self.candidates].map(to_u64);
-        let full_run = SEARCHED * slots + FOUND * found;
+        let full_search = SEARCHED * slots + FOUND * found;
         // Each finds all candidates of its own, which are those of another as well.
         let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
         let look_up =
@@ -119,10 +121,11 @@ impl PlanInputs {
         let look_ups = look_up.saturating_mul(leavers).saturating_add(
             SEARCHED * (to_u64(above_base.recent) + leavers) + FOUND * found_by_look_ups,
         );
-        // As long as an update costs less than the mean since the last full run, that run still pays. Fat boxes made
+        // As long as an update costs less than the mean since the last full search, that run still pays. Fat boxes made
         // at one time tend to be left at one time; then it no longer does.
         let mean = self.cost.searching / self.cost.updates.max(1);
-        look_ups > mean.saturating_add(full_run / FULL_RUN_SLACK) || above_base.cost > self.slots
+        look_ups > mean.saturating_add(full_search / FULL_SEARCH_SLACK)
+            || above_base.cost > self.slots
     }
 
     fn compare_mode(&self) -> CompareMode {

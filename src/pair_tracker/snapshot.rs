@@ -30,7 +30,6 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
     volumes: VolumesSnapshot<R>,
     /// The slots whose volumes have changed since the last `finish`.
-    #[serde(rename = "stirred")]
     revolumed: Vec<u32>,
     /// The pairs whose boxes overlap and that are not held.
     near: Vec<[u32; 2]>,
@@ -38,7 +37,7 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     forbidden: Vec<[u32; 2]>,
     /// The slots whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
     acquainted: Vec<u32>,
-    full_runs: u64,
+    full_searches: u64,
 }
 
 /// A box and its filter key.
@@ -85,7 +84,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             near,
             forbidden,
             acquainted: acquainted.map(|slot| slot as u32).collect(),
-            full_runs: self.full_runs,
+            full_searches: self.full_searches,
         }
     }
 
@@ -101,7 +100,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if slots > MOST_SLOTS {
             return Err("snapshot: there are more slots than a kernel takes boxes");
         }
-        self.full_runs = snapshot.full_runs;
+        self.full_searches = snapshot.full_searches;
         self.make_room(slots);
         let proxies = &mut self.proxies;
         for (slot, proxy) in snapshot.proxies.into_iter().enumerate() {

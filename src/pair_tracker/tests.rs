@@ -183,12 +183,12 @@ fn drifting_boxes_agree_with_brute_force() {
                     let aabb = Aabb::new(*corner, corner.map(|x| x + 1.0));
                     world.tracker.proxies.place(slot, aabb);
                 }
-                let runs = world.tracker.full_runs;
+                let runs = world.tracker.full_searches;
                 world.finish();
                 let work = world.tracker.work;
-                let is_full_run = world.tracker.full_runs > runs;
+                let is_full_search = world.tracker.full_searches > runs;
                 let used = [
-                    is_full_run,
+                    is_full_search,
                     work.looked_up > 0,
                     work.picked > 0,
                     work.walked > 0,

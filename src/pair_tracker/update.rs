@@ -3,13 +3,13 @@
 //! 1. **Note.** Placing, clearing and removing proxies between two updates only writes boxes and takes notes: which slots were
 //!    *touched*, and which of those have *left* their fat boxes.
 //! 2. **Plan.** [`Plan::of`] looks at a few numbers (slots, touched, leavers, candidates, costs so far) and chooses one of
-//!    four: nothing, compare, look up, or a full run. The same numbers give the same plan on every machine.
+//!    four: nothing, compare, look up, or a full search. The same numbers give the same plan on every machine.
 //! 3. **Inflate.** Boxes are inflated to fat boxes ahead of their motion, from the previous box to the present one: those of the
-//!    leavers before a look-up, of all that were touched before a full run. A comparison needs none.
-//! 4. **Search.** A look-up finds the new candidates of the leavers, by the layers; a full run finds all candidates. If a
-//!    full run finds too many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
+//!    leavers before a look-up, of all that were touched before a full search. A comparison needs none.
+//! 4. **Search.** A look-up finds the new candidates of the leavers, by the layers; a full search finds all candidates. If a
+//!    full search finds too many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
 //! 5. **Compare.** Candidates of the leavers are retired, those of the other touched proxies are compared, and what was found
-//!    is taken in; after a full run, what was found replaces all. Wherever the answer for a pair differs from what was held,
+//!    is taken in; after a full search, what was found replaces all. Wherever the answer for a pair differs from what was held,
 //!    a change is reported.
 //! 6. **Commit.** The present boxes become the previous ones, and the notes are forgotten.
 //!
@@ -61,12 +61,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 Err(TooMany) => {
                     self.foresight.shorten();
                     self.cost = Cost::default();
-                    self.run_in_full(self.foresight, observer);
+                    self.search_in_full(self.foresight, observer);
                 }
             },
-            Plan::FullRun(foresight) => {
+            Plan::FullSearch(foresight) => {
                 self.cost = Cost::default();
-                self.run_in_full(foresight, observer);
+                self.search_in_full(foresight, observer);
             }
         }
         self.cost.add(&self.work);
@@ -74,7 +74,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.stopwatch.leave();
     }
 
-    /// About how much work there will be if so many slots are touched, going by the mean of the updates since the last full run.
+    /// About how much work there will be if so many slots are touched, going by the mean of the updates since the last full search.
     pub(crate) fn work_ahead(&self, touched: usize) -> u64 {
         if touched == 0 {
             return 0;
@@ -143,9 +143,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Searches for all candidates, by fat boxes with this foresight.
-    fn run_in_full(&mut self, foresight: Foresight, observer: &mut impl PairObserver) {
+    fn search_in_full(&mut self, foresight: Foresight, observer: &mut impl PairObserver) {
         // What was read from a snapshot may be any number.
-        self.full_runs = self.full_runs.wrapping_add(1);
+        self.full_searches = self.full_searches.wrapping_add(1);
         self.foresight = foresight;
         self.work = Work::default();
         self.proxies.inflate_touched(self.foresight);

@@ -12,7 +12,7 @@ use crate::slot_set::SlotSet;
 use crate::stopwatch::Stopwatch;
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
-    /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full run of a
+    /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full search of a
     /// kernel, and everything else that is kept is consistent.
     pub(crate) fn validate(&self, kernel: Kernel) {
         let proxies = &self.proxies;

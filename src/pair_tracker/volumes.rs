@@ -29,7 +29,7 @@ pub(crate) struct Volumes<R, const D: usize> {
     are_slow: Vec<bool>,
     /// Whether odometers go on.
     have_odometers: bool,
-    /// How far each has moved since the last full run, if they go on.
+    /// How far each has moved since the last full search, if they go on.
     odometers: Vec<Odometer>,
     /// In how many updates.
     moves: u32,

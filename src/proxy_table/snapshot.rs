@@ -26,7 +26,6 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     /// What was handed over since the last update.
     gathered: Gathered,
     /// Slot, generation and boxes of each.
-    #[serde(rename = "awaited")]
     pending: Vec<(u32, u32, Option<HandedOver<R, D>>)>,
     tracker: TrackerSnapshot<R, D, K>,
 }

@@ -236,7 +236,7 @@ fn sections(count: u32) -> u32 {
 
 #[test]
 fn what_is_much_is_shared_and_what_is_little_is_not() {
-    // Taking boxes in, and in a full run: inflating, counting, placing and sweeping, and finding out what was held and is.
+    // Taking boxes in, and in a full search: inflating, counting, placing and sweeping, and finding out what was held and is.
     let shared = with_threads(2, || sections(10_000));
     assert!(shared >= 6, "{shared}");
     assert_eq!(with_threads(2, || sections(20)), 0);

@@ -23,7 +23,7 @@ impl Plane {
         plane
     }
 
-    /// Moves one ball in `stride`, and lists it. Returns the full runs so far.
+    /// Moves one ball in `stride`, and lists it. Returns the full searches so far.
     fn advance(&mut self, stride: usize) -> u64 {
         let mut listed = Vec::new();
         for (i, &handle) in self.handles.iter().enumerate().step_by(stride) {
@@ -34,7 +34,7 @@ impl Plane {
         }
         self.desk.update(&listed, &[]);
         self.updates += 1;
-        self.desk.broad_phase.stats().full_runs
+        self.desk.broad_phase.stats().full_searches
     }
 }
 
@@ -56,7 +56,7 @@ fn looking_ahead_spares_searches_and_can_be_fixed() {
         let mut plane = Plane::new(Settings::default().with_foresight(foresight));
         (0..20).for_each(|_| _ = plane.advance(1));
         let stats = plane.desk.broad_phase.stats();
-        (stats.full_runs, stats.foresight)
+        (stats.full_searches, stats.foresight)
     };
     assert_eq!(runs_with(Some(0)), (21, 0));
     let (runs, foresight) = runs_with(Some(5));

@@ -184,7 +184,7 @@ fn clones_orders_and_bodies_do_not_matter() {
     }
 }
 
-/// Read back, it may search in other updates. The interval divides neither ten nor that between two full runs.
+/// Read back, it may search in other updates. The interval divides neither ten nor that between two full searches.
 #[test]
 fn saves_do_not_matter() {
     for kernel in [Kernel::GridSweep, Kernel::RankSweep] {

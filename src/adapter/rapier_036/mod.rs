@@ -154,7 +154,7 @@ impl Trial {
     /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. The pairs are as they
     /// would be; the times are those of a world that never sleeps. A collider that is given another shape has its former volume at
     /// [`PairFilter::Shapes`].
-    pub fn look_on(
+    pub fn observe(
         &mut self,
         params: &IntegrationParameters,
         colliders: &ColliderSet,

@@ -63,7 +63,7 @@ pub struct Difference {
 
 impl TrialReport {
     /// Whether the pairs were the same after every update.
-    pub fn is_equal(&self) -> bool {
+    pub fn pairs_match(&self) -> bool {
         self.first_difference.is_none()
     }
 
@@ -77,29 +77,29 @@ impl TrialReport {
         &self.levels[level as usize]
     }
 
-    /// The level of the filter that fits: the default, or the lowest one with nearly as few pairs as any if that is fewer by a twentieth
+    /// The level of the filter that the trial recommends: the default, or the lowest one with nearly as few pairs as any if that is fewer by a twentieth
     /// than with the default. `None` if Rapier's own broad phase is as fast, and as few pairs are left.
     ///
     /// What a level other than the default changes is told by [`PairFilter`].
-    pub fn fitting(&self) -> Option<PairFilter> {
+    pub fn recommended_filter(&self) -> Option<PairFilter> {
         let fewest = self.levels.iter().map(|level| level.pairs);
         let fewest = fewest.fold(f64::INFINITY, f64::min);
         let is_few = |pairs: f64| pairs * (1.0 - WORTHWHILE) <= fewest;
         let default = self.level(self.default_level);
         let lowest = self.levels.iter().find(|level| is_few(level.pairs));
-        let fitting = match lowest {
+        let recommended = match lowest {
             Some(lowest) if !is_few(default.pairs) => lowest,
             _ => default,
         };
-        let saves_pairs = fitting.pairs < self.own.pairs * (1.0 - WORTHWHILE);
-        let pays = fitting.mean < self.own.mean || saves_pairs;
-        fitting.level.filter(|_| pays)
+        let saves_pairs = recommended.pairs < self.own.pairs * (1.0 - WORTHWHILE);
+        let pays = recommended.mean < self.own.mean || saves_pairs;
+        recommended.level.filter(|_| pays)
     }
 
     /// How many times as fast whole steps would be at least with this level of the filter, if all steps so far take this long on Rapier's
     /// own broad phase: without the [`overhead`](Self::overhead), where the trial ran within them. What the narrow phase saves with fewer
     /// pairs comes on top. Queries are not in it. NaN if neither steps nor updates have taken any time.
-    pub fn least_gain(&self, steps: Duration, level: PairFilter) -> f64 {
+    pub fn min_speedup(&self, steps: Duration, level: PairFilter) -> f64 {
         // A step takes no less than its broad phase.
         let steps = steps.max(self.own.total);
         let exchanged = steps - self.own.total + self.level(level).total;
@@ -127,14 +127,14 @@ impl fmt::Display for TrialReport {
             )?,
             Some(difference) => writeln!(f, "{difference}")?,
         }
-        match self.fitting() {
+        match self.recommended_filter() {
             None => write!(f, "Stay with Rapier's own: unisize gains nothing here."),
             Some(level) if level == self.default_level => {
-                write!(f, "The default fits: PairFilter::{level:?}.")
+                write!(f, "Recommended: the default, PairFilter::{level:?}.")
             }
             Some(level) => write!(
                 f,
-                "PairFilter::{level:?} fits; the default is {:?}, so read first what the level changes.",
+                "Recommended: PairFilter::{level:?}. The default is {:?}, so read first what the level changes.",
                 self.default_level
             ),
         }

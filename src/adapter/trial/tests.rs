@@ -25,7 +25,7 @@ fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u3
     let (params, bodies) = (IntegrationParameters::default(), RigidBodySet::new());
     let input = Input::new(&params, &colliders, &bodies, Lists::new(&all, &[]));
     trial.run(&input, &mut Vec::new());
-    assert!(trial.report().is_equal());
+    assert!(trial.report().pairs_match());
 
     colliders[all[2]].set_position(*ball(1.7).position());
     let input = Input::new(&params, &colliders, &bodies, Lists::new(&all[2..], &[]));

@@ -159,5 +159,5 @@ pub(in crate::pair_tracker) fn overlap<R: Real, const D: usize>(
     boxes: &[Aabb<R, D>],
     [a, b]: [u32; 2],
 ) -> bool {
-    boxes[a as usize].overlaps(&boxes[b as usize])
+    boxes[a as usize].intersects(&boxes[b as usize])
 }

@@ -1,19 +1,16 @@
 //! What is known of a candidate.
 
-/// Whether a candidate is a pair. By a byte, so that many are asked at once.
+/// Whether a candidate is a pair. A byte, with a bit for each answer, so that many are asked at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(in crate::pair_tracker) enum PairState {
     /// Its boxes do not overlap.
-    Apart = 0,
+    Apart = 0b00,
     /// Its boxes overlap, but it is not held, because its volumes have not met yet, or no longer do.
-    Near = NEAR,
+    Near = 0b01,
     /// It is held.
-    Held = HELD,
+    Held = 0b10,
 }
-
-const NEAR: u8 = 1;
-const HELD: u8 = 2;
 
 impl PairState {
     #[inline(always)]
@@ -43,8 +40,8 @@ pub(super) fn near_and_held(states: &[PairState]) -> [u64; 2] {
                 .rfold(0, |word, &state| word << 8 | u64::from(state as u8)),
         };
         let gathered = |bits: u64| ((bits & LOWEST).wrapping_mul(GATHER) >> 56) << (8 * i);
-        near |= gathered(word / u64::from(NEAR));
-        held |= gathered(word / u64::from(HELD));
+        near |= gathered(word);
+        held |= gathered(word >> 1);
     }
     [near, held]
 }

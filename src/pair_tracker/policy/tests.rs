@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A world of 1000 slots at rest, with lists out of date, and one full run that has cost as much as one does.
+/// A world of 1000 slots at rest, with lists out of date, and one full search that has cost as much as one does.
 fn world() -> PlanInputs {
     PlanInputs {
         slots: 1000,
@@ -16,7 +16,7 @@ fn world() -> PlanInputs {
         foresight: Foresight::new(None),
         cost: Cost {
             updates: 1,
-            searching: FULL_RUN,
+            searching: FULL_SEARCH,
             ..Cost::default()
         },
     }
@@ -31,11 +31,11 @@ fn left(leavers: u64) -> PlanInputs {
     }
 }
 
-/// What a full run costs in this world.
-const FULL_RUN: u64 = 1000 * SEARCHED + 4000 * FOUND;
+/// What a full search costs in this world.
+const FULL_SEARCH: u64 = 1000 * SEARCHED + 4000 * FOUND;
 
 /// The part of it that look-ups may cost beyond the mean.
-const SLACK: u64 = FULL_RUN / FULL_RUN_SLACK;
+const SLACK: u64 = FULL_SEARCH / FULL_SEARCH_SLACK;
 
 /// What it costs more to look one up than not to, with none in the upper layers: it finds both ends' share of four
 /// candidates a slot.
@@ -52,8 +52,8 @@ fn plan(inputs: PlanInputs) -> Plan {
     Plan::of(&inputs, || Some(0.1))
 }
 
-fn is_full_run(inputs: PlanInputs) -> bool {
-    matches!(plan(inputs), Plan::FullRun(_))
+fn is_full_search(inputs: PlanInputs) -> bool {
+    matches!(plan(inputs), Plan::FullSearch(_))
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn lists_are_made_once_they_were_missed_often_enough() {
 }
 
 #[test]
-fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_run() {
+fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_search() {
     for updates in [1, 2, 10, 1000] {
         // What is recent is searched as well.
         for recent in [0, 8] {
@@ -116,30 +116,30 @@ fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_run() {
                 inputs.cost.updates = updates;
                 inputs
             };
-            let most = (FULL_RUN / updates + SLACK - recent as u64 * SEARCHED) / LOOK_UP;
+            let most = (FULL_SEARCH / updates + SLACK - recent as u64 * SEARCHED) / LOOK_UP;
             assert_eq!(plan(searched(most)), Plan::LookUp(CompareMode::All));
-            assert!(is_full_run(searched(most + 1)));
+            assert!(is_full_search(searched(most + 1)));
         }
     }
 }
 
 #[test]
-fn a_full_run_is_due_once_the_layers_have_cost_as_much() {
+fn a_full_search_is_due_once_the_layers_have_cost_as_much() {
     let above = |cost, leavers| PlanInputs {
         above_base: Some(AboveBase { cost, recent: 0 }),
         ..left(leavers)
     };
-    assert!(!is_full_run(above(1000, 1)) && is_full_run(above(1001, 1)));
+    assert!(!is_full_search(above(1000, 1)) && is_full_search(above(1001, 1)));
     // It can wait until something has left.
     assert_eq!(plan(above(1001, 0)), Plan::Compare(CompareMode::All));
 }
 
 #[test]
-fn without_a_base_layer_every_search_is_a_full_run() {
+fn without_a_base_layer_every_search_is_a_full_search() {
     for leavers in [0, 1] {
         let mut inputs = left(leavers);
         inputs.above_base = None;
-        assert_eq!(is_full_run(inputs), leavers > 0);
+        assert_eq!(is_full_search(inputs), leavers > 0);
     }
 }
 
@@ -148,7 +148,7 @@ fn a_fixed_foresight_is_kept_and_others_go_by_speed() {
     for (fixed, moves) in [(Some(7), 7), (None, 5)] {
         let mut inputs = left(1000);
         inputs.foresight = Foresight::new(fixed);
-        assert!(matches!(plan(inputs), Plan::FullRun(renewed) if renewed.moves == moves));
+        assert!(matches!(plan(inputs), Plan::FullSearch(renewed) if renewed.moves == moves));
     }
 }
 
@@ -165,5 +165,5 @@ fn costs_add_up_and_end_at_the_largest_number() {
     (work.found, cost.searching) = (usize::MAX, u64::MAX - 1);
     cost.add(&work);
     assert_eq!(cost.searching, u64::MAX);
-    assert!(!is_full_run(PlanInputs { cost, ..left(1) }));
+    assert!(!is_full_search(PlanInputs { cost, ..left(1) }));
 }

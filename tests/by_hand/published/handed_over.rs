@@ -56,7 +56,7 @@ fn what_is_in_a_snapshot_must_make_sense() {
         ("can be counted", |table| {
             table["gathered"]["listed"] = json!(1_u64 << 40)
         }),
-        ("no collider", |table| table["awaited"] = json!([])),
+        ("no collider", |table| table["pending"] = json!([])),
         ("out of range", |table| {
             table["tracker"]["touched"][0][0] = json!(77)
         }),

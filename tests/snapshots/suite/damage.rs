@@ -189,11 +189,11 @@ const DAMAGES: [(&str, Change); 21] = [
         volumes(value).fill(json!(["Box", false, []]));
     }),
     ("out of range", |value| {
-        tracker(value)["stirred"] = json!([1_000_000]);
+        tracker(value)["revolumed"] = json!([1_000_000]);
     }),
     ("", |value| volume(value, "Ball")[0] = json!("Sphere")),
     (
-        "format 1, and this version of unisize reads format 10",
+        "format 1, and this version of unisize reads format 11",
         |value| {
             value["format"] = json!(1);
         },
@@ -208,7 +208,7 @@ const DAMAGES_WITHOUT_VOLUMES: [(&str, Change); 3] = [
         *volumes(value) = vec![json!(["Box", false, []])];
     }),
     ("none is in use", |value| {
-        tracker(value)["stirred"] = json!([0])
+        tracker(value)["revolumed"] = json!([0])
     }),
 ];
 
@@ -232,17 +232,17 @@ fn damages_are_named() {
 fn counters_may_be_any_number() {
     let (crowd, broad_phase) = crowd(PairFilter::Off);
     let mut value = serde_json::to_value(&broad_phase).unwrap();
-    value["table"]["tracker"]["full_runs"] = json!(u64::MAX);
+    value["table"]["tracker"]["full_searches"] = json!(u64::MAX);
     value["table"]["stats"]["updates"] = json!(u64::MAX);
     let before = serde_json::from_value::<UnisizeBroadPhase>(value).unwrap();
-    assert_eq!(before.stats().full_runs, u64::MAX);
+    assert_eq!(before.stats().full_searches, u64::MAX);
     let mut after = before.clone();
     let mut moved = crowd.clone();
-    while after.stats().full_runs == u64::MAX {
+    while after.stats().full_searches == u64::MAX {
         moved.advance(1);
         moved.update(&mut after);
     }
-    assert_eq!(after.stats().full_runs, 0);
+    assert_eq!(after.stats().full_searches, 0);
     go_on(crowd, before);
 }
 

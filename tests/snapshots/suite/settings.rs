@@ -38,7 +38,7 @@ fn what_is_fixed_stays_fixed_in_a_broad_phase_that_was_read() {
     let stats = twin.stats();
     let bytes = postcard::to_stdvec(&stats).unwrap();
     assert_eq!(postcard::from_bytes::<Stats>(&bytes), Ok(stats));
-    assert!(stats.full_runs > ours.stats().full_runs);
+    assert!(stats.full_searches > ours.stats().full_searches);
     assert_eq!(stats.foresight, 5);
     assert!(stats.times != Default::default());
 }

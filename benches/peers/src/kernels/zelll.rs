@@ -31,7 +31,7 @@ fn setting<const D: usize>(size: f32) -> Setting<D> {
                 }
             }
             for (a, b) in grid.iter().flat_map(CellGrid::particle_pairs) {
-                if a.overlaps(b) {
+                if a.intersects(b) {
                     pairs.push([a.index, b.index]);
                 }
             }
@@ -62,7 +62,7 @@ impl<const D: usize> ParticleLike<[f32; D]> for Particle<D> {
 }
 
 impl<const D: usize> Particle<D> {
-    fn overlaps(&self, other: &Self) -> bool {
+    fn intersects(&self, other: &Self) -> bool {
         let ([a_mins, a_maxs], [b_mins, b_maxs]) = (&self.corners, &other.corners);
         let mut overlaps = true;
         for k in 0..D {

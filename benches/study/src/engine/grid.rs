@@ -101,7 +101,7 @@ impl HashGrid {
         let mut found = Vec::new();
         for (index, &(slot, aabb)) in large.iter().enumerate() {
             let others = usual.iter().chain(&large[..index]);
-            let others = others.filter(|(_, other)| aabb.overlaps(other));
+            let others = others.filter(|(_, other)| aabb.intersects(other));
             found.extend(others.map(|&(other, _)| key(slot, other)));
         }
         let size = |extents: &[Real; DIM]| extents.iter().copied().fold(0.0, Real::max);
@@ -173,7 +173,7 @@ fn find_in_row(entries: &[Entry], row: u64, found: &mut Vec<u64>) {
         }
         let near = entries[start..].iter();
         let near = near.take_while(|other| other.key <= middle + 1);
-        let near = near.filter(|other| entry.aabb.overlaps(&other.aabb));
+        let near = near.filter(|other| entry.aabb.intersects(&other.aabb));
         found.extend(near.map(|other| key(entry.slot, other.slot)));
     }
 }

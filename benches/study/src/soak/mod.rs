@@ -89,37 +89,3 @@ impl Arguments {
         Ok(is_flat)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Peaks;
-
-    /// Updates, and from one check to the next.
-    const UPDATES: u64 = 20_000;
-
-    macro_rules! runs {
-        ($dim:ident) => {
-            #[test]
-            fn $dim() {
-                let _turn = TURN.lock();
-                let mut soak = crate::$dim::soak::Soak::new(200, 7);
-                let mut peaks = Peaks::default();
-                for done in 1..=UPDATES {
-                    soak.update();
-                    peaks.note(done, UPDATES);
-                    if done % 50 == 0 {
-                        soak.check();
-                    }
-                }
-                assert!(soak.pairs() > 0);
-                assert!(peaks.are_flat(), "{peaks:?}");
-            }
-        };
-    }
-
-    /// The allocator counts the memory of all threads.
-    static TURN: std::sync::Mutex<()> = std::sync::Mutex::new(());
-
-    runs!(dim2);
-    runs!(dim3);
-}

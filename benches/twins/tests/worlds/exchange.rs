@@ -29,7 +29,7 @@ fn stands([mut before, mut after]: [Box<dyn BroadPhase>; 2], are_listed: bool) -
     assert!(cubes.iter().all(|&cube| world.bodies[cube].is_sleeping()));
     world.narrow_phase = NarrowPhase::new();
     if are_listed {
-        UnisizeBroadPhase::list_all(&mut world.colliders);
+        UnisizeBroadPhase::mark_all_modified(&mut world.colliders);
     }
     // What sleeps is not listed later, either.
     world.step(&mut *after, &(), &());

@@ -138,7 +138,7 @@ impl<B: Steppable> World for Run<B> {
     fn searches(&self) -> [f64; 3] {
         let unisize = self.unisize.map(|unisize| unisize(&self.broad_phase));
         let stats = unisize.map(UnisizeBroadPhase::stats).unwrap_or_default();
-        let [runs, updates] = [stats.full_runs, stats.updates].map(|count| count as f64);
+        let [runs, updates] = [stats.full_searches, stats.updates].map(|count| count as f64);
         [stats.foresight.into(), runs, updates]
     }
 

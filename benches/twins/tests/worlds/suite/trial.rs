@@ -76,7 +76,7 @@ fn a_world_is_the_same_as_on_rapiers_own_broad_phase() {
     let shapes = report.level(PairFilter::Shapes);
     assert!(shapes.pairs < report.level(PairFilter::Groups).pairs);
     let elapsed = 3 * report.own.total + shapes.total;
-    let gain = report.least_gain(elapsed, PairFilter::Shapes);
+    let gain = report.min_speedup(elapsed, PairFilter::Shapes);
     assert_eq!(gain > 1.0, shapes.total < report.own.total);
     assert!(
         report

@@ -90,7 +90,7 @@ fn a_new_narrow_phase_and_a_list_of_all_do_as_well() {
     let (mut world, cubes) = column(DefaultBroadPhase::new());
     world.broad_phase = ours();
     world.narrow_phase = NarrowPhase::new();
-    UnisizeBroadPhase::list_all(&mut world.colliders);
+    UnisizeBroadPhase::mark_all_modified(&mut world.colliders);
     run(&mut world);
     assert_eq!(contacts(&world.narrow_phase).len(), CUBES);
     let mut heights = cubes.iter().map(|&cube| world.bodies[cube].translation().y);

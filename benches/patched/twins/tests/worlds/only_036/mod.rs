@@ -6,8 +6,8 @@ use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, in
 
 mod changes;
 mod exchange;
-mod looking_on;
 mod near_misses;
+mod observing;
 mod physics_world;
 mod reach;
 mod recycling;
