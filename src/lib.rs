@@ -26,7 +26,7 @@
 //! +let mut broad_phase = unisize::rapier3d_027::UnisizeBroadPhase::new();
 //! ```
 //!
-//! Programs that drive the collision detection of Rapier 0.36 by themselves need no opened copy: `UnisizeBroadPhase::update`
+//! Programs that drive the collision detection of Rapier 0.36 by themselves need no patched copy: `UnisizeBroadPhase::update`
 //! has the arguments of Rapier's own.
 //!
 //! # Without an engine

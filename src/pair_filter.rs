@@ -61,7 +61,7 @@ pub enum PairFilter {
     /// Contacts and intersections are the same. Rapier 0.36 looks at a pair again only when the two have moved by some hundredths of a
     /// length unit, counted from when the pair began: of two that are still apart, a contact may be foreseen some steps earlier or later.
     /// Rapier also wakes the body of a changed collider if its narrow phase has ever had a pair of it, and the bodies that it holds pairs
-    /// with. The opened copy of Rapier 0.36 does so for the pairs that are left out here as well. In Rapier 0.27, and in 0.36 without the
+    /// with. The patched copy of Rapier 0.36 does so for the pairs that are left out here as well. In Rapier 0.27, and in 0.36 without the
     /// copy, changing or removing a collider does not wake a sleeping body, or keep one awake, that is near it and does not touch it.
     Shapes,
 }

@@ -1,4 +1,4 @@
-//! Turns what opened copies of Rapier tell their dependents into a `cfg`: the scenes for 0.36 need their seam.
+//! Turns what patched copies of Rapier tell their dependents into a `cfg`: the scenes for 0.36 need their seam.
 
 fn main() {
     for package in ["rapier2d", "rapier3d", "rapier2d_f64", "rapier3d_f64"] {

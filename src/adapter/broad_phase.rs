@@ -19,7 +19,7 @@ use crate::stats::Stats;
 
 /// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
 /// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on an
-/// opened copy, or call its `update` yourself.
+/// patched copy, or call its `update` yourself.
 ///
 /// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports every pair whose boxes
 /// overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and the

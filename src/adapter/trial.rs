@@ -39,7 +39,7 @@ const LEVELS: [PairFilter; 4] = [
 ///
 /// ```text
 /// let mut broad_phase = Trial::new();                                // Rapier 0.27
-/// world.broad_phase = DefaultBroadPhase::custom(Trial::new());       // Rapier 0.36, opened
+/// world.broad_phase = DefaultBroadPhase::custom(Trial::new());       // Rapier 0.36, patched
 /// println!("{}", broad_phase.report());                              // some hundred steps later
 /// ```
 ///

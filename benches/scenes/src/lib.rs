@@ -21,7 +21,7 @@
 //! ```
 //!
 //! What differs between the dimensions beyond Rapier's own aliases is in the folders `dim2` and `dim3`, and what differs between
-//! its versions in `version`. `dim2_036` and the like are for opened copies of Rapier 0.36, and exist if there are such.
+//! its versions in `version`. `dim2_036` and the like are for patched copies of Rapier 0.36, and exist if there are such.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`], [`Mixture`] and [`HardFrames`] need no engine.
 
 #[macro_use]

@@ -149,7 +149,7 @@ impl UnisizeBroadPhase {
 }
 
 impl Trial {
-    /// Looks on while a world runs on a Rapier that is not opened: call it after each step. **O(colliders)**.
+    /// Looks on while a world runs on a Rapier that is not patched: call it after each step. **O(colliders)**.
     ///
     /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. The pairs are as they
     /// would be; the times are those of a world that never sleeps. A collider that is given another shape has its former volume at

@@ -1,4 +1,4 @@
-//! The seam of an opened Rapier 0.36: its pipelines take any broad phase that implements this trait.
+//! The seam of a patched Rapier 0.36: its pipelines take any broad phase that implements this trait.
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};

@@ -1,5 +1,5 @@
 //! What the scenes need and Rapier 0.36 has in its own way: glam's vectors, soft bodies, and one type of broad phase, which
-//! an opened copy lets be [custom](CustomBroadPhase). It hands over the boxes of what a step has moved.
+//! a patched copy lets be [custom](CustomBroadPhase). It hands over the boxes of what a step has moved.
 
 use super::engine::queries::tree_of;
 use super::engine::{AsQueryPipeline, Steppable, World};

@@ -1,4 +1,4 @@
-//! The tests of one flavour, for every flavour and for an opened Rapier.
+//! The tests of one flavour, for every flavour and for a patched Rapier.
 
 /// Steps of the tests that look at a scene while it is in full motion.
 pub(crate) const STEPS: usize = 60;

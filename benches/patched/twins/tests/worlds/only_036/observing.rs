@@ -1,4 +1,4 @@
-//! A trial that looks on while a world runs on Rapier's own broad phase, as it has to where Rapier is not opened.
+//! A trial that looks on while a world runs on Rapier's own broad phase, as it has to where Rapier is not patched.
 
 use super::rapier::prelude::*;
 use super::twins::{cuboid, dynamic};
