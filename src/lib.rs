@@ -4,13 +4,13 @@
 //! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size, and a broad
 //! phase that knows this need not maintain a tree. `unisize` sorts the boxes and sweeps over them, after Capannini and
 //! Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes beyond them: boxes may have any sizes,
-//! and for boxes of about one size the time grows only with boxes and pairs, in two dimensions and in three.
+//! and the time grows about linearly with boxes and pairs, in two dimensions and in three.
 //!
 //! # In Rapier
 //!
-//! Give Rapier another broad phase; everything else stays as it is, and so do the contacts.
+//! Give Rapier another broad phase. Everything else stays as it is, and no contact is lost.
 //!
-//! Rapier **0.36.1**, opened by the program `open-rapier` of the same repository, with the feature `rapier2d-036`,
+//! Rapier **0.36.1**, patched by the program `open-rapier` of the same repository, with the feature `rapier2d-036`,
 //! `rapier3d-036`, `rapier2d-f64-036` or `rapier3d-f64-036`:
 //!
 //! ```diff
@@ -51,7 +51,7 @@
 //!
 //! | kernel | time | use it |
 //! |---|---|---|
-//! | [`GridSweep`] | O(n + pairs) for boxes of about one size | always |
+//! | [`GridSweep`] | O(n + pairs) for boxes of about one size, O((n + pairs) log n) for others | always |
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
 //!

@@ -4,7 +4,7 @@ use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
 use crate::real::Real;
 
-/// How a broad phase works. The default suits every scene.
+/// How a broad phase works. The defaults are a good start; `docs/guide.md` tells which filter to choose.
 ///
 /// `R` is the scalar of the engine; each adapter's `Settings` is this type with its own. Fields that are missing where
 /// settings are read by serde have their defaults. Settings may be added in later versions, so they are made from the

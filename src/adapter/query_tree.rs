@@ -29,9 +29,9 @@ impl UnisizeBroadPhase {
     /// The scene as of the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
     ///
     /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first call after an
-    /// update brings it up to date, in well under a tenth of that time; further calls are free.
+    /// update brings it up to date, in about a tenth of that time. Further calls are free.
     ///
-    /// Its boxes are those of Rapier's own broad phase, and so are the answers.
+    /// Its boxes are those of Rapier's own broad phase. Of colliders at exactly the same distance, a query may find another one.
     pub fn as_query_pipeline<'a>(
         &'a self,
         dispatcher: &'a dyn QueryDispatcher,
