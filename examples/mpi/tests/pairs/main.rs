@@ -19,6 +19,7 @@ use numbers::Number;
 use std::collections::HashSet;
 use unisize::{Aabb, BruteForce, InvalidInput, PairFinder};
 use unisize_mpi::{Animal, Body, Domains, Herd, Sent, World, sorted};
+use unisize_scenes as arrangements; // By this name the oracle's inputs ask for them.
 use unisize_scenes::{HardBoxes, Stampede};
 
 fn main() -> Result<()> {
