@@ -4,8 +4,8 @@
 //! cargo run --release --manifest-path benches/Cargo.toml --package paper
 //! ```
 //!
-//! prints every table of `docs/paper.md`, and at the end the claims of the paper with a verdict each. `--page docs/paper.md` writes
-//! the tables into the page, between the comments that name them, and `--pictures docs/paper` draws its pictures there. The names
+//! prints every table of `docs/dev/paper.md`, and at the end the claims of the paper with a verdict each. `--page docs/dev/paper.md` writes
+//! the tables into the page, between the comments that name them, and `--pictures docs/dev/paper` draws its pictures there. The names
 //! of parts remake those alone:
 //!
 //! ```text
@@ -42,7 +42,7 @@ const PARTS: [Part; 5] = [
     ("threads", threads::measure),
 ];
 
-/// Measures what docs/paper.md shows.
+/// Measures what docs/dev/paper.md shows.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "paper")]
 struct Options {
