@@ -68,17 +68,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             generations: &self.generations,
             memos: &mut self.memos,
         };
-        let unusual = boxes.find(|&&(handle, aabb)| {
-            let (slot, generation) = handle.into_raw_parts();
-            let is_followed = all.follow(
-                slot as usize,
-                generation,
-                &aabb.into(),
-                margin,
-                |memo, aabb| volume(handle, memo, aabb),
-            );
-            !is_followed
-        });
+        let unusual =
+            boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin, volume));
         self.gathered.moved += self.touched().len() - touched;
         unusual
     }
@@ -126,12 +117,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let mut places = places(*part);
             let first = places.find(|&place| {
                 let (handle, aabb) = boxes[place];
-                let (slot, generation) = handle.into_raw_parts();
-                let i = slot as usize - slots_a_part * *part;
-                let is_followed = run.follow(i, generation, &aabb.into(), margin, |memo, aabb| {
-                    volume(handle, memo, aabb)
-                });
-                !is_followed
+                !run.follow(handle, &aabb.into(), margin, volume)
             });
             unusual.extend(first);
             unusual.extend(places);

@@ -76,23 +76,24 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
             })
     }
 
-    /// Moves the proxy at `i` to a box, or keeps the box that it has. Returns false, and changes nothing, if the collider is unknown or needs
+    /// Moves a proxy of the run to a box, or keeps the box that it has. Returns false, and changes nothing, if the collider is unknown or needs
     /// more than a move.
     #[inline(always)]
-    pub(super) fn follow(
+    pub(super) fn follow<H: Handle>(
         &mut self,
-        i: usize,
-        generation: u32,
+        handle: H,
         aabb: &Aabb<R, D>,
         margin: R,
-        volume: impl FnOnce(&mut M, &Aabb<R, D>) -> Volume<R, D>,
+        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) -> bool {
-        let memos = &mut self.memos;
-        is_known(self.generations, i as u32, generation)
+        let (slot, generation) = handle.into_raw_parts();
+        let place = slot.wrapping_sub(self.proxies.slot(0));
+        let (i, memos) = (place as usize, &mut self.memos);
+        is_known(self.generations, place, generation)
             && self.proxies.follow(i, aabb, margin, |volumes, is_renewed| {
                 match volumes.set_by_box(i, aabb, is_renewed) {
                     VolumeUpdate::Recheck => {
-                        volumes.set(i, &volume(&mut memos[i], aabb), is_renewed)
+                        volumes.set(i, &volume(handle, &mut memos[i], aabb), is_renewed)
                     }
                     update => update,
                 }
