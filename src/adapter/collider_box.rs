@@ -97,6 +97,10 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         ColliderKey::differ(self.filter)
     }
 
+    fn has_volumes(&self) -> bool {
+        self.filter == PairFilter::Shapes
+    }
+
     #[inline(always)]
     fn volume(
         &self,

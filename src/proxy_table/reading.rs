@@ -80,30 +80,29 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
     }
 
-    /// Reads the filter keys and volumes of those listed colliders that `have_changed`. Boxes stay, and unknown colliders are skipped.
+    /// Reads the filter key and the volume of each listed collider that `has_changed`. Boxes stay, and unknown colliders are skipped.
     pub(super) fn read_in_place<S>(
         &mut self,
         handles: &[S::Handle],
         source: &S,
-        have_changed: impl Fn(S::Handle, &M) -> bool + Send + Sync,
+        has_changed: impl Fn(S::Handle, &M) -> bool + Send + Sync,
     ) where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let section = self.section(handles.len());
-        let are_used = self.tracker.proxies.volumes().are_used();
-        let visit = |run: &mut SlotRun<'_, R, D, M, K>, i: usize, handle| {
-            !have_changed(handle, &run.memos[i]) || run.read_in_place(i, handle, source, are_used)
-        };
         match is_read_as_listed(handles, section) {
-            true => self.visit_as_listed(handles, section, visit),
-            false => self.visit_by_slot(handles, section, visit),
+            true => self.visit_as_listed(handles, section, |run, i, handle| {
+                run.read_in_place(i, handle, source, &has_changed)
+            }),
+            false => self.visit_by_slot(handles, section, |run, i, handle| {
+                run.read_in_place(i, handle, source, &has_changed)
+            }),
         }
         self.for_deferred(|table, handle| {
             let Some(slot) = table.slot_of(handle) else {
                 return;
             };
-            let memo = &mut table.memos[slot as usize];
-            if let Some(reading) = source.reading(handle, memo, are_used) {
+            if let Some(reading) = source.reading(handle, &mut table.memos[slot as usize]) {
                 let proxies = &mut table.tracker.proxies;
                 proxies.set_key(slot, reading.key);
                 proxies.set_volume(slot, &reading.volume, false);
@@ -199,10 +198,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        let are_used = self.tracker.proxies.volumes().are_used();
-        self.admit(handle, margin, |memo| {
-            source.reading(handle, memo, are_used)
-        });
+        self.admit(handle, margin, |memo| source.reading(handle, memo));
     }
 
     /// Replaces the boxes of known colliders by new ones without a margin.
@@ -233,7 +229,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     {
         for (slot, (&generation, memo)) in (0..).zip(self.generations.iter().zip(&mut self.memos)) {
             let handle = generation.map(|known| S::Handle::from_raw_parts(slot, known));
-            let reading = handle.and_then(|handle| source.reading(handle, memo, true));
+            let reading = handle.and_then(|handle| source.reading(handle, memo));
             if let Some(reading) = reading {
                 self.tracker.proxies.reset_volume(slot, &reading.volume);
             }

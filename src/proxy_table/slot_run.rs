@@ -57,23 +57,28 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         }
     }
 
-    /// Reads the volume of the known collider at `i`; its box stays. Returns false, and changes nothing, if its filter key or the kind of
-    /// its volume has changed.
+    /// Reads the volume of the known collider at `i` if it `has_changed`; its box stays. Returns false, and changes nothing, if its filter key or
+    /// the kind of its volume has changed.
+    #[inline(always)]
     pub(super) fn read_in_place<S>(
         &mut self,
         i: usize,
         handle: S::Handle,
         source: &S,
-        are_used: bool,
+        has_changed: &impl Fn(S::Handle, &M) -> bool,
     ) -> bool
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        source
-            .reading(handle, &mut self.memos[i], are_used)
-            .is_none_or(|reading| {
-                reading.key == *self.proxies.key(i) && self.proxies.set_volume(i, &reading.volume)
-            })
+        let Self { proxies, memos, .. } = self;
+        let memo = &mut memos[i];
+        if !has_changed(handle, memo) {
+            return true;
+        }
+        let reading = source.reading(handle, memo);
+        reading.is_none_or(|reading| {
+            reading.key == *proxies.key(i) && proxies.set_volume(i, &reading.volume)
+        })
     }
 
     /// Moves a proxy of the run to a box, or keeps the box that it has. Returns false, and changes nothing, if the collider is unknown or needs

@@ -78,15 +78,17 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
         aabb: &Aabb<R, D>,
     ) -> Volume<R, D>;
 
-    /// Reads a collider, with its volume if volumes are used.
+    /// Whether anybody needs volumes.
+    fn has_volumes(&self) -> bool;
+
+    /// Reads a collider, with its volume if there are volumes.
     fn reading(
         &self,
         handle: Self::Handle,
         memo: &mut Self::Memo,
-        are_used: bool,
     ) -> Option<Reading<R, D, Self::Key>> {
         let (aabb, key) = self.read(handle, memo)?;
-        let volume = match are_used {
+        let volume = match self.has_volumes() {
             true => self.volume(handle, memo, &aabb),
             false => Volume::BOX,
         };

@@ -63,6 +63,10 @@ impl BoxSource<f32, 2> for Colliders {
         true
     }
 
+    fn has_volumes(&self) -> bool {
+        true
+    }
+
     fn read(&self, id: Id, memo: &mut Memo) -> Option<Collider> {
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
         let &(generation, collider) = self.get(id.0 as usize)?;

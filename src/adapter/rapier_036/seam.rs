@@ -37,7 +37,7 @@ fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
 
 /// Implements the trait; the first argument is the method for updates in a pipeline. What is left differs between the two types.
 macro_rules! impl_custom_broad_phase {
-    ($name:ident, $run_in_pipeline:ident, $($rest:item)*) => {
+    ($name:ident, $run_in_pipeline:ident, $($rest:tt)*) => {
         impl CustomBroadPhase for $name {
             fn update(
                 &mut self,
