@@ -1,9 +1,9 @@
 //! Bounding volumes of shapes, which separate pairs whose boxes overlap and whose shapes cannot meet.
 //!
-//! A box has empty corners: 21 % of the box around a disk and 48 % of that around a ball are empty, and more around a tilted capsule. The paper
-//! goes from two dimensions to three by one more interval test. This module goes on in that direction, to as many axes as a pair needs. A volume is
-//! the Minkowski sum of a point, a ball and up to `D` segments, so its interval along *any* axis `n` is `c · n ± (r |n| + Σ |h · n|)`. Two volumes
-//! are apart if their intervals along one of these axes do not meet:
+//! A box has empty corners: 21 % of the box around a disk and 48 % of that around a ball are empty, and more around a tilted capsule. The
+//! paper goes from two dimensions to three by one more interval test. This module continues to as many axes as a pair needs. A volume is the
+//! Minkowski sum of a point, a ball and up to `D` segments, so its interval along *any* axis `n` is `c · n ± (r |n| + Σ |h · n|)`. Two
+//! volumes are apart if their intervals along one of these axes do not meet:
 //!
 //! | pair | axes |
 //! |---|---|
@@ -416,7 +416,8 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     }
 }
 
-/// Whether a sum of products exceeds another one, whatever underflow has done to both. False for NaN, and if overflow has made the first sum infinite.
+/// Whether a sum of products exceeds another one, whatever underflow has done to both. False for NaN, and if overflow has made the first sum
+/// infinite.
 #[inline(always)]
 fn is_beyond<R: Real>(distance: R, reach: R) -> bool {
     (distance > at_least_exact(reach)) & distance.is_finite()

@@ -125,8 +125,8 @@ impl UnisizeBroadPhase {
     /// by the margin and takes its place. Only the position of the collider may have changed; list it as modified after any other change. A box
     /// only shows where a ball is, so colliders of other shapes are pairs by their boxes until they are listed again.
     ///
-    /// The next update reads a collider that is still unknown then, if the set has it. The box of a handle whose index has a newer collider is ignored.
-    /// A collider with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.
+    /// If the collider is unknown, the next update reads it from the set. The box is ignored if a newer collider has the index. A collider
+    /// with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.
     pub fn set_aabb(
         &mut self,
         params: &IntegrationParameters,
