@@ -40,6 +40,7 @@ use policy::Cost;
 pub(crate) use proxies::{Notes, Proxies};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
+pub(crate) use volumes::VolumeUpdate;
 
 /// The most slots that there may be: every kernel takes so many boxes.
 pub(crate) const MOST_SLOTS: usize = MAX_BOXES;

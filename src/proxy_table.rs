@@ -1,17 +1,15 @@
-//! The proxies of an engine's colliders: which collider each one stands for, and how its box has changed.
+//! The proxies of an engine's colliders: which collider each one stands for, and how its box changes.
 //!
-//! The engine knows a collider by a *handle*: the number of its slot, and a generation that tells it from those which
-//! had the slot before. The table keeps, by slot, the generation, the box and what the engine wants remembered of the
-//! collider. It brings the boxes of listed colliders up to date, and reports how the set of overlapping pairs has
-//! changed.
+//! The engine names a collider by a *handle*: the index of its slot, and a generation that distinguishes it from earlier colliders in that
+//! slot. For each slot, the table keeps the generation, the box, and a memo of the engine's about the collider. It updates the boxes of
+//! listed colliders and reports how the set of overlapping pairs changes.
 //!
-//! Boxes come from one of two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that
-//! is best for memory; [`hand_over`](ProxyTable::hand_over) is given them with their handles between two updates. Either way
-//! nearly all are moves of known proxies, which [follow](crate::pair_tracker::ProxyChunk::follow) them; the rest is
-//! [admitted](ProxyTable::admit).
+//! Boxes come from two sources. [`update`](ProxyTable::update) reads the box of each listed handle, in the order that suits memory.
+//! [`set_boxes`](ProxyTable::set_boxes) receives boxes together with their handles, between two updates. Nearly all of them are moves of known
+//! proxies, which [`follow`](crate::pair_tracker::ProxyChunk::follow) handles; [`admit`](ProxyTable::admit) handles the rest.
 
 mod changes;
-mod hand_over;
+mod passing;
 mod reading;
 mod slot_run;
 #[cfg(feature = "serde-serialize")]
@@ -32,45 +30,45 @@ use crate::parallel;
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
+use crate::stopwatch::{Phase, PhaseTimes, Shared, Stopwatch};
 use crate::tuning::prices::READ;
 use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
-use hand_over::Pending;
+use passing::Pending;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
 use source::Reading;
 pub(crate) use source::{BoxSource, Handle, Lists};
 
-/// The most slots that known colliders may have. So many more may be made for boxes that are handed over.
+/// The maximum number of slots for known colliders. The rest of [`MOST_SLOTS`] is for boxes of unknown colliders.
 const MOST_KNOWN_SLOTS: usize = MOST_SLOTS - ROOM_AHEAD;
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
 pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     tracker: PairTracker<R, D, K>,
-    /// The generation of the collider in each slot; `None` where there is none.
+    /// By slot, the generation of the known collider.
     generations: Vec<Option<u32>>,
-    /// The highest slot that ever had a known collider, plus 1. There may be more slots, for boxes that were handed over.
+    /// The highest slot that ever had a known collider, plus 1. Boxes of unknown colliders may have higher slots.
     known_slots: usize,
-    /// What is remembered of the collider in each slot, as many as generations.
+    /// By slot, the engine's memo about the collider.
     memos: Vec<M>,
-    /// How many colliders are known.
+    /// The number of known colliders.
     known: usize,
-    /// The most slots that known colliders may have.
+    /// [`MOST_KNOWN_SLOTS`], or less in tests.
     most_known_slots: usize,
-    /// Slot and generation of each collider beyond them. It is refused, and counts as not known.
+    /// Slot and generation of each collider beyond these slots. It is refused, and is not a known collider.
     beyond: BTreeMap<u32, u32>,
-    /// `proxies`, the known colliders that have a box, is current; the rest is as of the last update.
+    /// Only `proxies`, the number of known colliders with a box, is current; the last update set the others.
     stats: Stats,
     has_warned: bool,
     gathered: Gathered,
-    pending: Pending<R, D>,
+    pending: Pending,
     reader: Reader,
 }
 
-/// What was gathered for the update that is not finished.
+/// What the next [finish](ProxyTable::finish) reports about the update that has begun.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -84,7 +82,7 @@ struct Gathered {
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// A table without colliders.
+    /// An empty table.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let volumes = settings.filter == Some(PairFilter::Shapes);
         let (kernel, foresight) = (settings.kernel, settings.foresight);
@@ -106,7 +104,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// What it holds, and what the last update did. **O(1)**.
+    /// The current counts, and what the last update did. **O(1)**.
     pub(crate) fn stats(&self) -> Stats {
         let mut stats = self.stats;
         stats.refused = self.refused();
@@ -115,11 +113,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     fn refused(&self) -> usize {
-        // What has no box is refused.
+        // A known collider without a box is refused.
         self.known - self.stats.proxies + self.beyond.len()
     }
 
-    /// The boxes by slot; invalid where there is none.
+    /// The boxes by slot; invalid where there is no proxy.
     pub(crate) fn boxes(&self) -> &[Aabb<R, D>] {
         &self.tracker.proxies.boxes
     }
@@ -130,7 +128,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         fat_boxes.iter().filter(|fat| fat.is_valid())
     }
 
-    /// The slots whose boxes were written since the last [finish](Self::finish); may repeat.
+    /// The slots whose boxes were written since the last [finish](Self::finish); some may repeat.
     fn touched(&self) -> &[u32] {
         self.tracker.proxies.touched()
     }
@@ -141,9 +139,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         pairs.map(|pair| handles(&self.generations, pair))
     }
 
-    /// Calls `visit` with each of these handles whose box has ever overlapped that of another that it might meet, and with each of its
-    /// neighbours: what its box overlapped at the end of the last update, and what only their volumes keep it from being a pair with. If
-    /// volumes are not in use, the pairs tell all that.
+    /// Visits the colliders whose pairs volumes may have suppressed: calls `visit` with each listed collider whose box has ever overlapped
+    /// that of another collider that it may meet; and with each pair of such a collider and a neighbor whose boxes overlapped at the end of
+    /// the last update, and that only their volumes keep from being a pair. Does nothing if volumes are not in use.
     pub(crate) fn visit_unreported<H: Handle>(
         &mut self,
         listed: &[H],
@@ -171,21 +169,21 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         });
     }
 
-    /// The slot of a handle, if it is known to have the handle's collider.
+    /// The slot of a known collider.
     fn slot_of(&self, handle: impl Handle) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
         is_known(&self.generations, slot, generation).then_some(slot)
     }
 
-    /// Removes a collider, if its slot is known to have it. Its pairs end without an event.
+    /// Removes a collider, if it is known. Its pairs end without an event.
     fn remove(&mut self, handle: impl Handle) {
-        let Some(slot) = self.slot_of(handle) else {
-            let (slot, generation) = handle.into_raw_parts();
-            if self.beyond.get(&slot) == Some(&generation) {
-                self.beyond.remove(&slot);
-            }
+        let (slot, generation) = handle.into_raw_parts();
+        if self.beyond.get(&slot) == Some(&generation) {
+            self.beyond.remove(&slot);
+        }
+        if self.slot_of(handle).is_none() {
             return;
-        };
+        }
         let index = slot as usize;
         self.generations[index] = None;
         self.memos[index] = M::default();
@@ -194,8 +192,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.remove(slot);
     }
 
-    /// An update: removes colliders, then brings the boxes of listed ones up to date with their source. A box that is
-    /// renewed is loosened by `margin`. Returns the slots whose boxes it has written; some may repeat.
+    /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
+    /// some may repeat. **O(listed colliders)**.
     pub(crate) fn update<S>(
         &mut self,
         lists: &Lists<'_, S::Handle>,
@@ -205,11 +203,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        self.begin();
-        let shared = parallel::shared();
+        let shared = self.begin();
         let touched = self.touched().len();
         self.gathered.listed += lists.len();
-        self.tracker.stopwatch.enter(Phase::Read);
         // Removals first: a listed collider may already have the slot of a removed one.
         for &handle in lists.removed {
             self.remove(handle);
@@ -225,40 +221,48 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
-        self.read_unmoved(lists.unmoved, source);
-        self.read_swept(lists.swept, source);
-        self.tracker.stopwatch.leave();
-        self.tracker
-            .stopwatch
-            .times
-            .shared
-            .add([shared, parallel::shared()]);
+        self.read_in_place(lists.unmoved, source, |handle, memo| {
+            source.has_changed_unmoved(handle, memo)
+        });
+        self.read_in_place(lists.swept, source, |_, _| true);
+        self.pause(shared);
         &self.touched()[touched..]
     }
 
-    /// About how much work an update will be, in tenths of a nanosecond.
+    /// An estimate of the work of an update, in tenths of a nanosecond.
     pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
         let touched = self.touched().len() + lists.modified.len();
         self.reading(lists.len())
             .saturating_add(self.tracker.work_ahead(touched))
     }
 
-    /// About how much work it is to read so many colliders, or to take in their boxes, in tenths of a nanosecond.
+    /// An estimate of the work of reading this many colliders, or of setting their boxes, in tenths of a nanosecond.
     pub(crate) fn reading(&self, colliders: usize) -> u64 {
         let price = self.tracker.proxies.volumes().price(READ);
         price.saturating_mul(colliders as u64)
     }
 
-    /// Whether there is an update to finish, because boxes were handed over.
+    /// Whether there is an update to finish, because boxes have been set.
     pub(crate) fn is_begun(&self) -> bool {
         self.gathered.is_begun
     }
 
-    /// Begins an update, if none has begun, or goes on with it.
-    fn begin(&mut self) {
+    /// Begins an update, or continues the one that has begun. Returns the argument for [`pause`](Self::pause).
+    fn begin(&mut self) -> Shared {
+        let stopwatch = &mut self.tracker.stopwatch;
         if !std::mem::replace(&mut self.gathered.is_begun, true) {
-            self.tracker.stopwatch.times = PhaseTimes::default();
+            stopwatch.times = PhaseTimes::default();
         }
+        stopwatch.enter(Phase::Read);
+        parallel::shared()
+    }
+
+    /// Stops the clock until the update continues.
+    fn pause(&mut self, shared: Shared) {
+        let stopwatch = &mut self.tracker.stopwatch;
+        stopwatch.leave();
+        let shared = [shared, parallel::shared()];
+        stopwatch.times.shared.add(shared);
     }
 
     /// Makes room for this number of slots, if there is less.
@@ -270,8 +274,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Brings one collider up to date in the general case: it may be new, moved, gone, or in a slot that another one
-    /// had.
+    /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one.
     fn admit<H: Handle>(
         &mut self,
         handle: H,
@@ -283,7 +286,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             std::mem::take(&mut self.memos[slot as usize])
         });
         let Some(Reading { aabb, key, volume }) = read(&mut memo) else {
-            // Usually it is listed as removed as well; if not, it is treated as removed all the same.
+            // The collider is gone or disabled, whether or not it is listed as removed.
             return self.remove(handle);
         };
         let Some(slot) = slot.or_else(|| self.add(handle)) else {
@@ -297,7 +300,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let renewed = match update {
             BoxUpdate::Keep if !renews_box => None,
             BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
-            // A new box gets no margin, as in Rapier: what never moves never needs one.
+            // A new box gets no margin, as in Rapier: a collider that never moves never needs one.
             _ => Some(aabb),
         };
         proxies.set_volume(slot, &volume, renewed.is_some());
@@ -311,7 +314,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Adds a collider that is not known, without a box. Returns its slot; `None`, and adds nothing, if there may be no such slot.
+    /// Adds an unknown collider without a box. Returns its slot, or `None` if the slot is beyond the maximum.
     #[inline(always)]
     fn add<H: Handle>(&mut self, handle: H) -> Option<u32> {
         let (slot, generation) = handle.into_raw_parts();
@@ -319,7 +322,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if index >= self.most_known_slots {
             return None;
         }
-        // Needed even if the box is invalid: updates are planned by the number of slots.
         self.make_room(index + 1);
         if let Some(outdated) = self.generations[index] {
             // Its removal was not reported.
@@ -340,7 +342,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.proxies.place(slot, aabb);
     }
 
-    /// Leaves a collider out, because its box is not valid.
+    /// Leaves out a collider whose box is invalid.
     #[cold]
     fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;
@@ -355,7 +357,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         );
     }
 
-    /// Leaves a collider out, because there may be no such slot.
+    /// Leaves out a collider whose slot is beyond the maximum.
     #[cold]
     fn refuse_slot(&mut self, handle: impl Handle) {
         let (slot, generation) = handle.into_raw_parts();
@@ -367,7 +369,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         );
     }
 
-    /// Says of the first collider that is left out why it is, or until when.
+    /// Logs why, or until when, the first such collider is left out.
     fn warn(&mut self, handle: impl Handle, why: std::fmt::Arguments<'_>) {
         if !std::mem::replace(&mut self.has_warned, true) {
             log::warn!(
@@ -376,8 +378,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Ends an update: calls `event` with how the set of pairs has changed, whether each begins, in the order of [`Changes`], which are
-    /// scratch. If volumes are in use, held pairs end once they are farther apart than `slack`, and not active.
+    /// Ends an update: calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
+    /// in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
     pub(crate) fn finish<H: Handle>(
         &mut self,
         slack: R,
@@ -392,11 +394,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         };
         let shared = parallel::shared();
         self.tracker.finish(slack, &mut observer);
-        self.tracker
-            .stopwatch
-            .times
-            .shared
-            .add([shared, parallel::shared()]);
+        self.pause(shared);
         self.tracker.stopwatch.enter(Phase::Events);
         let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);
@@ -410,7 +408,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.stats.times = self.tracker.stopwatch.times;
     }
 
-    /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
+    /// Panics unless the table is consistent, and its pairs are those of a full search by `kernel`.
     pub(crate) fn validate(&self, kernel: Kernel) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
@@ -423,7 +421,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.validate(kernel);
     }
 
-    /// How many known colliders have a box; `None` if a slot has one without a collider that is known or pending.
+    /// The number of known colliders with a box; `None` if a box has neither a known nor a pending collider.
     fn count_proxies(&self) -> Option<usize> {
         let mut count = 0;
         for (slot, _) in self.tracker.proxies.iter() {
@@ -437,10 +435,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 }
 
-/// Says whether the contact of two colliders is active; see [`PairObserver::is_active`].
+/// Tells whether the contact of two colliders is active; see [`PairObserver::is_active`].
 pub(crate) type IsActive<'a, H> = &'a (dyn Fn(H, H) -> bool + Sync);
 
-/// Notes the changes of an update.
+/// Collects the changes of an update.
 struct Observer<'a, H> {
     generations: &'a [Option<u32>],
     is_active: Option<IsActive<'a, H>>,
@@ -460,13 +458,13 @@ impl<H: Handle> PairObserver for Observer<'_, H> {
     }
 }
 
-/// Whether a slot is known to have the collider of this generation.
+/// Whether the known collider of a slot has this generation.
 #[inline(always)]
 fn is_known(generations: &[Option<u32>], slot: u32, generation: u32) -> bool {
     matches!(generations.get(slot as usize), Some(&Some(known)) if known == generation)
 }
 
-/// The handles of two slots whose colliders must be known. The slots of a held pair always are.
+/// The handles of two slots, whose colliders must be known. Those of a held pair always are.
 fn handles<H: Handle>(generations: &[Option<u32>], pair: [u32; 2]) -> [H; 2] {
     pair.map(|slot| {
         let generation = generations[slot as usize];

@@ -1,24 +1,22 @@
-//! The bounding volume of a collider's shape: what tells pairs apart whose boxes overlap and whose shapes cannot meet.
+//! Bounding volumes of shapes, which separate pairs whose boxes overlap and whose shapes cannot meet.
 //!
-//! A box is empty in its corners: around a ball by 21 % in the plane and 48 % in space, around a tilted capsule by more. The
-//! paper goes from two dimensions to three by one more interval test; this is that step taken further, to as many axes as a
-//! pair needs. A volume is a sum of a point, a ball and up to `D` segments, so its interval along *any* axis `n` is
-//! `c · n ± (r |n| + Σ |h · n|)`. Two volumes are apart if their intervals along one of these axes do not meet:
+//! A box has empty corners: 21 % of the box around a disk and 48 % of that around a ball are empty, and more around a tilted capsule. The
+//! paper goes from two dimensions to three by one more interval test. This module continues to as many axes as a pair needs. A volume is the
+//! Minkowski sum of a point, a ball and up to `D` segments, so its interval along *any* axis `n` is `c · n ± (r |n| + Σ |h · n|)`. Two
+//! volumes are apart if their intervals along one of these axes do not meet:
 //!
 //! | pair | axes |
 //! |---|---|
-//! | balls | the line of centres |
-//! | balls and capsules | the line of centres, and that of the points of their core segments that are nearest to each other |
-//! | with a cuboid | those of the world and of the cuboids, and from the segments of each to the centre of the other |
+//! | balls | the line of centers |
+//! | balls and capsules | the line of centers, and the line between the closest points of their core segments |
+//! | with a cuboid | the axes of the world and of the cuboids, and the line from the closest point of each volume's segments to the other's center |
 //! | with a half-space | its normal |
 //!
-//! Volumes that are apart have an axis that proves it, whichever it is and however inexactly it was found. So an axis that
-//! was badly chosen costs a pair that need not be, and never one that must be. An axis so short that its square is lost to underflow
-//! tells nothing apart.
+//! Any axis whose intervals do not meet proves that the volumes are apart, however inexactly the axis was computed. So a badly chosen axis may
+//! cost a superfluous pair, and never loses a necessary one. An axis so short that its square underflows proves nothing.
 //!
-//! The idea of intervals along more axes than those of the world is that of k-DOPs (Klosowski and others 1998); axes that
-//! are chosen for each pair are those of the separating-axis test (Gottschalk and others 1996). Both need a fraction of the
-//! memory of a k-DOP, and tell more pairs apart.
+//! Intervals along more axes than those of the world are the idea of k-DOPs (Klosowski and others 1998). Axes that are chosen for each pair come from
+//! the separating-axis test (Gottschalk and others 1996); they separate more pairs, in a fraction of the memory of a k-DOP.
 
 use crate::aabb::Aabb;
 use crate::real::Real;
@@ -27,23 +25,23 @@ mod room;
 #[cfg(test)]
 mod tests;
 
-/// The bounding volume of a shape in the world.
+/// The bounding volume of a shape in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Volume<R, const D: usize> {
     pub(crate) kind: VolumeKind,
-    /// The point and the ball. If the centre has a NaN, the volume meets all. Of a half-space it is a point on the plane.
-    /// Except of a ball, the radius has room for what rounding may do to all of its numbers.
+    /// The point and the ball. If the center has a NaN, the volume meets all others. The center of a half-space is a point on its plane. Except
+    /// for a ball, the radius includes a bound on the rounding errors of all numbers.
     pub(crate) ball: Ball<R, D>,
-    /// The halves of the segments, as many as its kind has; zeros behind them.
+    /// Half of each segment, as many as its kind has, followed by zeros.
     pub(crate) half_axes: [[R; D]; D],
 }
 
-/// A volume whose numbers are kept elsewhere.
+/// A borrowed volume.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VolumeRef<'a, R, const D: usize> {
     pub(crate) kind: VolumeKind,
     pub(crate) ball: &'a Ball<R, D>,
-    /// As many as its kind has.
+    /// As many as the kind has.
     pub(crate) half_axes: &'a [[R; D]],
 }
 
@@ -55,14 +53,14 @@ pub(crate) struct Ball<R, const D: usize> {
     pub(crate) radius: R,
 }
 
-/// What a volume is the volume of.
+/// The kind of a volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
 pub(crate) enum VolumeKind {
-    /// All that is known is the box: it meets all whose boxes it overlaps.
+    /// Only the box is known: the volume meets all others.
     #[default]
     Box,
     Ball,
@@ -70,15 +68,15 @@ pub(crate) enum VolumeKind {
     Capsule,
     /// `D` segments, at right angles.
     Cuboid,
-    /// Everything behind a plane, whose unit normal is the first half axis.
+    /// All points behind a plane, whose unit normal is the first half axis.
     HalfSpace,
-    /// Of one of very many parts of a body. As [`Self::Box`]; and it stays that until the collider is read again, so that a box is
-    /// handed over without a look at the collider.
+    /// One of very many colliders of a body. Like [`Self::Box`], and it stays so until the collider is read again: a new box does not need the
+    /// collider.
     Part,
 }
 
 impl VolumeKind {
-    /// How many half axes it has.
+    /// The number of half axes.
     pub(crate) fn axes<const D: usize>(self) -> usize {
         match self {
             Self::Box | Self::Ball | Self::Part => 0,
@@ -88,13 +86,13 @@ impl VolumeKind {
     }
 }
 
-/// In rounding errors of the numbers that make two volumes: what their distance may be wrong by. The engine computes boxes and
-/// contacts of its own, with other roundings, and must not find one between volumes that are apart.
+/// A bound on the error of the distance of two volumes, in rounding errors of their numbers. The engine computes boxes and contacts with other
+/// rounding errors, and must not find a contact between volumes that are apart.
 const ROUNDINGS: f64 = 8.0;
 
 impl<R: Real, const D: usize> Ball<R, D> {
-    /// The same ball in the middle of a box, on each axis of which it must reach from side to side; otherwise one whose centre
-    /// is NaN. A larger box is of more than the ball as it stands, say of its way to where it will be.
+    /// The ball in the middle of a box. If the box is larger than the ball on some axis, the center is NaN: such a box may contain the ball's
+    /// predicted motion.
     #[inline(always)]
     pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
         let half = R::from_f64(0.5);
@@ -116,18 +114,18 @@ impl<R: Real, const D: usize> Ball<R, D> {
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         let between = sub(other.center, self.center);
         let reach = self.loosened(&[]) + other.loosened(&[]) + slack;
-        // False if that cannot be told.
+        // False for NaN.
         let are_apart = dot(between, between) > at_least_exact(reach * reach);
         !are_apart
     }
 
-    /// The sum of the changes of all numbers; NaN if that is not known.
+    /// The sum of the changes of all numbers; NaN if it is unknown.
     #[inline(always)]
     pub(crate) fn change_to(&self, other: &Self) -> R {
         sum_of_abs(sub(other.center, self.center)) + (other.radius - self.radius).abs()
     }
 
-    /// The radius, loosened by what rounding may do to the numbers of a volume that has these half axes.
+    /// The radius, plus a bound on the rounding errors of a volume with this ball and these half axes.
     #[inline(always)]
     fn loosened(&self, half_axes: &[[R; D]]) -> R {
         let extent = extent_of(half_axes.iter().copied());
@@ -138,7 +136,7 @@ impl<R: Real, const D: usize> Ball<R, D> {
     }
 }
 
-/// How far segments with these half axes reach along each axis of the world.
+/// The half extents of the box around segments with these half axes.
 #[inline(always)]
 fn extent_of<R: Real, const D: usize>(half_axes: impl Iterator<Item = [R; D]>) -> [R; D] {
     half_axes.fold([R::ZERO; D], |extent, half| {
@@ -153,7 +151,7 @@ fn sum_of_abs<R: Real, const D: usize>(vector: [R; D]) -> R {
 }
 
 impl<R: Real, const D: usize> Volume<R, D> {
-    /// A volume that meets all.
+    /// A volume that meets all others.
     pub(crate) const BOX: Self = Self {
         kind: VolumeKind::Box,
         ball: Ball {
@@ -163,7 +161,7 @@ impl<R: Real, const D: usize> Volume<R, D> {
         half_axes: [[R::ZERO; D]; D],
     };
 
-    /// A part's volume, which meets all.
+    /// The volume of a part, which meets all others.
     pub(crate) const PART: Self = Self {
         kind: VolumeKind::Part,
         ..Self::BOX
@@ -195,7 +193,7 @@ impl<R: Real, const D: usize> Volume<R, D> {
         }
     }
 
-    /// The volume that has these [numbers](VolumeRef::numbers), if there is one.
+    /// The volume with these [numbers](VolumeRef::numbers), if they are valid.
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
         let mut volume = Self { kind, ..Self::BOX };
@@ -219,8 +217,8 @@ impl<R: Real, const D: usize> Volume<R, D> {
         is_finite.then_some(volume)
     }
 
-    /// The volume of a collider that has this box: a ball is in the middle of it, and other volumes stay where they are, but
-    /// any must reach from side to side of the box on each axis; otherwise one that meets all.
+    /// The volume of a collider with this box: a ball moves to the middle of the box, and other volumes stay where they are. If the box
+    /// extends beyond the volume, it is one that meets all others.
     #[inline(always)]
     pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
         let ball = match self.kind {
@@ -244,7 +242,7 @@ impl<R: Real, const D: usize> Volume<R, D> {
         })
     }
 
-    /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
+    /// Whether two volumes may meet, each loosened by half of `slack`: whether none of their axes separates them.
     #[cfg(test)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {
         self.as_ref().meets(other.as_ref(), slack)
@@ -252,8 +250,8 @@ impl<R: Real, const D: usize> Volume<R, D> {
 }
 
 impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
-    /// Its radius, its centre and its half axes; as many of them as are finite, for some formats have no others. What is left out is
-    /// that of a volume that meets all.
+    /// The radius, the center and the half axes. If they are not all finite, the radius alone if it is, and otherwise nothing, because some
+    /// formats only have finite numbers. Without a center a volume meets all others.
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn numbers(self) -> Vec<R> {
         let Ball { center, radius } = *self.ball;
@@ -264,21 +262,21 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         numbers
     }
 
-    /// The sum of the changes of all numbers between two volumes of one kind: no point has moved by more. NaN if that is not known.
-    /// Infinite for half-spaces, unless they are equal: where they are turned, points move by more the farther they are.
+    /// The sum of the changes of all numbers between two volumes of one kind, which bounds the motion of every point; NaN if it is unknown. It is
+    /// infinite for half-spaces that differ, because a rotation moves distant points farther.
     #[inline(always)]
     pub(crate) fn change_to(self, other: Self) -> R {
         if self.kind == VolumeKind::HalfSpace {
             let is_equal = self.ball == other.ball && self.half_axes == other.half_axes;
             return if is_equal { R::ZERO } else { R::INFINITY };
         }
-        // One sum for each axis, so that none waits for the other.
+        // Independent sums for each axis, so that the processor can overlap them.
         let halves = self.half_axes.iter().zip(other.half_axes);
         let change = extent_of(halves.map(|(&from, &to)| sub(to, from)));
         self.ball.change_to(other.ball) + sum_of_abs(change)
     }
 
-    /// Whether two volumes may meet, both loosened by half of `slack`: whether none of their axes tells them apart.
+    /// Whether two volumes may meet, each loosened by half of `slack`: whether none of their axes separates them.
     #[inline(always)]
     pub(crate) fn meets(self, other: Self, slack: R) -> bool {
         use VolumeKind::{Ball, Box, Capsule, HalfSpace, Part};
@@ -286,8 +284,8 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         match (self.kind, other.kind) {
             (Box | Part, _) | (_, Box | Part) | (HalfSpace, HalfSpace) => true,
             (Ball, Ball) => self.ball.meets(other.ball, slack),
-            (HalfSpace, _) => !both.is_behind_other([self, other]),
-            (_, HalfSpace) => !both.is_behind_other([other, self]),
+            (HalfSpace, _) => !both.is_in_front([self, other]),
+            (_, HalfSpace) => !both.is_in_front([other, self]),
             (Ball | Capsule, Ball | Capsule) => !both.cores_are_apart(),
             _ => {
                 !(both.is_apart_in_world()
@@ -299,7 +297,7 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         }
     }
 
-    /// Its radius, loosened by what rounding may do.
+    /// The radius, plus a bound on the rounding errors.
     #[inline(always)]
     fn radius(self) -> R {
         match self.kind {
@@ -308,13 +306,13 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         }
     }
 
-    /// Its first half axis; zeros if it has none.
+    /// The first half axis; zero if there is none.
     #[inline(always)]
     fn first_half_axis(self) -> [R; D] {
         self.half_axes.first().copied().unwrap_or([R::ZERO; D])
     }
 
-    /// How far its segments reach from its centre along an axis, times the length of the axis.
+    /// The reach of the segments from the center along an axis, times the length of the axis.
     #[inline(always)]
     fn reach_of_segments(self, axis: [R; D]) -> R {
         self.half_axes
@@ -323,17 +321,17 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     }
 }
 
-/// Two volumes that may be apart.
+/// Two volumes, and what all tests of their axes need.
 struct Pair<'a, R, const D: usize> {
     volumes: [VolumeRef<'a, R, D>; 2],
-    /// From the first centre to the second one.
+    /// The vector from the first center to the second one.
     between: [R; D],
-    /// The sum of what loosens them: radii and slack.
+    /// The sum of both radii and the slack.
     reach: R,
 }
 
 impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
-    /// Two volumes, both loosened by half of `slack`.
+    /// Two volumes, each loosened by half of `slack`.
     #[inline(always)]
     fn of(a: VolumeRef<'a, R, D>, b: VolumeRef<'a, R, D>, slack: R) -> Self {
         Self {
@@ -343,24 +341,24 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         }
     }
 
-    /// Whether their intervals along an axis of any length do not meet, if their segments reach so far along it, times its length.
-    /// False if that cannot be told.
+    /// Whether the intervals along an axis do not meet. `segments` is the reach of both volumes' segments along the axis, times the length of
+    /// the axis, which is arbitrary. False for NaN.
     #[inline(always)]
     fn is_apart(&self, axis: [R; D], segments: R) -> bool {
         self.are_beyond_reach(dot(self.between, axis).abs(), axis, segments)
     }
 
-    /// Whether a distance along an axis is more than the reach and that of segments; both are given times the length of the axis. False
-    /// if that cannot be told.
+    /// Whether a distance along an axis exceeds the reach of both volumes. `distance` and `segments` are multiplied by the length of the axis.
+    /// False for NaN.
     #[inline(always)]
     fn are_beyond_reach(&self, distance: R, axis: [R; D], segments: R) -> bool {
         let squared = dot(axis, axis);
-        // An axis is no longer than all numbers of both volumes are together. So if its square is exact, the rounding that they are
-        // loosened by is more than what underflow has done to any of the products.
+        // An axis is at most as long as the sum of all numbers of both volumes. So if its square has not lost digits to underflow, the
+        // bound on rounding errors exceeds the underflow in every product.
         (squared >= R::LEAST_EXACT) & is_beyond(distance, self.reach * squared.sqrt() + segments)
     }
 
-    /// Whether they are apart along an axis of the world.
+    /// Whether an axis of the world separates them.
     #[inline(always)]
     fn is_apart_in_world(&self) -> bool {
         let [a, b] = self.volumes;
@@ -373,28 +371,28 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         (0..D).any(|k| is_beyond(self.between[k].abs(), reach[k]))
     }
 
-    /// Whether they are apart along an axis of this one of them, if it is a cuboid.
+    /// Whether an axis of the first volume separates them, if it is a cuboid.
     #[inline(always)]
     fn is_apart_by_sides(&self, [cuboid, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
         cuboid.kind == VolumeKind::Cuboid
             && cuboid.half_axes.iter().any(|&axis| {
-                // Its other axes are at right angles, or nearly so: what is left of them is in the rounding.
+                // The other axes of the cuboid are orthogonal except for rounding errors, which the radius includes.
                 self.is_apart(axis, dot(axis, axis) + other.reach_of_segments(axis))
             })
     }
 
-    /// Whether a half-space is behind the other volume.
-    fn is_behind_other(&self, [half_space, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
+    /// Whether the other volume is in front of a half-space.
+    fn is_in_front(&self, [half_space, other]: [VolumeRef<'a, R, D>; 2]) -> bool {
         let normal = half_space.half_axes[0];
         let height = dot(sub(other.ball.center, half_space.ball.center), normal);
         self.are_beyond_reach(height, normal, other.reach_of_segments(normal))
     }
 
-    /// Whether they are apart along the line to one centre from where the segments of the other volume, which is given, are nearest to
-    /// it, or nearly so.
+    /// Whether the line from the closest point of this volume's segments to the center of the other volume separates them. The point is
+    /// approximate.
     #[inline(always)]
     fn is_apart_by_shortest(&self, volume: VolumeRef<'a, R, D>) -> bool {
-        // To which side the line goes does not matter.
+        // The direction of the line does not matter.
         let axis = volume.half_axes.iter().fold(self.between, |axis, &half| {
             let t = clamped(dot(self.between, half), dot(half, half));
             core::array::from_fn(|k| axis[k] - t * half[k])
@@ -403,8 +401,8 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
         self.is_apart(axis, a.reach_of_segments(axis) + b.reach_of_segments(axis))
     }
 
-    /// Whether two capsules are apart along the line of their centres, or between the points of their segments that are nearest to
-    /// each other, or nearly so. A ball's segment is a point. Both tests share their products.
+    /// Whether the line of centers separates two capsules, or the line between the closest points of their segments. The points are approximate,
+    /// and the segment of a ball is its center. Both tests share their products.
     #[inline(always)]
     fn cores_are_apart(&self) -> bool {
         let [u, v] = self.volumes.map(VolumeRef::first_half_axis);
@@ -418,14 +416,14 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     }
 }
 
-/// Whether a sum of products that overflow may have made infinite is more than another one, whatever underflow has done to both. False if
-/// that cannot be told.
+/// Whether a sum of products exceeds another one, whatever underflow has done to both. False for NaN, and if overflow has made the first sum
+/// infinite.
 #[inline(always)]
 fn is_beyond<R: Real>(distance: R, reach: R) -> bool {
     (distance > at_least_exact(reach)) & distance.is_finite()
 }
 
-/// The number itself, NaN included, or the least one of which underflow has not taken any digits.
+/// The maximum of a number and the smallest one that has lost no digits to underflow; NaN for NaN.
 #[inline(always)]
 fn at_least_exact<R: Real>(number: R) -> R {
     if number < R::LEAST_EXACT {
@@ -435,8 +433,8 @@ fn at_least_exact<R: Real>(number: R) -> R {
     }
 }
 
-/// From the point of one segment to that of another one that are nearest to each other, or nearly so, if the centres are `between` apart;
-/// `along` are the products of the half axes with that.
+/// The vector between the approximate closest points of two segments with the half axes `u` and `v`. `between` is the vector between their
+/// centers, and `ud` and `vd` are its products with the half axes.
 ///
 /// See Ericson, Real-Time Collision Detection, 5.1.9.
 #[inline(always)]
@@ -452,7 +450,7 @@ fn nearest_points<R: Real, const D: usize>(
     core::array::from_fn(|k| between[k] + t * v[k] - s * u[k])
 }
 
-/// The number from -1 to 1 that is nearest to a quotient; 0 if the denominator is not positive.
+/// A quotient, clamped to -1 to 1; 0 if the denominator is not positive.
 #[inline(always)]
 fn clamped<R: Real>(numerator: R, denominator: R) -> R {
     let one = R::from_f64(1.0);

@@ -1,79 +1,58 @@
-//! The broad phase itself: Rapier's lists of colliders in, Rapier's pair events out.
+//! The broad phase: takes Rapier's lists of colliders and returns Rapier's pair events.
 
-use super::Settings;
 use super::collider_box::{ColliderBoxes, volume};
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
-use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+use super::rapier::dynamics::IntegrationParameters;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet,
 };
 use super::rapier::math::{DIM, Real};
-use super::version;
+use super::{Input, Settings, version};
 use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
 use crate::parallel;
-use crate::proxy_table::{Changes, IsActive, Lists, ProxyTable};
+use crate::proxy_table::{Changes, ProxyTable};
 use crate::stats::Stats;
 
-/// A broad phase for scenes of many colliders of about the same size. In Rapier 0.27, give it to `PhysicsPipeline::step`
-/// or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to `DefaultBroadPhase::custom` on a
-/// patched copy, or call its `update` yourself.
+/// An exact broad phase for Rapier, fast where many colliders are of about the same size.
 ///
-/// It keeps a box for every enabled collider, the same that Rapier's own broad phase keeps, and reports every pair whose boxes
-/// overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and the
-/// bodies that are woken are therefore the same.
+/// In Rapier 0.27, pass it to `PhysicsPipeline::step` or `CollisionPipeline::step` in place of `DefaultBroadPhase`. In Rapier 0.36, pass it to
+/// `DefaultBroadPhase::custom` on a patched copy, or call its `update` yourself.
 ///
-/// An update in which no collider has left its margin costs one box comparison for each listed collider. Pairs are
-/// searched for some updates ahead, so most updates only compare boxes that are known to be near each other. What moves
-/// otherwise than foreseen is looked up among the others in about **O(log n)** each; where that is much, there is one
-/// run of the [kernel](Kernel) over all boxes.
+/// # Pairs
 ///
-/// The events of an update come in one order, however they were found: first pairs that end, then pairs that begin, each by the
-/// smaller index of the two colliders and then by the larger one. In Rapier 0.27 those that begin are cut
-/// in two halves, whose pairs alternate: its solver is faster so.
+/// The broad phase keeps a box for every enabled collider, the same box that Rapier's own broad phase keeps. It reports every pair whose
+/// boxes overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and woken
+/// bodies are therefore the same; [`PairFilter`] lists the exceptions.
+///
+/// # Events
+///
+/// The order of the events of an update depends only on boxes, filters and handles. The pairs that end come first, then those that begin,
+/// both sorted by the smaller index of the two colliders and then by the larger one. In Rapier 0.27, whose solver is then faster, the pairs
+/// that begin are split into two halves, which are interleaved.
+///
+/// # Complexity
+///
+/// An update with empty lists takes **O(1)** time. For each listed collider an update compares one box. If colliders have left their margins,
+/// it also compares the boxes of the pairs that are near each other, which an earlier search found. A search looks some updates ahead. A
+/// collider that moves otherwise than predicted is looked up among the others in about **O(log n)** time. If there are many, the
+/// [kernel](Kernel) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
+///
+/// # Errors
+///
+/// No input makes an update panic. A collider whose box is inverted or has a NaN is left out until its box is valid again, and
+/// [`Stats::refused`] counts it; the first one is logged as a warning.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,
     pub(super) settings: Settings,
-    /// Scratch: how pairs have changed.
+    /// Scratch: the changes of the pair set.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
-    /// For the last update, the listed colliders that the narrow phase would have woken if it had been told of all pairs whose boxes
-    /// overlap, alone, and with each of their neighbors.
+    /// The colliders and neighbors that the last update [visited](ProxyTable::visit_unreported), for the pipeline to wake.
     pub(crate) unreported: Vec<(ColliderHandle, Option<ColliderHandle>)>,
-}
-
-/// What an update is given.
-#[derive(Clone, Copy)]
-pub(crate) struct Input<'a> {
-    pub(crate) params: &'a IntegrationParameters,
-    pub(crate) colliders: &'a ColliderSet,
-    pub(crate) bodies: &'a RigidBodySet,
-    pub(crate) lists: Lists<'a, ColliderHandle>,
-    /// Those of the listed colliders whose change the narrow phase feels.
-    pub(crate) felt: &'a [ColliderHandle],
-    /// Whether the narrow phase has an active contact or an intersection of two colliders, if it can be asked.
-    pub(crate) is_active: Option<IsActive<'a, ColliderHandle>>,
-}
-
-impl<'a> Input<'a> {
-    pub(crate) fn new(
-        params: &'a IntegrationParameters,
-        colliders: &'a ColliderSet,
-        bodies: &'a RigidBodySet,
-        lists: Lists<'a, ColliderHandle>,
-    ) -> Self {
-        Self {
-            params,
-            colliders,
-            bodies,
-            lists,
-            felt: &[],
-            is_active: None,
-        }
-    }
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -92,16 +71,16 @@ impl Default for UnisizeBroadPhase {
 }
 
 impl UnisizeBroadPhase {
-    /// The margin that boxes have by default, that of Rapier's own broad phase, in multiples of the length unit. See
+    /// The default margin of boxes, in multiples of the length unit: that of Rapier's own broad phase. See
     /// [`Settings::margin`](crate::Settings::margin).
     pub const DEFAULT_MARGIN: Real = version::MARGIN;
 
-    /// A broad phase without any colliders, with default [`Settings`].
+    /// Creates a broad phase without colliders, with default [`Settings`].
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A broad phase without any colliders.
+    /// Creates a broad phase without colliders.
     pub fn with_settings(settings: Settings) -> Self {
         Self {
             table: ProxyTable::new(&Self::resolved(settings)),
@@ -112,11 +91,11 @@ impl UnisizeBroadPhase {
         }
     }
 
-    /// Has the next step list all colliders, as if they had just been inserted. **O(colliders)**.
+    /// Marks all colliders as modified, so that the next step lists them as if they had just been inserted. Computes in **O(colliders)** time.
     ///
-    /// A broad phase hears only of what changes, so one that takes another's place in a running world knows nothing of what rests there, and
-    /// bodies fall through their floors. Whenever a broad phase is exchanged, to change its settings, after an old save was loaded, or for
-    /// another kind of broad phase, exchange the narrow phase as well, whose pairs nobody would end, and call this:
+    /// Call this whenever you replace the broad phase of a running world: to change its settings, after loading an old save, or to switch to
+    /// another kind of broad phase. A broad phase only receives changes, so a new one does not know the colliders at rest, and bodies
+    /// fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
     ///
     /// ```text
     /// broad_phase = UnisizeBroadPhase::with_settings(settings);
@@ -124,48 +103,48 @@ impl UnisizeBroadPhase {
     /// UnisizeBroadPhase::mark_all_modified(&mut colliders);
     /// ```
     ///
-    /// It serves Rapier's own broad phase too. Contacts are found anew: their warm-start impulses are lost, and what touches is reported as a
-    /// beginning collision once more.
+    /// This works for Rapier's own broad phase too. The new narrow phase has no warm-start impulses, and reports each contact as a collision
+    /// that begins.
     pub fn mark_all_modified(colliders: &mut ColliderSet) {
         let handles: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
         for handle in handles {
             if let Some(collider) = colliders.get_mut(handle) {
-                // Rapier's own broad phase looks at what has been moved.
+                // Rapier's own broad phase reads the colliders whose position was set.
                 collider.set_position(*collider.position());
             }
         }
     }
 
-    /// The settings it was made with.
+    /// Returns the settings that the broad phase was created with.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// What it holds, and what the last update did. **O(1)**.
+    /// Returns the current counts, and what the last update did. Computes in **O(1)** time.
     pub fn stats(&self) -> Stats {
         self.table.stats()
     }
 
-    /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
-    /// **O(pairs)** to go through.
+    /// Iterates over the current pairs in unspecified order, each once, with the smaller collider index first. Computes in **O(pairs)** time.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.table.pairs();
         pairs.map(|[first, second]| ColliderPair::new(first, second))
     }
 
-    /// The boxes by which pairs are searched for, drawn ahead of the motion of their colliders. For pictures.
+    /// The boxes among which pairs are searched for, extended ahead of the motion of their colliders. For pictures.
     #[doc(hidden)]
     pub fn fat_boxes(&self) -> impl Iterator<Item = RapierAabb> + '_ {
         self.table.fat_boxes().map(|&aabb| aabb.into())
     }
 
-    /// Checks the internal invariants: the records of colliders, the pairs held, by a full search, and the leaves of the tree for
-    /// queries, if there is one. For tests.
+    /// Checks the internal invariants, for tests: the records of colliders, the pairs against a full search, and the leaves of the query
+    /// tree if there is one.
     ///
     /// # Panics
-    /// If an invariant is broken, which would be a bug.
+    ///
+    /// Panics if an invariant is broken, which is a bug in this library.
     pub fn validate(&self) {
-        // Another kernel than the one in use, so that one checks the other.
+        // One kernel checks the other.
         self.table.validate(match self.settings.kernel {
             Kernel::RankSweep => Kernel::GridSweep,
             _ => Kernel::RankSweep,
@@ -173,25 +152,20 @@ impl UnisizeBroadPhase {
         self.query_tree.validate(self.table.boxes());
     }
 
-    /// Which pairs are left out.
-    fn filter(&self) -> PairFilter {
-        self.settings.filter.unwrap_or(version::PAIR_FILTER)
-    }
-
-    /// Settings with the default filter of this version of Rapier, where none is given.
+    /// The settings with the default filter of this version of Rapier if they have none.
     pub(super) fn resolved(settings: Settings) -> Settings {
-        settings.with_filter(settings.filter.unwrap_or(version::PAIR_FILTER))
+        settings.with_filter(filter_of(&settings))
     }
 
-    /// How far a renewed box extends beyond its collider, in length units of the scene.
+    /// The distance by which a renewed box extends beyond its collider.
     pub(crate) fn margin(&self, params: &IntegrationParameters) -> Real {
         let margin = self.settings.margin.unwrap_or(Self::DEFAULT_MARGIN);
-        // NaN counts as 0 too.
+        // A NaN counts as 0.
         (margin * params.length_unit).max(0.0)
     }
 
-    /// One update as by the pipelines of a patched Rapier 0.36, which then ask what is to be woken.
-    pub(crate) fn update_in_pipeline(
+    /// Updates as a part of a pipeline of a patched Rapier 0.36, which then asks for [`unreported`](Self::unreported) colliders.
+    pub(crate) fn run_in_pipeline(
         &mut self,
         input: &Input<'_>,
         events: &mut Vec<BroadPhasePairEvent>,
@@ -199,18 +173,18 @@ impl UnisizeBroadPhase {
         self.unreported.clear();
         for (listed, are_removed) in [(input.felt, false), (input.lists.removed, true)] {
             self.table.visit_unreported(listed, |collider, neighbor| {
-                // Removing a collider wakes its body only for the sake of a pair.
+                // Removing a collider wakes its body only if it has a pair.
                 if neighbor.is_some() || !are_removed {
                     self.unreported.push((collider, neighbor));
                 }
             });
         }
-        self.bring_up_to_date(input, events);
+        self.run(input, events);
     }
 
-    /// Takes boxes that are handed over, as a part of the next update. Without the colliders, only balls keep their volumes.
-    #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
-    pub(crate) fn hand_over(
+    /// Sets boxes, as a part of the next update. Without `colliders`, only balls keep their volumes.
+    #[allow(dead_code, reason = "only Rapier 0.36 passes boxes")]
+    pub(crate) fn set_boxes(
         &mut self,
         params: &IntegrationParameters,
         colliders: Option<&ColliderSet>,
@@ -225,31 +199,23 @@ impl UnisizeBroadPhase {
                 let collider = colliders.and_then(|colliders| colliders.get(handle));
                 volume(collider, params, outline, aabb)
             };
-            let written = self.table.hand_over(aabbs, margin, volume);
+            let written = self.table.set_boxes(aabbs, margin, volume);
             self.query_tree.note(written);
         });
     }
 
-    /// One update.
-    pub(crate) fn bring_up_to_date(
-        &mut self,
-        input: &Input<'_>,
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
+    /// Updates the boxes and the pairs, and appends the events.
+    pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         if input.lists.are_empty() && !self.table.is_begun() {
             return;
         }
         let work = self.table.work_ahead(&input.lists);
-        parallel::enter(work, || self.update_all(input, events));
+        parallel::enter(work, || self.run_on_this_thread(input, events));
     }
 
-    fn update_all(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
+    fn run_on_this_thread(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
-        let boxes = ColliderBoxes {
-            input: *input,
-            half_distance: input.params.prediction_distance() / 2.0,
-            filter: self.filter(),
-        };
+        let boxes = ColliderBoxes::new(*input, filter_of(&self.settings));
         let written = self.table.update(&input.lists, &boxes, margin);
         self.query_tree.note(written);
         self.query_tree.grow_older();
@@ -257,14 +223,14 @@ impl UnisizeBroadPhase {
             true => BroadPhasePairEvent::AddPair(ColliderPair::new(first, second)),
             false => BroadPhasePairEvent::DeletePair(ColliderPair::new(first, second)),
         };
+        let push = |is_added, pair| events.push(event(is_added, pair));
         let slack = 2.0 * margin;
-        self.table.finish(
-            slack,
-            input.is_active,
-            &mut self.changes,
-            |is_added, pair| {
-                events.push(event(is_added, pair));
-            },
-        );
+        self.table
+            .finish(slack, input.is_active, &mut self.changes, push);
     }
+}
+
+/// The filter in the settings, or the default of this version of Rapier.
+fn filter_of(settings: &Settings) -> PairFilter {
+    settings.filter.unwrap_or(version::PAIR_FILTER)
 }

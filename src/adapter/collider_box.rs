@@ -1,6 +1,6 @@
-//! The box that a collider is to be tracked by, as Rapier's own broad phase computes it, and its filter key.
+//! Reads colliders: their boxes as Rapier's own broad phase computes them, their filter keys and their volumes.
 
-use super::broad_phase::Input;
+use super::Input;
 use super::collider_key::ColliderKey;
 use super::outline::{Outline, Silent};
 use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet};
@@ -34,12 +34,22 @@ impl Handle for ColliderHandle {
     }
 }
 
-/// Where boxes are read: the engine's sets, in one update.
+/// The colliders of an update as a source of boxes.
 pub(super) struct ColliderBoxes<'a> {
-    pub(super) input: Input<'a>,
+    input: Input<'a>,
     /// Half the prediction distance.
-    pub(super) half_distance: Real,
-    pub(super) filter: PairFilter,
+    half_distance: Real,
+    filter: PairFilter,
+}
+
+impl<'a> ColliderBoxes<'a> {
+    pub(super) fn new(input: Input<'a>, filter: PairFilter) -> Self {
+        Self {
+            input,
+            half_distance: input.params.prediction_distance() / 2.0,
+            filter,
+        }
+    }
 }
 
 /// The body of a collider, if it has one.
@@ -48,9 +58,9 @@ pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Opti
     bodies.get(collider.parent()?)
 }
 
-/// The volume of a collider with this box, as far as it has one.
+/// The volume of a collider in this box.
 ///
-/// One with hooks has none: a hook may count the pairs that it is asked about, or remember something of them.
+/// A collider with hooks has none, because a hook may count the pairs that it is asked about, or keep state for them.
 #[inline(always)]
 pub(super) fn volume(
     collider: Option<&Collider>,
@@ -67,11 +77,12 @@ pub(super) fn volume(
     }
 }
 
-/// The most colliders that a body can have whose colliders have volumes. Of more, most lie within the body, and the few near others
-/// would not pay for the rest: with volumes, three ships of 1,728 cubes take half as long again in whole steps. Events depend on it.
+/// The maximum number of colliders of a body for which they have volumes. Most colliders of a larger body lie in its interior, so the volumes of
+/// the few near other bodies do not pay for the rest: with volumes, steps of three ships of 1,728 cubes take half as long again. Events depend
+/// on this number.
 const MOST_WITH_VOLUMES: usize = 32;
 
-/// How far the box of a collider is loosened. Parry would panic at a negative distance or NaN.
+/// The distance by which the box of a collider is loosened. Parry would panic at a negative one or a NaN.
 #[inline(always)]
 fn distance(collider: &Collider, half_distance: Real) -> Real {
     (collider.contact_skin() + half_distance).max(0.0)
@@ -86,6 +97,10 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         ColliderKey::differ(self.filter)
     }
 
+    fn has_volumes(&self) -> bool {
+        self.filter == PairFilter::Shapes
+    }
+
     #[inline(always)]
     fn volume(
         &self,
@@ -95,7 +110,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     ) -> Volume<Real, DIM> {
         let collider = self.input.colliders.get(handle);
         let body = collider.and_then(|collider| body_of(collider, self.input.bodies));
-        // With soft CCD, contacts reach as far as the body will go, and nobody tells when it gets another velocity.
+        // With soft CCD, contacts reach as far as the body will move, and a change of its velocity is not reported.
         let has_volume = |body: &RigidBody| {
             body.colliders().len() <= MOST_WITH_VOLUMES && body.soft_ccd_prediction() <= 0.0
         };
@@ -106,7 +121,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     }
 
     fn reach(&self) -> Real {
-        // Not a number would differ from itself.
+        // A NaN would differ from itself in each update.
         match self.half_distance.is_nan() {
             true => 0.0,
             false => self.half_distance,
@@ -116,14 +131,12 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     #[inline(always)]
     fn has_changed_unmoved(&self, handle: ColliderHandle, outline: &Outline) -> bool {
         let collider = self.input.colliders.get(handle);
-        collider.is_some_and(|collider| outline.silent() != Some(Silent::of(collider)))
+        collider.is_some_and(|collider| outline.silent != Some(Silent::of(collider)))
     }
 
-    /// The collider's box, loosened by its contact skin and half the prediction distance, and stretched to
-    /// where soft CCD expects the body at the end of the step.
-    ///
-    /// See `BroadPhaseBvh::update` in Rapier 0.27 and `Collider::compute_broad_phase_aabb` in 0.36: the boxes of
-    /// two colliders that are nearer than the prediction distance touch.
+    /// The box is loosened by the contact skin and half the prediction distance, so the boxes of two colliders within that distance touch.
+    /// With soft CCD it extends to the position that Rapier predicts for the end of the step. See `BroadPhaseBvh::update` in Rapier 0.27
+    /// and `Collider::compute_broad_phase_aabb` in 0.36.
     #[inline(always)]
     fn read(
         &self,
@@ -141,11 +154,11 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
             return None;
         }
         let mut distance = distance(collider, self.half_distance);
-        outline.note(Silent::of(collider));
+        outline.silent = Some(Silent::of(collider));
         let outlined = outline.aabb(collider);
         let body = body_of(collider, bodies);
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
-        // Both branches join before the box is loosened; otherwise the compiler does not vectorize the common one.
+        // The compiler vectorizes the common branch only if both join before the box is loosened.
         let aabb = match outlined {
             Some(aabb) if !is_swept => aabb,
             _ => {

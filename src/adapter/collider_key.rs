@@ -1,4 +1,4 @@
-//! The filter key of a collider: what decides which others it may meet, as the narrow phase decides it.
+//! The filter key of a collider, which decides like the narrow phase which other colliders it may meet.
 
 use super::rapier::dynamics::{RigidBody, RigidBodyType};
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, InteractionGroups};
@@ -6,28 +6,29 @@ use super::version;
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 
-/// The properties of a collider and its body that decide whether it may meet another one, in 16 bytes: keys of candidates are read
-/// in no order. Those that nobody looks at are the same for all.
+/// The properties of a collider and its body that decide whether it may meet another collider. They are packed into 16 bytes, because the keys
+/// of candidates are read at random. Properties that the filter ignores are the same in all keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
 pub(crate) struct ColliderKey {
-    /// The index of the body; [`NOBODY`] if there is none.
+    /// The index of the body, or [`NO_BODY`].
     body: u32,
-    /// Of the groups.
+    /// The memberships of the collision groups.
     memberships: u32,
+    /// The filter of the collision groups.
     filter: u32,
-    /// From the lowest bit: whether it meets bodies of each of the [`TYPES`], of which of them its own body is, that body's type
-    /// exactly, and the flags.
+    /// From the lowest bit: whether the collider meets bodies of each of the [`TYPES`], the index of its own body's type in them, Rapier's number of
+    /// that type, and the flags.
     bits: u32,
 }
 
-/// Stands for no body.
-const NOBODY: u32 = u32::MAX;
+/// The index of a missing body.
+const NO_BODY: u32 = u32::MAX;
 
-/// The types of bodies that are told apart by whom they meet. All others count as the first.
+/// The types of bodies that active collision types distinguish. Other types count as the first.
 const TYPES: [RigidBodyType; 4] = [
     RigidBodyType::Dynamic,
     RigidBodyType::Fixed,
@@ -35,24 +36,23 @@ const TYPES: [RigidBodyType; 4] = [
     RigidBodyType::KinematicVelocityBased,
 ];
 
-/// Where bits begin.
+/// The lowest bit of each part.
 const TYPE: u32 = TYPES.len() as u32;
 const EXACT_TYPE: u32 = TYPE + 2;
 const FLAGS: u32 = EXACT_TYPE + 8;
 
-/// Flags.
 const IS_SENSOR: u32 = 1 << FLAGS;
-/// Groups meet if either is in the filter of the other.
+/// It is enough that one of two groups is in the filter of the other.
 const IS_EITHER_ENOUGH: u32 = 2 << FLAGS;
-/// Bodies and their types decide, and groups decide: the same for all keys.
+/// Whether bodies and their types decide, and whether groups decide: the same in all keys.
 const BODIES_DECIDE: u32 = 4 << FLAGS;
 const GROUPS_DECIDE: u32 = 8 << FLAGS;
 
 impl Default for ColliderKey {
-    /// The key of a collider that may meet all others with this key.
+    /// The key of colliders that may all meet each other.
     fn default() -> Self {
         Self {
-            body: NOBODY,
+            body: NO_BODY,
             memberships: u32::MAX,
             filter: u32::MAX,
             bits: type_bits(RigidBodyType::Dynamic, ActiveCollisionTypes::all()),
@@ -60,7 +60,7 @@ impl Default for ColliderKey {
     }
 }
 
-/// What a key says of the type of the body, and of the types that it meets.
+/// The bits for the type of the body, and for the types that it meets.
 #[inline(always)]
 fn type_bits(body_type: RigidBodyType, meets: ActiveCollisionTypes) -> u32 {
     let index = TYPES.iter().position(|&known| known == body_type);
@@ -72,7 +72,7 @@ fn type_bits(body_type: RigidBodyType, meets: ActiveCollisionTypes) -> u32 {
 }
 
 impl ColliderKey {
-    /// Whether keys differ with this filter.
+    /// Whether this filter, or this version of Rapier, needs keys at all.
     pub(super) fn differ(filter: PairFilter) -> bool {
         filter != PairFilter::Off || version::REINSERTS
     }
@@ -90,7 +90,7 @@ impl ColliderKey {
         };
         let flag = |flag: u32, is_set: bool| if is_set { flag } else { 0 };
         Self {
-            body: parent.map_or(NOBODY, |body| body.into_raw_parts().0),
+            body: parent.map_or(NO_BODY, |body| body.into_raw_parts().0),
             memberships: groups.memberships.bits(),
             filter: groups.filter.bits(),
             bits: type_bits(body_type, collider.active_collision_types())
@@ -109,7 +109,7 @@ impl FilterKey for ColliderKey {
     #[inline(always)]
     fn may_meet(self, other: Self) -> bool {
         let has = |flag: u32| self.bits & flag != 0;
-        let is_of_one_body = (self.body == other.body) & (self.body != NOBODY);
+        let is_of_one_body = (self.body == other.body) & (self.body != NO_BODY);
         let meets_type = |a: Self, b: Self| a.bits >> (b.bits >> TYPE & 3) & 1 == 1;
         let types_meet = meets_type(self, other) | meets_type(other, self);
         let a = self.memberships & other.filter != 0;
@@ -124,7 +124,7 @@ impl FilterKey for ColliderKey {
         (self.bits | other.bits) & IS_SENSOR == 0
     }
 
-    /// Whatever the filter, because the box without a margin shows in the pairs.
+    /// This holds for every filter, because the renewed box has no margin, which affects the pairs.
     fn renews_box(self, former: Self) -> bool {
         let bits = 0xff << EXACT_TYPE | IS_EITHER_ENOUGH;
         let decisive = |key: Self| (key.body, key.memberships, key.filter, key.bits & bits);
@@ -138,7 +138,7 @@ mod tests {
     use super::super::rapier::geometry::{ColliderBuilder, Group};
     use super::*;
 
-    /// Colliders on bodies of every type, with groups and active collision types of many kinds, and their keys.
+    /// Colliders on bodies of every type, with many groups and active collision types, and their keys.
     fn all() -> Vec<(RigidBodyType, Collider, ColliderKey)> {
         let groups = [(1, 2), (2, 1), (3, 3), (0, 7), (u32::MAX, 4)];
         let groups = groups.map(|(memberships, filter)| {
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_meet_as_the_narrow_phase_decides() {
+    fn keys_decide_like_the_narrow_phase() {
         let all = all();
         let mut met = 0;
         for (first_type, first, first_key) in &all {

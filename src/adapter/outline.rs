@@ -1,10 +1,9 @@
-//! What is remembered of a collider's shape, so that its box can be computed without visiting the shape.
+//! A cache of a collider's shape, so that its box can be computed without reading the shape.
 //!
-//! A collider only points to its shape. Following that pointer, and finding out what kind of shape is there, costs more
-//! than all the rest of reading the collider. So the few numbers that determine the box of a simple shape are kept
-//! beside the proxy, together with shared ownership of the shape. A shared shape cannot be changed in place
-//! ([`SharedShape::make_mut`] copies it first), so the numbers hold as long as the collider still points to the same
-//! one.
+//! A collider only points to its shape. Following that pointer, and finding out which kind of shape it points to, costs more than the rest of
+//! reading a collider. So the table keeps the few numbers that determine the box of a simple shape, together with shared ownership of the
+//! shape. A shared shape cannot be changed in place ([`SharedShape::make_mut`] copies it first), so the numbers are valid as long as the
+//! collider points to the same shape.
 
 use std::sync::Arc;
 
@@ -14,14 +13,16 @@ use super::version::{self, Vector};
 use crate::aabb::Aabb;
 use crate::volume::{Volume, VolumeKind};
 
-/// The outline of one collider's shape; empty until it is first asked for a box.
+/// The cache of one collider; empty until it is first read.
 #[derive(Clone, Default)]
 pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
-    silent: Option<Silent>,
+    /// The properties at the last reading.
+    pub(super) silent: Option<Silent>,
 }
 
-/// What Rapier lets a user change of a collider without noting that it has changed, as far as pairs depend on it, and its type.
+/// The properties of a collider that affect its pairs, and that a program can change without Rapier marking the collider as modified; and
+/// whether it is a sensor.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Silent {
     contact_skin: Real,
@@ -42,10 +43,10 @@ impl Silent {
     }
 }
 
-/// The numbers of a simple shape: a ball, a capsule that is centred at its own origin, or a cuboid.
+/// The numbers of a simple shape: a ball, a cuboid, or a capsule centered at its origin.
 #[derive(Clone, Copy)]
 struct Profile {
-    /// One end of a capsule's axis, or the half extents of a cuboid; 0 for a ball.
+    /// One end of a capsule's axis, or the half extents of a cuboid; zero for a ball.
     extent: Vector,
     /// Negative for a cuboid.
     radius: Real,
@@ -65,8 +66,8 @@ impl Profile {
         }
         let capsule = shape.as_capsule()?;
         let [start, end] = [capsule.segment.a, capsule.segment.b].map(version::coordinates);
-        let is_centred = start == -end && end != Vector::default();
-        is_centred.then(|| round(end, capsule.radius)).flatten()
+        let is_centered = start == -end && end != Vector::default();
+        is_centered.then(|| round(end, capsule.radius)).flatten()
     }
 
     fn is_cuboid(self) -> bool {
@@ -79,23 +80,11 @@ impl Profile {
 }
 
 impl Outline {
-    /// What was last noted; `None` if nothing was.
-    #[inline(always)]
-    pub(super) fn silent(&self) -> Option<Silent> {
-        self.silent
-    }
-
-    #[inline(always)]
-    pub(super) fn note(&mut self, silent: Silent) {
-        self.silent = Some(silent);
-    }
-
-    /// The box of a collider whose outline this is, if its shape is simple: bit for bit that of
-    /// [`Collider::compute_aabb`].
+    /// The box of this collider if its shape is simple: bit for bit that of [`Collider::compute_aabb`].
     #[inline(always)]
     pub(super) fn aabb(&mut self, collider: &Collider) -> Option<Aabb<Real, DIM>> {
         let profile = self.profile(collider.shared_shape())?;
-        // The operations are Parry's, in its order.
+        // These are Parry's operations in Parry's order.
         let pose = collider.position();
         let center = version::origin(pose);
         let Profile { extent, radius } = profile;
@@ -108,7 +97,7 @@ impl Outline {
         })
     }
 
-    /// The bounding volume of a collider whose outline this is, loosened by this distance.
+    /// The bounding volume of this collider, loosened by this distance.
     #[inline(always)]
     pub(super) fn volume(&mut self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
         let (shape, pose) = (collider.shared_shape(), collider.position());
@@ -136,7 +125,7 @@ impl Outline {
         }
     }
 
-    /// Remembers a shape, if it is simple.
+    /// Caches a shape if it is simple.
     #[cold]
     fn learn(&mut self, shape: &SharedShape) -> Option<Profile> {
         let profile = Profile::of(shape);
@@ -145,7 +134,7 @@ impl Outline {
     }
 }
 
-/// The volume of a shape that is not simple, loosened by this distance.
+/// The volume of any other shape, loosened by this distance.
 #[inline(never)]
 fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> Volume<Real, DIM> {
     let origin = version::origin(pose);
@@ -182,8 +171,8 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
     Volume::new(VolumeKind::Cuboid, center.into(), radius, &halves)
 }
 
-/// The half axes of a turned box with these half extents. None is quite zero beside the others: they are the axes that tell
-/// volumes apart, and the box may be flat.
+/// The half axes of a rotated box with these half extents. A flat box gets a small extent instead of zero, because every half axis is a
+/// candidate for a separating axis.
 #[inline(always)]
 fn turned_halves(pose: &version::Pose, half_extents: Vector) -> [[Real; DIM]; DIM] {
     let halves: [Real; DIM] = half_extents.into();
@@ -195,10 +184,10 @@ fn turned_halves(pose: &version::Pose, half_extents: Vector) -> [[Real; DIM]; DI
     })
 }
 
-/// The least half extent of a volume, as a part of the greatest one.
+/// The minimum ratio of a half extent of a volume to the largest one.
 const FLATTEST: Real = 1.0e-6;
 
-/// The box with these half extents around a centre.
+/// The box with this center and these half extents.
 #[inline(always)]
 fn around(center: Vector, half_extents: Vector) -> Aabb<Real, DIM> {
     Aabb::new(
@@ -213,7 +202,7 @@ mod tests {
     use super::super::rapier::parry::shape::{Ball, Capsule, Cuboid};
     use super::*;
 
-    /// A rotation: an angle in the plane, and a vector in space.
+    /// A rotation: an angle in two dimensions, a scaled axis in three.
     trait Turn {
         fn of(angles: [Real; 3]) -> Self;
     }
@@ -268,7 +257,7 @@ mod tests {
         }
     }
 
-    /// Shapes of about this size, turned in many ways.
+    /// Shapes of about this size in many rotations.
     fn turned_shapes(size: Real) -> Vec<Collider> {
         let vector = |numbers: [Real; 3]| {
             let numbers: [Real; DIM] = std::array::from_fn(|k| size * numbers[k]);
@@ -293,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn what_intersects_in_parry_meets_however_small() {
+    fn volumes_of_shapes_that_intersect_meet_at_every_size() {
         let exponents = if size_of::<Real>() == 4 {
             0..46
         } else {
@@ -318,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_that_is_exchanged_or_changed_in_place_is_noticed() {
+    fn a_replaced_or_mutated_shape_is_detected() {
         let mut outline = Outline::default();
         let mut collider = ColliderBuilder::ball(0.5).build();
         check(&mut outline, &collider);

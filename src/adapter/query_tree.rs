@@ -1,9 +1,8 @@
-//! Scene queries: rays, points and shapes against the colliders, and the tree that answers them, kept between updates.
+//! Scene queries: rays, points and shapes against the colliders, answered by a tree that is kept between updates.
 //!
-//! The tree costs nothing until it is asked for: it is built at the first query, and brought up to date when the next one
-//! comes. Its leaves are the boxes of the table, the same that Rapier's own broad phase has as its leaves, because some
-//! answers depend on them: a query for boxes returns what its leaves are, and Parry's tests of shapes have a tolerance. Only
-//! the boxes that were renewed are written, each in its place.
+//! The first query builds the tree. The first query after an update brings it up to date; programs without queries pay nothing. The leaves are
+//! the boxes of the table, the same as those of Rapier's own broad phase, because some answers depend on them: a query for boxes returns leaves,
+//! and Parry's tests of shapes have a tolerance. Only the leaves of renewed boxes are written.
 
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -22,16 +21,17 @@ use crate::tuning::queries::{
 
 type Aabb = crate::aabb::Aabb<Real, DIM>;
 
-/// The boxes by slot; invalid where there is none.
+/// The boxes by slot; invalid where there is no proxy.
 type Boxes<'a> = &'a [Aabb];
 
 impl UnisizeBroadPhase {
-    /// The scene as of the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
+    /// Returns the scene at the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
     ///
-    /// The first call builds a tree in **O(n log n)**, which is kept as long as there are calls. The first call after an
-    /// update brings it up to date, in about a tenth of that time. Further calls are free.
+    /// The first call builds a tree in **O(n log n)** time. The tree is kept while the program queries it. The first call after an update
+    /// refreshes the tree, in about a tenth of the time of building it. Other calls take **O(1)** time.
     ///
-    /// Its boxes are those of Rapier's own broad phase. Of colliders at exactly the same distance, a query may find another one.
+    /// The boxes in the tree are those of Rapier's own broad phase. If several colliders are at exactly the same distance, a query may find
+    /// another one of them.
     pub fn as_query_pipeline<'a>(
         &'a self,
         dispatcher: &'a dyn QueryDispatcher,
@@ -48,7 +48,7 @@ impl UnisizeBroadPhase {
         }
     }
 
-    /// The same with the sets borrowed mutably. The counterpart of `BroadPhaseBvh::as_query_pipeline_mut`.
+    /// Returns the same scene with the sets borrowed mutably. The counterpart of `BroadPhaseBvh::as_query_pipeline_mut`.
     pub fn as_query_pipeline_mut<'a>(
         &'a self,
         dispatcher: &'a dyn QueryDispatcher,
@@ -70,32 +70,32 @@ impl UnisizeBroadPhase {
     }
 }
 
-/// The tree, if it was asked for recently.
+/// The tree, if there were queries recently.
 #[derive(Default)]
 pub(super) struct QueryTree {
-    /// With the present boxes.
+    /// The tree of the present boxes.
     current: OnceLock<Tree>,
-    /// With earlier boxes.
+    /// The tree of earlier boxes, if there is none of the present ones.
     outdated: Mutex<Option<Tree>>,
-    /// Updates since it was last asked for.
-    unasked: u32,
+    /// The slots whose boxes were written since the outdated tree was current. Unspecified if there is no outdated tree.
+    written: SlotSet,
+    /// The number of updates since the last query.
+    unused: u32,
 }
 
 #[derive(Clone)]
 struct Tree {
     bvh: Bvh,
     workspace: Workspace,
-    /// By slot, the box for which the place of the leaf was chosen, or with which it was last judged.
+    /// By slot, the box when the tree was last judged, or for which its leaf was last inserted.
     placed: Vec<Aabb>,
-    /// Its girth when it was built.
+    /// The girth of the new tree.
     girth: u64,
-    /// Leaves written alone or removed since the nodes were last put in order.
+    /// The number of leaves that were written alone or removed since the last [refit](Bvh::refit).
     loose: usize,
-    /// The slots whose boxes were written since; none if it is current.
-    outdated: SlotSet,
 }
 
-/// Scratch memory of Parry's, which cannot be cloned.
+/// Scratch memory of Parry's, which does not implement `Clone`.
 #[derive(Default)]
 struct Workspace(BvhWorkspace);
 
@@ -110,13 +110,14 @@ impl Clone for QueryTree {
         Self {
             current: self.current.clone(),
             outdated: Mutex::new(self.lock().clone()),
-            unasked: self.unasked,
+            written: self.written.clone(),
+            unused: self.unused,
         }
     }
 }
 
 impl QueryTree {
-    /// Takes note that the boxes of these slots were written. **O(1)** each, and **O(1)** in all if there is no tree.
+    /// Notes that the boxes of these slots were written. **O(1)** each, and **O(1)** in all without a tree.
     pub(super) fn note(&mut self, written: &[u32]) {
         if written.is_empty() {
             return;
@@ -124,47 +125,48 @@ impl QueryTree {
         let outdated = self.outdated.get_mut();
         let outdated = outdated.unwrap_or_else(PoisonError::into_inner);
         if let Some(tree) = self.current.take() {
-            self.unasked = 0;
+            self.unused = 0;
+            self.written.clear();
             *outdated = Some(tree);
         }
-        if let Some(tree) = outdated {
+        if outdated.is_some() {
             let highest = written.iter().fold(0, |highest, &slot| highest.max(slot));
-            tree.outdated.make_room(highest as usize + 1);
+            self.written.make_room(highest as usize + 1);
             for &slot in written {
-                tree.outdated.insert(slot);
+                self.written.insert(slot);
             }
         }
     }
 
-    /// Takes note of an update. A tree that is no longer asked for is given up in the end.
+    /// Notes an update. A tree that nobody queries is dropped after a while.
     pub(super) fn grow_older(&mut self) {
         if self.current.get().is_some() {
-            self.unasked = 0;
+            self.unused = 0;
             return;
         }
-        self.unasked = self.unasked.saturating_add(1);
-        if self.unasked > KEEP_UNASKED {
+        self.unused = self.unused.saturating_add(1);
+        if self.unused > KEEP_UNASKED {
             *self.lock() = None;
+            self.written = SlotSet::default();
         }
     }
 
-    /// The tree of these boxes. **O(n log n)** at first, then **O(n)** with a small constant once after boxes were renewed, and
-    /// **O(1)** otherwise.
+    /// The tree of these boxes. **O(n log n)** at first, then **O(n)** with a small constant once after boxes were renewed, and **O(1)**
+    /// otherwise.
     pub(super) fn of(&self, boxes: Boxes) -> &Bvh {
         let tree = self.current.get_or_init(|| match self.lock().take() {
-            Some(tree) => tree.refreshed(boxes),
+            Some(tree) => tree.refreshed(boxes, self.written.slots()),
             None => Tree::new(boxes),
         });
         &tree.bvh
     }
 
-    /// Panics unless the leaves of the tree, if there is one, are these boxes, once it is brought up to date.
+    /// Panics unless the leaves of the refreshed tree, if there is one, are these boxes.
     pub(super) fn validate(&self, boxes: Boxes) {
-        let outdated = || Some(self.lock().clone()?.refreshed(boxes));
-        let Some(tree) = self.current.get().cloned().or_else(outdated) else {
+        let refreshed = || Some(self.lock().clone()?.refreshed(boxes, self.written.slots()));
+        let Some(tree) = self.current.get().cloned().or_else(refreshed) else {
             return;
         };
-        assert!(tree.outdated.slots().is_empty(), "it is brought up to date");
         let valid = (0..).zip(boxes).filter(|(_, aabb)| aabb.is_valid());
         let mut count = 0;
         for (slot, &aabb) in valid {
@@ -188,7 +190,7 @@ impl Tree {
         let bvh = if leaves.len() > 2 {
             Bvh::from_iter(BvhBuildStrategy::Binned, leaves)
         } else {
-            // Parry builds trees of one and two leaves only if their indices are 0 and 1.
+            // Parry builds a tree of one or two leaves only if their indices are 0 and 1.
             let mut bvh = Bvh::new();
             for (slot, aabb) in leaves {
                 bvh.insert(aabb, slot as u32);
@@ -201,24 +203,15 @@ impl Tree {
             workspace: Workspace::default(),
             placed: boxes.to_vec(),
             loose: 0,
-            outdated: SlotSet::default(),
         }
     }
 
-    /// The tree with its outdated leaves brought up to date.
+    /// Returns the tree with the leaves of these slots written again.
     ///
-    /// A leaf that has gone far from where its place was chosen makes its ancestors large, and rays visit more of the
-    /// tree. If few have moved, it gets a new place. If many have, they go far at about the same time: then, unless what was near
-    /// each other has gone together, the tree is built afresh.
-    fn refreshed(mut self, boxes: Boxes) -> Self {
-        let mut outdated = std::mem::take(&mut self.outdated);
-        let mut tree = self.with_renewed(boxes, outdated.slots());
-        outdated.clear();
-        tree.outdated = outdated;
-        tree
-    }
-
-    fn with_renewed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
+    /// A leaf that has moved far since it was inserted makes its ancestors large, and rays then visit more nodes. If few leaves have moved,
+    /// each such leaf is inserted anew. If many have moved, they usually move far at about the same time. Then the tree is built anew,
+    /// unless neighbors have moved together.
+    fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
         let leaves = self.bvh.leaf_count() as usize;
         let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
         self.placed.resize(boxes.len(), Aabb::ABSENT);
@@ -237,7 +230,7 @@ impl Tree {
             }
         }
         if leaves <= SMALL_UP_TO as usize {
-            // In a tree so small, another order of the nodes gains nothing.
+            // In so small a tree, sorting the nodes gains nothing.
             self.bvh.refit_without_opt();
             return self;
         }
@@ -256,7 +249,7 @@ impl Tree {
         self
     }
 
-    /// Whether many of these leaves have left the boxes for which their places were chosen, by a sample.
+    /// Whether a sample shows that many of these leaves have left the boxes for which they were inserted.
     fn have_strayed(&self, boxes: Boxes, renewed: &[u32]) -> bool {
         let sample = renewed.iter().step_by(renewed.len() / STRAY_SAMPLE + 1);
         let count = sample.len();
@@ -267,7 +260,7 @@ impl Tree {
         strays.count() * JUDGE_FROM_ONE_IN > count
     }
 
-    /// Brings the leaf of a slot and its ancestors up to date.
+    /// Writes the leaf of a slot and its ancestors.
     fn write(&mut self, slot: u32, aabb: Aabb) {
         let placed = &mut self.placed[slot as usize];
         if !aabb.intersects(placed) && self.bvh.leaf_count() > SMALL_UP_TO {
@@ -280,9 +273,8 @@ impl Tree {
     }
 }
 
-/// How large the nodes of a tree are that have children: the mean of the logarithms of their areas, or perimeters in the
-/// plane, in units of 2^-20 octaves. Logarithms, because a few nodes around a half-space must not hide what happens to
-/// the rest.
+/// The size of the inner nodes of a tree: the mean of the logarithms of their half areas, or perimeters in two dimensions, in units of 2^-20
+/// octaves. The mean of logarithms keeps a few nodes around a half-space from hiding the others.
 fn girth(bvh: &Bvh) -> u64 {
     let (mut sum, mut nodes) = (0, 0);
     bvh.traverse(|node| {
@@ -296,8 +288,8 @@ fn girth(bvh: &Bvh) -> u64 {
     sum.checked_div(nodes).unwrap_or(0)
 }
 
-/// The logarithm of a number that is not negative, in units of 2^-20 octaves from anywhere: its upper bits are that, but for the curve
-/// between two powers of two.
+/// The base-2 logarithm of a nonnegative number plus a constant, in units of 2^-20, interpolated linearly between powers of two. These are the
+/// upper bits of the number.
 fn octaves(number: f64) -> u64 {
     number.to_bits() >> 32
 }
@@ -308,7 +300,7 @@ mod tests {
 
     const COUNT: usize = 1000;
 
-    /// Unit boxes in cells that are two wide, each in the cell of this number, shifted along the first axis.
+    /// Unit boxes in cells of size 2, each in its numbered cell, shifted along the first axis.
     fn boxes(cell: impl Fn(usize) -> usize, shift: Real) -> Vec<Aabb> {
         let columns = (COUNT as f64).powf(1.0 / DIM as f64).ceil() as usize;
         let slots = 0..COUNT;
@@ -325,14 +317,13 @@ mod tests {
         boxes.collect()
     }
 
-    /// Whether the tree of boxes is built afresh once they are others, all of which have left their places.
-    fn is_built_afresh(before: Boxes, now: Boxes) -> bool {
+    /// Whether the tree is built anew once all boxes have moved.
+    fn is_rebuilt(before: Boxes, now: Boxes) -> bool {
         let mut tree = Tree::new(before);
-        // A new one has no loose leaves.
+        // A new tree has no loose leaves.
         tree.loose = 1;
-        tree.outdated.make_room(COUNT);
-        (0..COUNT as u32).for_each(|slot| tree.outdated.insert(slot));
-        let tree = tree.refreshed(now);
+        let all: Vec<_> = (0..COUNT as u32).collect();
+        let tree = tree.refreshed(now, &all);
         for (slot, aabb) in now.iter().enumerate() {
             let leaf = tree.bvh.leaf_node(slot as u32).map(|node| node.aabb());
             assert_eq!(leaf, Some((*aabb).into()));
@@ -341,15 +332,15 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_mixed_gets_a_new_tree() {
+    fn the_tree_is_rebuilt_only_if_boxes_mix() {
         let mut before = boxes(|slot| slot, 0.0);
         let mut mixed = boxes(|slot| slot * 37 % COUNT, 100.0);
-        assert!(!is_built_afresh(&before, &boxes(|slot| slot, 100.0)));
-        assert!(is_built_afresh(&before, &mixed));
-        // A half-space around all does not hide it.
+        assert!(!is_rebuilt(&before, &boxes(|slot| slot, 100.0)));
+        assert!(is_rebuilt(&before, &mixed));
+        // A half-space around all boxes does not hide it.
         for boxes in [&mut before, &mut mixed] {
             boxes[0] = Aabb::new([-1e18; DIM], [1e18; DIM]);
         }
-        assert!(is_built_afresh(&before, &mixed));
+        assert!(is_rebuilt(&before, &mixed));
     }
 }

@@ -1,7 +1,7 @@
-//! The broad phase as it is written and read by serde, in the middle of a simulation.
+//! The broad phase as serde writes and reads it, between two updates of a simulation.
 //!
-//! What is written decides all events to come. What only decides how much work it is to find them is made anew, as are outlines of shapes
-//! and the tree for queries.
+//! A snapshot has only the state that decides future events. Reading it rebuilds the state that decides how fast they are found. The first
+//! updates and queries after that rebuild the caches of shapes and the query tree.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
@@ -11,13 +11,13 @@ use super::rapier::math::{DIM, Real};
 use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
-/// The number of the format. It changes with every change of a field, or of what a field decides.
-const FORMAT: u32 = 11;
+/// The version of the format. It changes whenever a field or its meaning changes.
+const FORMAT: u32 = 12;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Snapshot {
-    /// First, so that it is read before anything that another version may write differently.
+    /// The first field, so that it is read before any that another version may write differently.
     #[serde(deserialize_with = "this_format")]
     format: u32,
     settings: Settings,
@@ -33,9 +33,8 @@ fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Err
     }
 }
 
-/// What is written decides all events to come: a simulation that is restored, with all of Rapier's
-/// sets, goes on as the one that was saved. For that the format must keep numbers bit for bit, as binary formats do. If
-/// another version of the library wrote the snapshot in another format, reading it is an error that says so.
+/// A snapshot has everything that decides future events: a restored simulation, with all of Rapier's sets, continues like the saved one. This
+/// needs a format that keeps numbers bit for bit, as binary formats do.
 impl Serialize for UnisizeBroadPhase {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let snapshot = Snapshot {
@@ -47,8 +46,11 @@ impl Serialize for UnisizeBroadPhase {
     }
 }
 
-/// Data that no broad phase can have written is an error, and whatever is read without one is safe to use. The check
-/// takes about as long as a full search for pairs.
+/// Computes in about the time of a full search for pairs, because it checks the data.
+///
+/// # Errors
+///
+/// Returns an error for data that no broad phase can have written, and for snapshots of versions of this library with another format.
 impl<'de> Deserialize<'de> for UnisizeBroadPhase {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Snapshot {

@@ -1,4 +1,4 @@
-//! Both broad phases at once, to find out what unisize gains in a scene before it is used.
+//! A trial of unisize next to Rapier's own broad phase, in a program of the user's.
 
 mod cost;
 mod report;
@@ -10,21 +10,19 @@ pub use report::{Difference, Measured, TrialReport};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::time::Duration;
 
-use super::Settings;
-use super::broad_phase::{Input, UnisizeBroadPhase};
 use super::collider_box::body_of;
 use super::collider_key::ColliderKey;
 use super::rapier::dynamics::RigidBodySet;
-// With it comes the trait of which `update` is a method in Rapier 0.27.
+// In Rapier 0.27, this imports the trait with the method `update`.
 use super::rapier::geometry::*;
-use super::version;
+use super::{Input, Settings, UnisizeBroadPhase, version};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 use crate::proxy_table::Lists;
 use crate::stopwatch;
 use cost::Cost;
 
-/// The levels of the filter, from the one that leaves out nothing.
+/// The levels of the filter, in ascending order.
 const LEVELS: [PairFilter; 4] = [
     PairFilter::Off,
     PairFilter::Bodies,
@@ -32,10 +30,10 @@ const LEVELS: [PairFilter; 4] = [
     PairFilter::Shapes,
 ];
 
-/// Rapier's own broad phase, which drives the world as before, with unisize beside it, which is given the same input. It tells whether the
-/// two hold the same pairs and what each takes, in a scene of your own, before you replace anything.
+/// A broad phase that compares unisize with Rapier's own in your program, before you replace anything.
 ///
-/// Use it as the broad phase, let the program run, and print its [`report`](Self::report):
+/// Rapier's own broad phase drives the world as before. unisize receives the same input, once for each [level of the filter](PairFilter). The
+/// [`report`](Self::report) says how long each of them takes, how many pairs each holds, and whether the pairs match:
 ///
 /// ```text
 /// let mut broad_phase = Trial::new();                                // Rapier 0.27
@@ -43,32 +41,39 @@ const LEVELS: [PairFilter; 4] = [
 /// println!("{}", broad_phase.report());                              // some hundred steps later
 /// ```
 ///
-/// The simulation is the same to the last bit, only slower: unisize runs once for each [level of the filter](PairFilter), and what that
-/// takes is in the report. All of them share the caches of the processor, so each is a little faster without the others. After each
-/// update the pairs of unisize at the level of Rapier's own broad phase are compared with Rapier's own, in **O(pairs)**.
+/// The simulation is the same to the last bit, only slower; [`TrialReport::overhead`] says by how much. The five broad phases compete for the
+/// caches of the processor, so each alone is a little faster than reported.
+///
+/// # Complexity
+///
+/// An update runs all five broad phases. It then compares the pairs of Rapier's own broad phase with those of unisize at the same level of the
+/// filter, in **O(pairs)** time.
+///
+/// # Errors
+///
+/// No input makes a trial panic unless Rapier's own broad phase panics. Pairs that differ are not an error:
+/// [`TrialReport::first_difference`] names the first one.
 #[derive(Clone)]
 pub struct Trial {
-    pub(crate) own: DefaultBroadPhase,
+    own: DefaultBroadPhase,
     own_cost: Cost,
-    pub(crate) tried: [UnisizeBroadPhase; LEVELS.len()],
-    costs: [Cost; LEVELS.len()],
-    updates: u64,
-    /// Whether boxes were handed over since the last update.
-    is_prepared: bool,
-    /// What all has taken, the comparison included.
-    total: Duration,
-    /// What Rapier's own holds, and what unisize holds at the same level of the filter.
     own_pairs: HeldPairs,
+    /// unisize at each of the [`LEVELS`].
+    tried: [UnisizeBroadPhase; LEVELS.len()],
+    costs: [Cost; LEVELS.len()],
+    /// The pairs of unisize at the level of Rapier's own broad phase.
     pairs: HeldPairs,
+    /// The time of all updates, including the comparison.
+    total: Duration,
     first_difference: Option<Difference>,
-    /// See [`Self::with_allocated`].
+    /// See [`with_allocated`](Self::with_allocated).
     allocated: Option<fn() -> usize>,
-    /// The colliders whose boxes were handed over last, where the trial looks on.
-    #[allow(dead_code, reason = "in Rapier 0.27 it drives")]
-    pub(crate) looked_at: HashMap<ColliderHandle, ColliderKey>,
+    /// The colliders of the last call of `observe`.
+    #[allow(dead_code, reason = "only Rapier 0.36 has Trial::observe")]
+    pub(crate) observed: HashMap<ColliderHandle, ColliderKey>,
 }
 
-/// What decides whom a collider may meet, whatever the level of the filter.
+/// What decides which others a collider may meet, at any level of the filter.
 pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
     ColliderKey::new(PairFilter::Groups, collider, body_of(collider, bodies))
 }
@@ -80,33 +85,31 @@ impl Default for Trial {
 }
 
 impl Trial {
-    /// Both without any colliders, unisize with default settings.
+    /// Creates a trial without colliders, with default settings for unisize.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Both without any colliders. Each level of the filter is tried, whatever the settings say of it. With another
-    /// [margin](crate::Settings::margin) than Rapier's own the pairs are not the same, and the report says so.
+    /// Creates a trial without colliders. The trial overrides the level of the filter in the settings. With a
+    /// [margin](crate::Settings::margin) other than that of Rapier's own broad phase, the pairs differ, and the report says so.
     pub fn with_settings(settings: Settings) -> Self {
         Self {
             own: DefaultBroadPhase::new(),
             own_cost: Cost::default(),
+            own_pairs: HeldPairs::default(),
             tried: LEVELS
                 .map(|level| UnisizeBroadPhase::with_settings(settings.with_filter(level))),
             costs: [Cost::default(); LEVELS.len()],
-            updates: 0,
-            is_prepared: false,
-            total: Duration::ZERO,
-            own_pairs: HeldPairs::default(),
             pairs: HeldPairs::default(),
+            total: Duration::ZERO,
             first_difference: None,
             allocated: None,
-            looked_at: HashMap::new(),
+            observed: HashMap::new(),
         }
     }
 
-    /// The same, with memory in the report: `allocated` tells how many bytes the program has allocated, as a counting global allocator
-    /// knows.
+    /// Returns the trial with memory in its report. `allocated` returns the number of bytes that the program has allocated, as a counting global
+    /// allocator knows it.
     pub fn with_allocated(self, allocated: fn() -> usize) -> Self {
         Self {
             allocated: Some(allocated),
@@ -114,36 +117,40 @@ impl Trial {
         }
     }
 
-    /// Rapier's own broad phase, for queries.
+    /// Returns Rapier's own broad phase, for queries.
     pub fn own(&self) -> &DefaultBroadPhase {
         &self.own
     }
 
-    /// What has been found out so far. **O(1)**.
+    /// Returns the results so far. Computes in **O(1)** time.
     pub fn report(&self) -> TrialReport {
-        let measured = |cost: &Cost, level| cost.measured(level, self.updates);
-        let own = measured(&self.own_cost, None);
+        let updates = self.updates();
+        let own = self.own_cost.measured(None, updates);
         TrialReport {
-            updates: self.updates,
+            updates,
             colliders: self.tried[0].stats().proxies,
             overhead: self.total.saturating_sub(own.total),
             own,
-            levels: std::array::from_fn(|i| measured(&self.costs[i], Some(LEVELS[i]))),
+            levels: std::array::from_fn(|i| self.costs[i].measured(Some(LEVELS[i]), updates)),
             default_level: version::PAIR_FILTER,
             compared_level: version::FILTER_OF_OWN,
             first_difference: self.first_difference,
         }
     }
 
-    /// Runs something on Rapier's own broad phase, and something on each of unisize, as a part of the next update.
-    #[allow(dead_code, reason = "only Rapier 0.36 hands boxes over")]
+    /// The number of updates that had colliders to read.
+    pub(crate) fn updates(&self) -> u64 {
+        self.tried[PairFilter::Shapes as usize].stats().updates
+    }
+
+    /// Calls `own` with Rapier's own broad phase, and `tried` with unisize at each level, as a part of the next update.
+    #[allow(dead_code, reason = "only Rapier 0.36 passes boxes")]
     pub(crate) fn prepare(
         &mut self,
         own: impl FnOnce(&mut DefaultBroadPhase),
         mut tried: impl FnMut(&mut UnisizeBroadPhase),
     ) {
         let began = stopwatch::now();
-        self.is_prepared = true;
         let (allocated, no_events) = (self.allocated, &mut Vec::new());
         self.own_cost
             .of(allocated, no_events, |_| own(&mut self.own));
@@ -153,7 +160,7 @@ impl Trial {
         self.total += stopwatch::since(began);
     }
 
-    /// Runs an update on all of them, and compares. The events are those of Rapier's own.
+    /// Updates all broad phases, and compares their pairs. The events are those of Rapier's own.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let began = stopwatch::now();
         let Input {
@@ -165,27 +172,27 @@ impl Trial {
             },
             ..
         } = *input;
-        let is_busy = std::mem::take(&mut self.is_prepared) || !input.lists.are_empty();
-        self.updates += u64::from(is_busy);
-        let update = is_busy.then_some(self.updates);
-        let (allocated, earlier) = (self.allocated, events.len());
+        let (former, allocated, earlier) = (self.updates(), self.allocated, events.len());
         self.own_cost.of(allocated, events, |events| {
             self.own
                 .update(params, colliders, bodies, modified, removed, events);
         });
         self.own_pairs.update(removed, &events[earlier..]);
-        self.own_cost.end_update(update, self.own_pairs.0.len());
 
         let tried = self.tried.iter_mut().zip(&mut self.costs);
         for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();
             cost.of(allocated, &mut events, |events| {
-                broad_phase.update_in_pipeline(input, events);
+                broad_phase.run_in_pipeline(input, events);
             });
-            cost.end_update(update, broad_phase.stats().pairs);
             if level == version::FILTER_OF_OWN {
                 self.pairs.update(removed, &events);
             }
+        }
+        let update = Some(self.updates()).filter(|&update| update > former);
+        self.own_cost.end_update(update, self.own_pairs.0.len());
+        for (broad_phase, cost) in self.tried.iter().zip(&mut self.costs) {
+            cost.end_update(update, broad_phase.stats().pairs);
         }
         if self.first_difference.is_none() {
             self.first_difference = self.difference(input);
@@ -193,7 +200,7 @@ impl Trial {
         self.total += stopwatch::since(began);
     }
 
-    /// The least pair that only one of the two holds, although the narrow phase would not drop it.
+    /// The first pair that only one of the two broad phases holds and that the narrow phase would not drop.
     fn difference(&self, input: &Input<'_>) -> Option<Difference> {
         let HeldPairs(own) = &self.own_pairs;
         let mut differing = own.symmetric_difference(&self.pairs.0);
@@ -206,20 +213,19 @@ impl Trial {
             matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
         })?;
         Some(Difference {
-            update: self.updates,
+            update: self.updates(),
             colliders: handles(*pair),
             is_missing: own.contains(pair),
         })
     }
 }
 
-/// The pairs that a broad phase holds, by its events: index and generation of two colliders, in order.
+/// The pairs of a broad phase, collected from its events: index and generation of two colliders, in order.
 #[derive(Clone, Default)]
 struct HeldPairs(BTreeSet<[(u32, u32); 2]>);
 
 impl HeldPairs {
-    /// Ends the pairs of what was removed, of which no event tells, and takes events. A pair may begin that is held already, as with
-    /// Rapier's own.
+    /// Ends the pairs of removed colliders, which have no events, and applies events. Rapier's own broad phase may add a pair twice.
     fn update(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
         if !removed.is_empty() {
             let removed = removed.iter().map(|handle| handle.into_raw_parts());

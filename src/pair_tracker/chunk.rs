@@ -2,7 +2,7 @@
 
 use super::box_update::BoxUpdate;
 use super::proxies::Notes;
-use super::volumes::VolumesChunk;
+use super::volumes::{VolumeUpdate, VolumesChunk};
 use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::volume::Volume;
@@ -55,24 +55,23 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         if !self.volumes.are_used() {
             return true;
         }
-        let is_set = self.volumes.set(i, volume, false);
-        if is_set == Some(true) {
+        let update = self.volumes.set(i, volume, false);
+        if matches!(update, VolumeUpdate::Loosen | VolumeUpdate::Renew) {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);
         }
-        is_set.is_some()
+        update != VolumeUpdate::Recheck
     }
 
-    /// Brings the proxy at `i` up to date with the box of its collider. If volumes are in use, `set_volume` is to set its volume, and
-    /// say what [`VolumesChunk::set`] says; it is told whether the box is renewed. Returns false, and changes nothing, if this takes
-    /// more than a move.
+    /// Moves the proxy at `i` to the box of its collider, or keeps the box that it has. If volumes are in use, `set_volume` sets its volume,
+    /// given whether the box is renewed. Returns false, and changes nothing, if the collider needs more than a move.
     #[inline(always)]
     pub(crate) fn follow(
         &mut self,
         i: usize,
         aabb: &Aabb<R, D>,
         margin: R,
-        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> Option<bool>,
+        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> VolumeUpdate,
     ) -> bool {
         let update = BoxUpdate::of(&self.boxes[i], aabb, margin);
         if update == BoxUpdate::Recheck {
@@ -81,13 +80,13 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         if self.volumes.are_used() {
             let is_renewed = update != BoxUpdate::Keep;
             match set_volume(&mut self.volumes, is_renewed) {
-                None => return false,
-                // What has another box is compared for that.
-                Some(true) if !is_renewed => {
+                VolumeUpdate::Recheck => return false,
+                // The pairs of a renewed box are compared anyway.
+                VolumeUpdate::Loosen | VolumeUpdate::Renew if !is_renewed => {
                     let slot = self.slot(i);
                     self.notes.revolumed.push(slot);
                 }
-                Some(_) => {}
+                _ => {}
             }
         }
         if let BoxUpdate::Renew(renewed) = update {

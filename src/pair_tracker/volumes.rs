@@ -50,6 +50,19 @@ pub(crate) struct VolumesSnapshot<R> {
     by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
 }
 
+/// What happens to the volume of a proxy when its collider has another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum VolumeUpdate {
+    /// It stays, and so do its pairs.
+    Keep,
+    /// It stays, loosened by the margin from now on: its pairs must be compared.
+    Loosen,
+    /// The new volume takes its place: its pairs must be compared.
+    Renew,
+    /// Nothing: the volumes are of different kinds, or the box alone does not determine the new one.
+    Recheck,
+}
+
 /// The volumes of a chunk of slots, whose kinds stay as they are.
 pub(crate) struct VolumesChunk<'a, R, const D: usize> {
     kinds: &'a [VolumeKind],
@@ -152,13 +165,13 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.half_axes
                 .resize(index + 1, Volume::<R, D>::BOX.half_axes);
         }
-        let is_set = self
+        let update = self
             .all()
             .set(index, volume, is_renewed | is_of_another_kind);
         if is_of_another_kind {
             self.odometers[index] = Odometer::LOST;
         }
-        is_set == Some(true) || is_of_another_kind
+        update != VolumeUpdate::Keep || is_of_another_kind
     }
 
     /// All volumes, as they are written.
@@ -347,68 +360,67 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         }
     }
 
-    /// Moves the volume of the slot `i` of the chunk, or lets it stay, unless its box is renewed. Returns whether pairs have to be
-    /// compared for it; `None`, and changes nothing, if it is of another kind.
+    /// Moves the volume of the slot `i` of the chunk, or keeps it if it has hardly moved and its box is not renewed.
     #[inline(always)]
     pub(crate) fn set(
         &mut self,
         i: usize,
         volume: &Volume<R, D>,
         is_renewed: bool,
-    ) -> Option<bool> {
+    ) -> VolumeUpdate {
         let kind = volume.kind;
         if kind != self.kinds[i] {
-            return None;
+            return VolumeUpdate::Recheck;
         }
         if matches!(kind, VolumeKind::Box | VolumeKind::Part) && !is_renewed {
-            return Some(false);
+            return VolumeUpdate::Keep;
         }
         let former = volume_of(self.kinds, self.balls, self.half_axes, i);
         let change = former.change_to(volume.as_ref());
-        if let Some(is_slow_now) = self.stay(i, change, is_renewed) {
-            return Some(is_slow_now);
+        let update = self.update_of(i, change, is_renewed);
+        if update == VolumeUpdate::Renew {
+            if kind.axes::<D>() > 0 {
+                self.half_axes[i] = volume.half_axes;
+            }
+            self.balls[i] = volume.ball;
         }
-        if kind.axes::<D>() > 0 {
-            self.half_axes[i] = volume.half_axes;
-        }
-        self.balls[i] = volume.ball;
-        Some(true)
+        update
     }
 
-    /// The same for a ball in this box, and for what no box changes; `None` if it takes more than the box to tell the volume.
+    /// Does the same for a ball in this box, and for a volume that no box changes.
     #[inline(always)]
     pub(crate) fn set_by_box(
         &mut self,
         i: usize,
         aabb: &Aabb<R, D>,
         is_renewed: bool,
-    ) -> Option<bool> {
+    ) -> VolumeUpdate {
         match self.kinds[i] {
-            VolumeKind::Part => Some(false),
+            VolumeKind::Part => VolumeUpdate::Keep,
             VolumeKind::Ball => {
                 let ball = self.balls[i].in_box(aabb);
                 let change = self.balls[i].change_to(&ball);
-                if let Some(is_slow_now) = self.stay(i, change, is_renewed) {
-                    return Some(is_slow_now);
+                let update = self.update_of(i, change, is_renewed);
+                if update == VolumeUpdate::Renew {
+                    self.balls[i] = ball;
                 }
-                self.balls[i] = ball;
-                Some(true)
+                update
             }
-            _ => None,
+            _ => VolumeUpdate::Recheck,
         }
     }
 
-    /// Lets the volume of the slot `i` stay, if its collider has changed by no more than the margin, and its box is not renewed.
-    /// Returns whether it was exact until now; `None` if it is to be another one.
+    /// Decides between keeping the volume of the slot `i` and renewing it, and notes what that does to its margin.
     #[inline(always)]
-    fn stay(&mut self, i: usize, change: R, is_renewed: bool) -> Option<bool> {
+    fn update_of(&mut self, i: usize, change: R, is_renewed: bool) -> VolumeUpdate {
         if change <= self.margin && !is_renewed {
             let is_slow = self.are_slow[i] | (change > R::ZERO);
             let is_slow_now = is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow);
             if is_slow_now {
                 self.advance(i, self.margin);
+                return VolumeUpdate::Loosen;
             }
-            return Some(is_slow_now);
+            return VolumeUpdate::Keep;
         }
         self.advance(i, change);
         if is_renewed & self.are_slow[i] {
@@ -416,7 +428,7 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
             self.advance(i, self.margin);
         }
         self.are_slow[i] &= !is_renewed;
-        None
+        VolumeUpdate::Renew
     }
 
     /// Lets the odometer of the slot `i` go on, if it does not stand still.

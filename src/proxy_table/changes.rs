@@ -1,18 +1,19 @@
-//! The changes of an update, in the one order in which they are reported.
+//! The changes of an update, reported in one canonical order.
 //!
-//! Rapier's narrow phase keeps pairs in the order in which they were added, and narrow phase and solver go through them in that order
-//! in each step. By slots, they meet colliders and bodies in the order in which they lie in memory. Steps are faster so, with as many
-//! instructions and simulated cache misses as in the order of finding; presumably because the processor fetches ahead what lies in
-//! order. So pairs end first, then others begin, both by the smaller slot and then by the larger one. A pair changes at most once in
-//! an update, so this leaves nothing open: the same changes are reported in the same order, in whatever order they were found.
+//! First the ended pairs are reported, then the new ones, both sorted by the smaller slot and then by the larger one. A pair changes at most
+//! once in an update, so the order of the events does not depend on the order in which the changes were found.
 //!
-//! A solver that takes one contact after the other waits wherever a contact shares a body with the one before it, as neighbours by
-//! slots do. For such a solver, what begins is cut in two runs, whose pairs take turns. Within each of them an impulse still passes from
-//! body to body in one iteration; if every other pair came first and then the rest, high stacks would fall sooner.
+//! The order matters for speed as well. Rapier's narrow phase keeps pairs in the order of their events, and goes through them in that
+//! order in each step, as does the solver. In the order of slots, they access colliders and bodies in the order of memory. Steps are then
+//! faster with as many instructions and simulated cache misses, presumably because the processor prefetches.
+//!
+//! A solver that processes one contact after the other stalls if a contact shares a body with the one before it, as neighbors in the order of
+//! slots do. For such a solver, the new pairs are split into two runs, which are interleaved. Within each run an impulse still travels from
+//! body to body in one iteration. If all pairs of the first run came before those of the second, high stacks would collapse sooner.
 
 use crate::pair_tracker::PairChange;
 
-/// The changes of an update; keeps its memory between updates.
+/// The changes of an update. Updates reuse its memory.
 #[derive(Clone, Debug)]
 pub(crate) struct Changes {
     runs: usize,
@@ -21,7 +22,7 @@ pub(crate) struct Changes {
 }
 
 impl Changes {
-    /// No changes yet. What begins is cut in this many runs that take turns, at least one.
+    /// No changes. New pairs will be split into this many interleaved runs, at least one.
     pub(crate) fn new(runs: usize) -> Self {
         Self {
             runs,
@@ -30,7 +31,7 @@ impl Changes {
         }
     }
 
-    /// Notes a change.
+    /// Adds a change.
     #[inline]
     pub(super) fn note(&mut self, change: PairChange) {
         match change {
@@ -39,13 +40,11 @@ impl Changes {
         }
     }
 
-    /// Forgets all changes, after it has given each of them away in order: whether the pair begins, and its slots. Returns how many
-    /// pairs have ended, and how many have begun.
-    ///
-    /// Computes in **O(n log n)** time, and in **O(n)** if they are noted in order.
+    /// Calls `each` with every change in order, whether the pair begins and its slots, and removes them all. Returns the numbers of ended and
+    /// of new pairs. Computes in **O(n log n)** time, and in **O(n)** if the changes were added in order.
     pub(super) fn drain(&mut self, mut each: impl FnMut(bool, [u32; 2])) -> [usize; 2] {
         let counts = [self.deleted.len(), self.added.len()];
-        // As numbers: pairs would be compared slot by slot.
+        // Packed pairs compare as single numbers, not slot by slot.
         self.deleted.sort_unstable();
         self.added.sort_unstable();
         for pair in self.deleted.drain(..) {
@@ -62,7 +61,7 @@ impl Changes {
     }
 }
 
-/// A number that is ordered as the pair.
+/// A number for each pair, in the order of the pairs.
 fn pack([smaller, larger]: [u32; 2]) -> u64 {
     u64::from(smaller) << 32 | u64::from(larger)
 }

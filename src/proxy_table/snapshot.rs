@@ -1,10 +1,10 @@
-//! A table as it is written and read by serde.
+//! A table as serde writes and reads it.
 //!
-//! What the engine wants remembered of its colliders is not written: it is learned anew.
+//! Memos about colliders are not written, because the next reading makes them again.
 
 use serde::{Deserialize, Serialize};
 
-use super::hand_over::HandedOver;
+use super::passing::Pending;
 use super::{Gathered, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::real::Real;
@@ -12,7 +12,7 @@ use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::PhaseTimes;
 
-/// What decides the events to come.
+/// The part of a table that decides future events.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
@@ -23,18 +23,16 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     has_warned: bool,
     /// Up to the highest slot that ever had a known collider.
     generations: Vec<Option<u32>>,
-    /// What was handed over since the last update.
     gathered: Gathered,
-    /// Slot, generation and boxes of each.
-    pending: Vec<(u32, u32, Option<HandedOver<R, D>>)>,
+    pending: Pending,
     tracker: TrackerSnapshot<R, D, K>,
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// A table between two updates.
+    /// A snapshot between two updates.
     pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
         TableSnapshot {
-            // Of the last update; what is held is counted again.
+            // Counts of the last update; reading counts the proxies again.
             stats: Stats {
                 times: PhaseTimes::default(),
                 refused: self.refused(),
@@ -43,19 +41,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             has_warned: self.has_warned,
             generations: self.generations[..self.known_slots].to_vec(),
             gathered: self.gathered,
-            pending: self
-                .pending
-                .iter()
-                .map(|(&(slot, generation), &boxes)| (slot, generation, boxes))
-                .collect(),
+            pending: self.pending.clone(),
             tracker: self.tracker.snapshot(),
         }
     }
 
-    /// The table that goes on from there, with the settings that it had.
+    /// The table that continues from a snapshot, with the settings that it had.
     ///
     /// # Errors
-    /// What is wrong, if no table can have written it.
+    /// A description of the first inconsistency, if no table can have written the snapshot.
     pub(crate) fn restored(
         settings: &Settings<R>,
         snapshot: TableSnapshot<R, D, K>,
@@ -74,10 +68,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         table.generations.resize(slots, None);
         table.memos.resize(slots, M::default());
         table.known = table.generations.iter().flatten().count();
-        let pending = snapshot.pending.into_iter();
-        table.pending = pending
-            .map(|(slot, generation, boxes)| ((slot, generation), boxes))
-            .collect();
+        table.pending = snapshot.pending;
         table.gathered = snapshot.gathered;
         let Gathered {
             is_begun,
@@ -85,11 +76,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             moved,
         } = table.gathered;
         if !(is_begun || table.pending.is_empty() && table.touched().is_empty()) {
-            return Err("snapshot: boxes were handed over for no update");
+            return Err("snapshot: boxes were set for no update");
         }
-        // What is handed over later must not overflow, even where a word has 32 bits.
+        // Later additions must not overflow a word of 32 bits.
         if listed.max(moved) > (u32::MAX / 2) as usize {
-            return Err("snapshot: more boxes were handed over than can be counted");
+            return Err("snapshot: more boxes were set than can be counted");
         }
         table.has_warned = snapshot.has_warned;
         table.stats = snapshot.stats;

@@ -1,4 +1,4 @@
-//! What an update is given: which colliders it is about, and where their boxes come from.
+//! The input of an update: lists of colliders, and the source of their boxes.
 
 use std::fmt::Debug;
 
@@ -7,29 +7,29 @@ use crate::pair_tracker::FilterKey;
 use crate::real::Real;
 use crate::volume::Volume;
 
-/// What an engine knows a collider by: a slot, and a generation.
+/// The engine's name of a collider: a slot and a generation.
 pub(crate) trait Handle: Copy + Debug + Send + Sync {
     fn from_raw_parts(slot: u32, generation: u32) -> Self;
     fn into_raw_parts(self) -> (u32, u32);
 }
 
-/// Handles of colliders. A collider may be in several lists, or in one more than once.
+/// Lists of colliders. A collider may be in several lists, and more than once in one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lists<'a, H> {
-    /// Those that are new, or may have another box or filter key.
+    /// New colliders, and those whose box or filter key may have changed.
     pub(crate) modified: &'a [H],
-    /// Those of them whose boxes are renewed without a margin, wherever they are.
+    /// The modified colliders whose boxes are renewed without a margin, even if they have not left them.
     pub(crate) reinserted: &'a [H],
-    /// Those that may have another filter key, or another volume in the same pose. Their boxes stay as they are.
+    /// Colliders whose filter key may have changed, or whose volume may have changed in the same pose. Their boxes stay.
     pub(crate) unmoved: &'a [H],
-    /// Those whose bodies have changed. Their boxes and filter keys stay as they are.
+    /// Colliders whose bodies have changed. Their boxes stay.
     pub(crate) swept: &'a [H],
-    /// Those that are gone: their pairs end without an event.
+    /// Colliders that are gone. Their pairs end without an event.
     pub(crate) removed: &'a [H],
 }
 
 impl<'a, H> Lists<'a, H> {
-    /// Modified and removed colliders alone.
+    /// Lists of modified and removed colliders; the others are empty.
     pub(crate) fn new(modified: &'a [H], removed: &'a [H]) -> Self {
         Self {
             modified,
@@ -44,33 +44,33 @@ impl<'a, H> Lists<'a, H> {
         self.len() == 0
     }
 
-    /// How many colliders are listed; those that are reinserted are among the modified ones.
+    /// The number of listed colliders. The reinserted ones count as modified.
     pub(crate) fn len(&self) -> usize {
         self.modified.len() + self.unmoved.len() + self.swept.len() + self.removed.len()
     }
 }
 
-/// Where the boxes of listed colliders are read.
+/// The source of the boxes of listed colliders.
 pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     type Handle: Handle;
-    /// What is remembered of a collider between readings.
+    /// What the source remembers about a collider from one reading to the next.
     type Memo: Clone + Default + Send;
-    /// What decides which colliders may be a pair.
+    /// What decides, with the boxes, which colliders may be a pair.
     type Key: FilterKey;
 
-    /// The box of a collider, without the margin, and its filter key; `None` if it is gone or disabled.
+    /// The box of a collider without the margin, and its filter key; `None` if the collider is gone or disabled.
     fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
 
-    /// By how much the volumes of all colliders are extended.
+    /// The distance by which the volumes of all colliders are extended.
     fn reach(&self) -> R;
 
-    /// Whether anything has changed of a collider that is listed as [unmoved](Lists::unmoved), and that was read before.
+    /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read.
     fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo) -> bool;
 
-    /// Whether keys differ at all. If not, they need not be compared.
+    /// Whether filter keys differ at all; if not, nobody compares them.
     fn has_keys(&self) -> bool;
 
-    /// The volume of a collider that was just read, in the box that was read.
+    /// The volume of a collider that was just read, within the box that was read.
     fn volume(
         &self,
         handle: Self::Handle,
@@ -78,15 +78,17 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
         aabb: &Aabb<R, D>,
     ) -> Volume<R, D>;
 
-    /// Reads a collider, its volume if volumes are used.
+    /// Whether anybody needs volumes.
+    fn has_volumes(&self) -> bool;
+
+    /// Reads a collider, with its volume if there are volumes.
     fn reading(
         &self,
         handle: Self::Handle,
         memo: &mut Self::Memo,
-        are_used: bool,
     ) -> Option<Reading<R, D, Self::Key>> {
         let (aabb, key) = self.read(handle, memo)?;
-        let volume = match are_used {
+        let volume = match self.has_volumes() {
             true => self.volume(handle, memo, &aabb),
             false => Volume::BOX,
         };
@@ -94,7 +96,7 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     }
 }
 
-/// What was read of a collider.
+/// What a source says of a collider.
 pub(crate) struct Reading<R, const D: usize, K> {
     pub(super) aabb: Aabb<R, D>,
     pub(super) key: K,

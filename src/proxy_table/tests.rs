@@ -1,4 +1,4 @@
-//! What tests of whole broad phases do not reach: long lists in every order of reading, and odd numbers of boxes.
+//! Cases that tests of whole broad phases do not reach: long lists in every order of reading, and unusual slots.
 
 use oorandom::Rand32;
 
@@ -28,7 +28,7 @@ impl Handle for Id {
     }
 }
 
-/// Proxies of one side may not meet, except those of side 0.
+/// Two proxies of the same side may not meet, except on side 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Side(u32);
 
@@ -38,12 +38,12 @@ impl FilterKey for Side {
     }
 }
 
-/// The engine's colliders, by slot: the generation, and what is there.
+/// The engine's colliders, by slot: the generation, and the collider if there is one.
 type Colliders = Vec<(u32, Option<Collider>)>;
 
 type Collider = (Aabb<f32, 2>, Side);
 
-/// What is remembered is whose memory it is: it must never be that of another collider.
+/// The memo of a collider is its own name: the table must never pass that of another one.
 type Memo = Option<Id>;
 
 impl BoxSource<f32, 2> for Colliders {
@@ -63,13 +63,17 @@ impl BoxSource<f32, 2> for Colliders {
         true
     }
 
+    fn has_volumes(&self) -> bool {
+        true
+    }
+
     fn read(&self, id: Id, memo: &mut Memo) -> Option<Collider> {
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
         let &(generation, collider) = self.get(id.0 as usize)?;
         collider.filter(|_| generation == id.1)
     }
 
-    /// By slot and generation, a volume of any kind.
+    /// A volume whose kind depends on the slot and the generation.
     fn volume(&self, id: Id, memo: &mut Memo, aabb: &Aabb<f32, 2>) -> Volume<f32, 2> {
         assert_eq!(*memo, Some(id));
         let center = [0, 1].map(|k| (aabb.mins[k] + aabb.maxs[k]) / 2.0);
@@ -100,7 +104,7 @@ fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
     events
 }
 
-/// Changes a collider in some way. Returns whether it has only moved.
+/// Changes a collider at random. Returns whether it has only moved.
 fn change(random: &mut Rand32, colliders: &mut Colliders, slot: u32, side: f32) -> bool {
     let anywhere = [(); 2].map(|()| random.rand_float() * side);
     let anywhere = Aabb::new(anywhere, anywhere.map(|x| x + 1.0));
@@ -134,7 +138,7 @@ fn in_place_of(handles: &[Id]) -> Lists<'_, Id> {
     }
 }
 
-/// Tells one table of all changes at once, in no order, of some by handing boxes over; and another one of a few at a time.
+/// Gives one table all changes at once, in random order and some of them as boxes; gives another table a few at a time.
 fn check(filter: PairFilter, slots: u32, updates: usize) {
     let mut random = Rand32::new(u64::from(slots));
     let mut colliders = vec![(0, None); slots as usize];
@@ -142,16 +146,16 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
     let [mut at_once, mut by_and_by] = [(); 2].map(|()| table(filter));
     for update in 0..updates {
         let [mut modified, mut removed] = [vec![], vec![]];
-        let mut handed_over = Vec::new();
+        let mut boxes = Vec::new();
         for slot in (0..slots).step_by([1, 1, 7, 3, 40][update % 5]) {
             let former = (slot, colliders[slot as usize].0);
             let is_moved = change(&mut random, &mut colliders, slot, side);
             let (generation, collider) = colliders[slot as usize];
             let id = (slot, generation);
             if is_moved && update % 2 == 1 && slot % 4 > 0 {
-                handed_over.push((id, collider.unwrap().0));
+                boxes.push((id, collider.unwrap().0));
             } else {
-                // Most lists leave something out, or name something twice.
+                // Most lists omit a collider, or name one twice.
                 modified.extend([id, former].into_iter().take(1 + slot as usize % 2));
                 if id != former && slot % 3 > 0 {
                     removed.push(former);
@@ -163,16 +167,16 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
                 modified.swap(i, random.rand_range(0..i as u32 + 1) as usize);
             }
         }
-        at_once.hand_over(&handed_over, MARGIN, |id, memo, aabb| {
+        at_once.set_boxes(&boxes, MARGIN, |id, memo, aabb| {
             colliders.volume(id, memo, aabb)
         });
         at_once.update(&Lists::new(&modified, &removed), &colliders, MARGIN);
         by_and_by.update(&Lists::new(&[], &removed), &colliders, MARGIN);
-        modified.extend(handed_over.iter().map(|(id, _)| id));
+        modified.extend(boxes.iter().map(|(id, _)| id));
         for few in modified.chunks(READ_AS_LISTED_UP_TO) {
             by_and_by.update(&Lists::new(few, &[]), &colliders, MARGIN);
         }
-        // Some get another key in the same place; others that are listed are not known.
+        // Some colliders get another key in the same place; some listed ones are unknown.
         let mut in_place = vec![(slots, 0)];
         for (slot, (generation, collider)) in (0..).zip(&mut colliders).step_by(3) {
             if slot % 7 == 0 {
@@ -188,7 +192,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
         for few in in_place.chunks(7) {
             by_and_by.update(&in_place_of(few), &colliders, MARGIN);
         }
-        // Thousands of events are not to be printed.
+        // `assert_eq` would print thousands of events.
         assert!(finish(&mut at_once) == finish(&mut by_and_by));
         let stats = [at_once.stats(), by_and_by.stats()];
         let [a, b] = stats.map(|s| [s.proxies, s.refused, s.listed, s.moved, s.pairs]);
@@ -209,7 +213,7 @@ fn colliders_are_read_alike_in_every_order() {
     }
 }
 
-/// In how many sections that threads can share so many colliders are read, moved and searched for.
+/// The number of parallel sections in which this many colliders are read, moved and searched for.
 fn sections(count: u32) -> u32 {
     let settings = Settings::default().with_filter(PairFilter::Shapes);
     let mut table = Table::new(&settings.with_timed(true));
@@ -226,7 +230,7 @@ fn sections(count: u32) -> u32 {
     finish(&mut table);
     let moved = ids.iter().map(|&id| (id, place(id.0, 9.0)));
     let moved: Vec<_> = moved.collect();
-    table.hand_over(&moved, MARGIN, |id, memo, aabb| {
+    table.set_boxes(&moved, MARGIN, |id, memo, aabb| {
         colliders.volume(id, memo, aabb)
     });
     table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
@@ -235,25 +239,25 @@ fn sections(count: u32) -> u32 {
 }
 
 #[test]
-fn what_is_much_is_shared_and_what_is_little_is_not() {
-    // Taking boxes in, and in a full search: inflating, counting, placing and sweeping, and finding out what was held and is.
+fn threads_share_much_work_and_not_little() {
+    // Setting boxes; and in a full search inflating, counting, placing, sweeping and comparing.
     let shared = with_threads(2, || sections(10_000));
     assert!(shared >= 6, "{shared}");
     assert_eq!(with_threads(2, || sections(20)), 0);
 }
 
 #[test]
-fn boxes_handed_over_again_and_again_take_no_more_memory() {
+fn boxes_that_are_set_many_times_take_no_more_memory() {
     let aabb = |x: f32| Aabb::new([x, 0.0], [x + 1.0, 1.0]);
     let colliders = vec![(0, Some((aabb(0.0), Side(0)))); 6];
     let all = [0, 1, 2, 3, 4, 5].map(|slot| (slot, 0));
     let mut table = table(PairFilter::Shapes);
-    // The others are not known.
+    // The other three are unknown.
     table.update(&Lists::new(&all[..3], &[]), &colliders, MARGIN);
     finish(&mut table);
     for i in 0..2_000 {
         let boxes = all.map(|id| (id, aabb((i % 7) as f32)));
-        table.hand_over(&boxes, MARGIN, |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
         let noted = table.touched().len() + table.pending.len();
         assert!(noted <= (MOST_NOTES_A_SLOT + 2) * all.len());
     }
@@ -264,27 +268,27 @@ fn boxes_for_unknown_colliders_make_room_once() {
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);
     let mut colliders = Colliders::new();
     let mut table = table(PairFilter::Groups);
-    // Each within reach of the one before.
-    let hand_over = |table: &mut Table, first: u32| {
+    // Each slot is within reach of the one before.
+    let set_boxes = |table: &mut Table, first: u32| {
         let step = ROOM_AHEAD as u32 - 1;
         let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
         let boxes: Vec<_> = boxes.collect();
-        table.hand_over(&boxes, MARGIN, |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
     };
     for _ in 0..3 {
-        hand_over(&mut table, 0);
+        set_boxes(&mut table, 0);
         table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
         finish(&mut table);
         assert_eq!(table.boxes().len(), ROOM_AHEAD);
     }
-    // The reach follows colliders that exist, and stays when they are gone.
+    // The reach grows with known colliders, and stays when they are gone.
     colliders.resize(2 * ROOM_AHEAD, (0, Some((aabb, Side(0)))));
     let last = (2 * ROOM_AHEAD as u32 - 1, 0);
     for lists in [Lists::new(&[last], &[]), Lists::new(&[], &[last])] {
         table.update(&lists, &colliders, MARGIN);
         finish(&mut table);
     }
-    hand_over(&mut table, last.0 + 1);
+    set_boxes(&mut table, last.0 + 1);
     assert_eq!(table.boxes().len(), 3 * ROOM_AHEAD);
     table.validate(Kernel::GridSweep);
 }
@@ -309,19 +313,19 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
         assert!(table.boxes()[MOST as usize..].iter().all(|b| !b.is_valid()));
         events.len()
     };
-    // In the order of the list, and by index.
+    // In the order of the list, and in the order of slots.
     let short = &ids[MOST as usize - 20..][..READ_AS_LISTED_UP_TO.min(200)];
     table.update(&Lists::new(short, &[]), &colliders, MARGIN);
     check(&mut table, Lists::new(&ids, &[]), &colliders, 200);
     assert!(table.has_warned);
     assert_eq!(check(&mut table, Lists::new(&ids, &[]), &colliders, 200), 0);
 
-    // A box is shown to queries until the update.
-    table.hand_over(&[((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
+    // Queries see the box until the update.
+    table.set_boxes(&[((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
     assert!(table.boxes()[250].is_valid());
     check(&mut table, Lists::new(&[], &[]), &colliders, 200);
 
-    // One is removed, one was never there, one is gone and listed, and one is another collider in the same slot.
+    // One collider is removed, one never existed, one is listed after it is gone, and one has a new collider in its slot.
     let removed = [(200, 0), (201, 7)];
     check(&mut table, Lists::new(&[], &removed), &colliders, 199);
     (colliders[202].1, colliders[203].0) = (None, 1);

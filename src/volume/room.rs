@@ -1,16 +1,15 @@
-//! How far two volumes that are apart may move before they meet.
+//! A lower bound on the motion after which two separated volumes may meet.
 
 use super::{Pair, VolumeKind, VolumeRef, dot, nearest_points};
 use crate::real::Real;
 
-/// What the distance of two segments may be wrong by, in their lengths, where they are nearly parallel: then rounding decides which of
-/// their points are taken for the nearest ones.
+/// A bound on the error of the distance of two nearly parallel segments, as a part of their lengths: rounding decides which of their points
+/// count as the closest ones.
 const INEXACT: f64 = 1.0 / 256.0;
 
 impl<R: Real, const D: usize> VolumeRef<'_, R, D> {
-    /// How far two volumes that do not [meet](Self::meets) may move, in all, before they do, if each moves by the
-    /// [change](Self::change_to) of all its numbers. Not above 0 if that is not known, as where one is neither a ball nor a capsule: to ask
-    /// those again takes no longer than to look at their room.
+    /// A lower bound on the sum of the [changes](Self::change_to) after which two volumes that do not [meet](Self::meets) may meet. It is at most 0
+    /// if it is unknown. That includes volumes other than balls and capsules, which are as fast to test again as to compare with a bound.
     #[inline(never)]
     pub(crate) fn room(self, other: Self, slack: R) -> R {
         use VolumeKind::{Ball, Capsule};
@@ -20,21 +19,21 @@ impl<R: Real, const D: usize> VolumeRef<'_, R, D> {
         }
     }
 
-    /// What rounding may do to its numbers.
+    /// A bound on the rounding errors of its numbers.
     fn rounding(self) -> R {
         self.ball.loosened(self.half_axes) - self.ball.radius
     }
 }
 
 impl<R: Real, const D: usize> Pair<'_, R, D> {
-    /// As long as two capsules are farther apart than they reach, the points of their segments that are nearest to each other prove it.
+    /// The line between the closest points separates two capsules for as long as their distance exceeds their reach.
     fn room_between_cores(&self) -> R {
         let [a, b] = self.volumes;
         let halves = self.volumes.map(VolumeRef::first_half_axis);
         let along = halves.map(|half| dot(half, self.between));
         let axis = nearest_points(self.between, halves, along);
         let squared = dot(axis, axis);
-        // The square of half of it must not underflow either.
+        // The square of half the axis must not underflow either.
         let is_exact = squared >= R::LEAST_EXACT * R::from_f64(8.0);
         if !is_exact {
             return R::ZERO;
@@ -45,7 +44,7 @@ impl<R: Real, const D: usize> Pair<'_, R, D> {
         let room = distance
             - self.reach
             - (lengths[0] + lengths[1]) * R::from_f64(INEXACT)
-            // What both answers may be wrong by.
+            // The errors of both tests.
             - R::from_f64(2.0) * (a.rounding() + b.rounding());
         let half = distance * R::from_f64(0.5);
         if room < half { room } else { half }

@@ -1,5 +1,5 @@
-//! Volumes that touch must meet, by however little and however far out. Which volumes are told apart, `tests/sequences` compares with a
-//! model, and all kinds of shapes with Parry's distances.
+//! Volumes that touch must meet, at every size and distance from the origin. `tests/sequences` compares separated volumes with a model, and
+//! shapes of all kinds with Parry's distances.
 
 use oorandom::Rand64;
 
@@ -7,7 +7,7 @@ use super::*;
 
 const KINDS: [VolumeKind; 3] = [VolumeKind::Ball, VolumeKind::Capsule, VolumeKind::Cuboid];
 
-/// A volume of a size of about 1, as exactly as `f64` can say: its radius is not loosened.
+/// A random volume of about size 1, without a bound on rounding errors in its radius.
 fn volume<const D: usize>(random: &mut Rand64, kind: VolumeKind, place: f64) -> Volume<f64, D> {
     let mut vector =
         |length: f64| core::array::from_fn(|_| length * (random.rand_float() * 2.0 - 1.0));
@@ -18,7 +18,7 @@ fn volume<const D: usize>(random: &mut Rand64, kind: VolumeKind, place: f64) -> 
     volume.ball.center = vector(place);
     let mut count = 0;
     while count < kind.axes::<D>() {
-        // At right angles to those before.
+        // Orthogonal to those before.
         let half = volume.half_axes[..count]
             .iter()
             .fold(vector(1.0), |half, &other| {
@@ -35,7 +35,7 @@ fn volume<const D: usize>(random: &mut Rand64, kind: VolumeKind, place: f64) -> 
     volume
 }
 
-/// The point that lies farthest in a direction of length 1.
+/// The support point in a direction of length 1.
 fn farthest<const D: usize>(volume: &Volume<f64, D>, direction: [f64; D]) -> [f64; D] {
     let Ball { center, radius } = volume.ball;
     let point = core::array::from_fn(|k| center[k] + radius * direction[k]);
@@ -62,7 +62,7 @@ fn aabb_of<R: Real, const D: usize>(volume: &Volume<f64, D>) -> Aabb<R, D> {
     Aabb::new(corner(-1.0), corner(1.0))
 }
 
-/// Two volumes that touch in one point, or are this far apart in some direction.
+/// Two volumes that touch in one point, or are this far apart.
 fn touching<const D: usize>(
     random: &mut Rand64,
     kinds: [VolumeKind; 2],
@@ -78,7 +78,7 @@ fn touching<const D: usize>(
     [a, b]
 }
 
-fn all_that_touch_meet<R: Real, const D: usize>() {
+fn check_volumes_that_touch<R: Real, const D: usize>() {
     let mut random = Rand64::new(11);
     for place in [0.0, 1.0, 30.0, 1e3, 1e6] {
         for kinds in KINDS
@@ -89,12 +89,12 @@ fn all_that_touch_meet<R: Real, const D: usize>() {
                 let pair = touching::<D>(&mut random, kinds, place, 0.0);
                 let [a, b] = pair.each_ref().map(rounded::<R, D>);
                 assert!(a.meets(&b, R::ZERO) && b.meets(&a, R::ZERO), "{a:?} {b:?}");
-                // As in a broad phase, where a ball is what its box says.
+                // As in a broad phase, where a ball moves to the middle of its box.
                 let [a, b] = [0, 1].map(|i| [a, b][i].in_box(&aabb_of(&pair[i])));
                 let fills = !a.ball.center[0].to_f64().is_nan();
                 assert!(fills, "{a:?} does not fill its box");
                 assert!(a.meets(&b, R::ZERO), "{a:?} {b:?}");
-                // And anything that is nearer than the slack.
+                // Volumes within the slack meet too.
                 let pair = touching::<D>(&mut random, kinds, place, 0.125);
                 let [a, b] = pair.each_ref().map(rounded::<R, D>);
                 assert!(a.meets(&b, R::from_f64(0.125)), "{a:?} {b:?}");
@@ -104,11 +104,11 @@ fn all_that_touch_meet<R: Real, const D: usize>() {
 }
 
 #[test]
-fn volumes_that_touch_meet_whatever_the_rounding() {
-    all_that_touch_meet::<f32, 2>();
-    all_that_touch_meet::<f32, 3>();
-    all_that_touch_meet::<f64, 2>();
-    all_that_touch_meet::<f64, 3>();
+fn volumes_that_touch_meet_despite_rounding() {
+    check_volumes_that_touch::<f32, 2>();
+    check_volumes_that_touch::<f32, 3>();
+    check_volumes_that_touch::<f64, 2>();
+    check_volumes_that_touch::<f64, 3>();
 }
 
 /// Multiplies all lengths.
@@ -124,8 +124,8 @@ fn scaled<const D: usize>(volume: &Volume<f64, D>, scale: f64) -> Volume<f64, D>
     }
 }
 
-/// Shrinks volumes by all powers of ten down to this one: both, one where the other has its centre, and one flat.
-fn all_that_intersect_meet_however_small<R: Real, const D: usize>(least: i32) {
+/// Shrinks volumes by powers of ten: both, only one at the center of the other, and flat ones.
+fn check_small_volumes<R: Real, const D: usize>(least: i32) {
     let mut random = Rand64::new(17);
     for exponent in 0..=least {
         let scale = 10_f64.powi(-exponent);
@@ -134,7 +134,7 @@ fn all_that_intersect_meet_however_small<R: Real, const D: usize>(least: i32) {
             .concat()
         {
             for _ in 0..30 {
-                // Their centres are less far apart than their inner balls reach.
+                // Their inner balls overlap.
                 let [mut a, b] = kinds.map(|kind| volume::<D>(&mut random, kind, 0.001));
                 a.ball.radius += 0.01;
                 let small = scaled(&a, scale);
@@ -160,15 +160,15 @@ fn all_that_intersect_meet_however_small<R: Real, const D: usize>(least: i32) {
 }
 
 #[test]
-fn volumes_that_intersect_meet_however_small() {
-    all_that_intersect_meet_however_small::<f32, 2>(46);
-    all_that_intersect_meet_however_small::<f32, 3>(46);
-    all_that_intersect_meet_however_small::<f64, 2>(324);
-    all_that_intersect_meet_however_small::<f64, 3>(324);
+fn volumes_that_intersect_meet_at_every_size() {
+    check_small_volumes::<f32, 2>(46);
+    check_small_volumes::<f32, 3>(46);
+    check_small_volumes::<f64, 2>(324);
+    check_small_volumes::<f64, 3>(324);
 }
 
 #[test]
-fn what_has_no_size_is_told_apart_and_what_is_tiny_meets() {
+fn points_are_separated_and_tiny_volumes_meet() {
     let cuboid = |x: f32, half: f32| {
         let halves = [[half, 0.0], [0.0, half]];
         Volume::new(VolumeKind::Cuboid, [x, 0.0], 0.0, &halves)
@@ -182,7 +182,7 @@ fn what_has_no_size_is_told_apart_and_what_is_tiny_meets() {
 }
 
 #[test]
-fn a_product_that_is_infinite_before_it_cancels_tells_nothing_apart() {
+fn an_axis_with_an_overflow_proves_nothing() {
     let ball = Volume::new(VolumeKind::Ball, [3.5e20_f32, 1e20], 2.2e20, &[]);
     let halves = [[1e18, -1e18], [2e20, 2e20]];
     let cuboid = Volume::new(VolumeKind::Cuboid, [0.0; 2], 0.0, &halves);
@@ -190,7 +190,7 @@ fn a_product_that_is_infinite_before_it_cancels_tells_nothing_apart() {
 }
 
 #[test]
-fn what_does_not_fill_its_box_or_has_no_numbers_meets_all() {
+fn volumes_smaller_than_their_box_or_without_numbers_meet_all_others() {
     let ball = |x: f32| Volume::new(VolumeKind::Ball, [x, 0.0], 0.5, &[]);
     let capsule = |x: f32| Volume::new(VolumeKind::Capsule, [x, x], 0.25, &[[0.0, 0.5]]);
     let swept = Aabb::new([-0.5, -0.5], [1.5, 0.5]);
@@ -205,7 +205,7 @@ fn what_does_not_fill_its_box_or_has_no_numbers_meets_all() {
 
 #[cfg(feature = "serde-serialize")]
 #[test]
-fn numbers_make_the_volume_again_or_one_that_meets_all() {
+fn volumes_survive_serialization_or_meet_all_others() {
     let mut random = Rand64::new(13);
     for kind in KINDS {
         let volume: Volume<f32, 3> = rounded(&volume(&mut random, kind, 3.0));
@@ -235,13 +235,13 @@ fn numbers_make_the_volume_again_or_one_that_meets_all() {
             assert_eq!(of_numbers(meets_all.kind, wrong), None);
         }
     }
-    // What Rapier makes of a negative radius can be written as well.
+    // The volume of a negative radius can be written as well.
     let volume = Volume::new(VolumeKind::Ball, [0.0; 3], -1.0, &[]);
     let numbers = volume.as_ref().numbers();
     assert_eq!(of_numbers(VolumeKind::Ball, &numbers), Some(volume));
 }
 
-/// Moves a volume by a vector, and turns it by an angle from one axis of the world towards another one.
+/// Moves a volume by a vector, and rotates it by an angle in the plane of two axes of the world.
 fn move_and_turn<const D: usize>(
     volume: &mut Volume<f64, D>,
     by: [f64; D],
@@ -251,15 +251,15 @@ fn move_and_turn<const D: usize>(
     volume.ball.center = core::array::from_fn(|k| volume.ball.center[k] + by[k]);
     let (p, q) = (axis % D, (axis + 1) % D);
     for half in &mut volume.half_axes {
-        // A turn by nearly this angle, by the half-angle formulas: they are the same on every platform.
+        // The half-angle formulas rotate by nearly this angle, with the same result on every platform.
         let t = angle / 2.0;
         let [sin, cos] = [2.0 * t, 1.0 - t * t].map(|x| x / (1.0 + t * t));
         (half[p], half[q]) = (cos * half[p] - sin * half[q], sin * half[p] + cos * half[q]);
     }
 }
 
-/// Lets pairs move and turn, straight on or to and fro, until they have used up their room.
-fn what_is_apart_stays_apart<R: Real, const D: usize>() {
+/// Moves and rotates separated pairs, straight or to and fro, until they have used up their room.
+fn check_room<R: Real, const D: usize>() {
     let mut random = Rand64::new(29);
     let mut with_room = 0;
     for round in 0..8_000 {
@@ -310,11 +310,11 @@ fn what_is_apart_stays_apart<R: Real, const D: usize>() {
 }
 
 #[test]
-fn volumes_are_apart_as_long_as_they_move_within_their_room() {
-    what_is_apart_stays_apart::<f32, 2>();
-    what_is_apart_stays_apart::<f32, 3>();
-    what_is_apart_stays_apart::<f64, 2>();
-    what_is_apart_stays_apart::<f64, 3>();
+fn volumes_that_move_within_their_room_stay_apart() {
+    check_room::<f32, 2>();
+    check_room::<f32, 3>();
+    check_room::<f64, 2>();
+    check_room::<f64, 3>();
 }
 
 #[test]
@@ -332,7 +332,7 @@ fn no_point_moves_farther_than_the_change_of_all_numbers() {
         }
     };
     let from = capsule(0.0, [1.0, 0.0], 0.5);
-    // How far the end of it has moved.
+    // The motion of its end.
     for (to, moved) in [
         (capsule(0.0, [1.0, 0.25], 0.5), 0.25),
         (capsule(0.0, [1.25, 0.0], 0.5), 0.25),

@@ -1,4 +1,4 @@
-//! What the adapter needs of Rapier 0.27 in particular, where [`BroadPhase`] is a trait.
+//! The code for Rapier 0.27, where [`BroadPhase`] is a trait.
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{
@@ -25,19 +25,19 @@ pub(super) type Vector = super::rapier::math::Vector<Real>;
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
 
-/// Whether Rapier's own broad phase inserts a collider afresh, without a margin, when its groups or body change.
+/// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = false;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 
-/// What Rapier's own broad phase leaves out.
+/// The filter at which the pairs are those of Rapier's own broad phase.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 
-/// In how many runs pairs that begin take turns. Its solver takes one contact after the other, unless it is built with SIMD.
+/// The number of interleaved runs of the pairs that begin. Without SIMD, the solver processes one contact after the other.
 pub(super) const RUNS: usize = 2;
 
-/// Groups meet if both are in the filter of the other.
+/// Whether it is enough that one of two groups is in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
     false
 }
@@ -77,8 +77,7 @@ pub(super) fn coordinates(point: Point<Real>) -> Vector {
     point.coords
 }
 
-/// The box of a collider whose body soft CCD expects elsewhere at the end of the step, or whose shape is not simple,
-/// loosened by this distance.
+/// The box of a collider with soft CCD or without a simple shape, loosened by this distance.
 #[inline(never)]
 pub(super) fn unusual_box(
     collider: &Collider,
@@ -97,11 +96,10 @@ pub(super) fn unusual_box(
     Aabb::from(swept).loosened(distance)
 }
 
-/// Where the body will be after `dt` seconds, or once its centre of mass has travelled `max_travel` length units.
+/// The predicted pose of a body after `dt` seconds, or after its center of mass has travelled `max_travel` length units if that is sooner.
 ///
-/// Rapier keeps its own version of this private, so the velocity that it would use is derived from the motion that it
-/// does predict. A body that turns by more than half a circle in a step, and moves farther than its `max_travel`, is
-/// predicted at another angle than in Rapier.
+/// Rapier's version of this function is private, so this one derives the velocity from a motion that Rapier does predict. The predicted angle
+/// differs from Rapier's if the body turns by more than half a circle in a step and moves farther than `max_travel`.
 fn predicted_pose(body: &RigidBody, dt: Real, max_travel: Real) -> Isometry<Real> {
     let (start, center) = (body.position(), body.local_center_of_mass());
     let end = body.predict_position_using_velocity_and_forces(dt);
@@ -118,32 +116,23 @@ fn predicted_pose(body: &RigidBody, dt: Real, max_travel: Real) -> Isometry<Real
     RigidBodyVelocity::new(travel, turn).integrate(max_travel / distance, start, center)
 }
 
-impl BroadPhase for UnisizeBroadPhase {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let lists = Lists::new(modified_colliders, removed_colliders);
-        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
-    }
+macro_rules! impl_broad_phase {
+    ($($name:ident)*) => {$(
+        impl BroadPhase for $name {
+            fn update(
+                &mut self,
+                params: &IntegrationParameters,
+                colliders: &ColliderSet,
+                bodies: &RigidBodySet,
+                modified_colliders: &[ColliderHandle],
+                removed_colliders: &[ColliderHandle],
+                events: &mut Vec<BroadPhasePairEvent>,
+            ) {
+                let lists = Lists::new(modified_colliders, removed_colliders);
+                self.run(&Input::new(params, colliders, bodies, lists), events);
+            }
+        }
+    )*};
 }
 
-impl BroadPhase for Trial {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let lists = Lists::new(modified_colliders, removed_colliders);
-        self.run(&Input::new(params, colliders, bodies, lists), events);
-    }
-}
+impl_broad_phase!(UnisizeBroadPhase Trial);

@@ -1,5 +1,4 @@
-//! What the adapter needs of Rapier 0.36 in particular, which has no trait for broad phases unless a copy of it is opened
-//! (`seam.rs`).
+//! The code for Rapier 0.36, which has no trait for broad phases except in a patched copy (`seam.rs`).
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase, key};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -23,19 +22,19 @@ pub(super) use super::rapier::math::{Pose, Vector};
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
 
-/// Whether Rapier's own broad phase inserts a collider afresh, without a margin, when its groups or body change.
+/// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = true;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 
-/// What Rapier's own broad phase leaves out.
+/// The filter at which the pairs are those of Rapier's own broad phase.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
 
-/// In how many runs pairs that begin take turns. Its solver takes contacts in groups in which no two share a body.
+/// The number of interleaved runs of the pairs that begin. The solver processes contacts in groups in which no two share a body.
 pub(super) const RUNS: usize = 1;
 
-/// Whether groups meet others of this kind if either is in the filter of the other, and not only if both are.
+/// Whether it is enough that one of two groups is in the filter of the other, if both groups are of this kind.
 #[inline(always)]
 pub(super) fn is_either_enough(groups: &InteractionGroups) -> bool {
     groups.test_mode == InteractionTestMode::Or
@@ -78,8 +77,7 @@ pub(super) fn coordinates(point: Vector) -> Vector {
     point
 }
 
-/// The box of a collider whose body soft CCD expects elsewhere at the end of the step, or whose shape is not simple,
-/// loosened by this distance.
+/// The box of a collider with soft CCD or without a simple shape, loosened by this distance.
 #[inline(never)]
 pub(super) fn unusual_box(
     collider: &Collider,
@@ -95,17 +93,17 @@ pub(super) fn unusual_box(
 }
 
 impl UnisizeBroadPhase {
-    /// Brings boxes and pairs up to date, and reports how the pairs have changed. The counterpart of
-    /// `BroadPhaseBvh::update`, with the same arguments.
+    /// Updates boxes and pairs, and appends the changes of the pair set to `events`. The counterpart of `BroadPhaseBvh::update`, with the same
+    /// arguments.
     ///
-    /// `modified_colliders` are those that are new, or whose pose, shape, parent, groups or active collision types may
-    /// have changed since the last call, or which may have been enabled or disabled; `removed_colliders` are those that
-    /// are gone: their pairs end without an event.
+    /// `modified_colliders` are the colliders that are new, or whose pose, shape, parent, groups, active collision types or enabled state may have
+    /// changed since the last call. `removed_colliders` are those that are gone; their pairs end without an event.
     ///
-    /// By default it reports no pairs that the narrow phase would drop, like Rapier's own, and none whose shapes cannot meet: see
-    /// [`PairFilter::Shapes`](crate::PairFilter::Shapes). Once a pair that groups or types forbade is allowed, it is reported by the next update in
-    /// which one of the two is listed as modified. A reported pair that they come to forbid stays until the boxes part, as with Rapier's
-    /// own.
+    /// By default, no pair is reported that the narrow phase would drop, as with Rapier's own broad phase, and no pair whose shapes cannot meet:
+    /// see [`PairFilter::Shapes`](crate::PairFilter::Shapes). When a forbidden pair becomes allowed, the next update that lists one of the two as
+    /// modified reports it. When a reported pair becomes forbidden, it stays until the boxes part, as with Rapier's own broad phase.
+    ///
+    /// The type's documentation has complexity, order of events and errors.
     pub fn update(
         &mut self,
         params: &IntegrationParameters,
@@ -116,19 +114,19 @@ impl UnisizeBroadPhase {
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
         let lists = Lists::new(modified_colliders, removed_colliders);
-        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
+        self.run(&Input::new(params, colliders, bodies, lists), events);
     }
 
-    /// Hands over the box of a collider, in place of listing it as modified: in the next [`update`](Self::update) it counts
-    /// as moved, and is not read again. The counterpart of `BroadPhaseBvh::set_aabb`, which Rapier calls for all that it
-    /// has moved, at the end of each step. Queries see the box at once.
+    /// Sets the box of a collider that has moved, instead of listing the collider as modified. The next [`update`](Self::update) counts it as
+    /// modified without reading it. Queries see the box at once. The counterpart of `BroadPhaseBvh::set_aabb`, which Rapier calls at the end of
+    /// each step for every collider that the step has moved. Computes in **O(1)** time.
     ///
-    /// `aabb` is that of `Collider::compute_broad_phase_aabb`, or at least contains it; the margin is added if the collider
-    /// has left the box that is held. Only its position may have changed: for anything else it must be listed. A box for a
-    /// collider that the broad phase does not know counts once the next update finds it in the set. A box for a collider whose
-    /// index a newer one has is ignored. An invalid box leaves the collider out, as
-    /// [`Stats::refused`](crate::Stats::refused), until a valid one comes. Only of a ball does the box tell
-    /// where the shape is: other colliders are pairs by their boxes until they are listed. **O(1)**.
+    /// `aabb` is the box of `Collider::compute_broad_phase_aabb`, or one that contains it. If it is not inside the current box, it is loosened
+    /// by the margin and takes its place. Only the position of the collider may have changed; list it as modified after any other change. A box
+    /// only shows where a ball is, so colliders of other shapes are pairs by their boxes until they are listed again.
+    ///
+    /// If the collider is unknown, the next update reads it from the set. The box is ignored if a newer collider has the index. A collider
+    /// with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.
     pub fn set_aabb(
         &mut self,
         params: &IntegrationParameters,
@@ -138,22 +136,22 @@ impl UnisizeBroadPhase {
         self.set_aabbs(params, &[(handle, aabb)]);
     }
 
-    /// Hands over many boxes, like [`set_aabb`](Self::set_aabb) one after the other, in less time.
+    /// Sets many boxes, like [`set_aabb`](Self::set_aabb) for one after the other, but faster. Computes in **O(boxes)** time.
     pub fn set_aabbs(
         &mut self,
         params: &IntegrationParameters,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
-        self.hand_over(params, None, aabbs);
+        self.set_boxes(params, None, aabbs);
     }
 }
 
 impl Trial {
-    /// Looks on while a world runs on a Rapier that is not patched: call it after each step. **O(colliders)**.
+    /// Observes a world that runs on an unpatched Rapier: call this after each step. Computes in **O(colliders)** time, plus the updates.
     ///
-    /// The boxes of all enabled colliders are handed over, to another broad phase of Rapier's as well as to unisize. The pairs are as they
-    /// would be; the times are those of a world that never sleeps. A collider that is given another shape has its former volume at
-    /// [`PairFilter::Shapes`].
+    /// Both a second instance of Rapier's broad phase and unisize receive the boxes of all enabled colliders. The pairs are those that they
+    /// would have in the world. The times are those of a world that never sleeps. If a collider gets another shape, it keeps its former volume
+    /// at [`PairFilter::Shapes`].
     pub fn observe(
         &mut self,
         params: &IntegrationParameters,
@@ -166,23 +164,23 @@ impl Trial {
         let is_finite = |aabb: &RapierAabb| aabb.mins.is_finite() && aabb.maxs.is_finite();
         let aabbs: Vec<_> = boxes.filter(|(_, aabb)| is_finite(aabb)).collect();
         let handles = aabbs.iter().map(|(handle, _)| *handle);
-        let seen = handles.map(|handle| (handle, key(&colliders[handle], bodies)));
-        let former = std::mem::replace(&mut self.looked_at, seen.collect());
-        // What may meet others than before comes anew, because nobody tells that it has changed.
+        let observed = handles.map(|handle| (handle, key(&colliders[handle], bodies)));
+        let former = std::mem::replace(&mut self.observed, observed.collect());
+        // A change of the filter key is not reported, so the collider is removed and inserted.
         let gone = former
             .iter()
-            .filter(|&(handle, key)| self.looked_at.get(handle) != Some(key));
+            .filter(|&(handle, key)| self.observed.get(handle) != Some(key));
         let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
-        // First, for another collider may have the index by now.
+        // Removals come first, because another collider may have the index now.
         let input = Input::new(params, colliders, bodies, Lists::new(&[], &removed));
         self.run(&input, &mut Vec::new());
-        self.hand_over(params, Some(colliders), &aabbs);
+        self.set_boxes(params, Some(colliders), &aabbs);
         let input = Input::new(params, colliders, bodies, Lists::new(&[], &[]));
         self.run(&input, &mut Vec::new());
     }
 
-    /// Hands over boxes to both.
-    pub(crate) fn hand_over(
+    /// Sets boxes in all broad phases.
+    pub(crate) fn set_boxes(
         &mut self,
         params: &IntegrationParameters,
         colliders: Option<&ColliderSet>,
@@ -194,7 +192,7 @@ impl Trial {
                     own.set_aabb(params, *handle, *aabb);
                 }
             },
-            |tried| tried.hand_over(params, colliders, aabbs),
+            |tried| tried.set_boxes(params, colliders, aabbs),
         );
     }
 }

@@ -1,4 +1,4 @@
-//! The seam of a patched Rapier 0.36: its pipelines take any broad phase that implements this trait.
+//! The trait of a patched Rapier 0.36, whose pipelines accept any broad phase that implements it.
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
@@ -8,11 +8,11 @@ use super::rapier::geometry::{
 use super::rapier::parry::partitioning::Bvh;
 use crate::proxy_table::Lists;
 
-/// Calls `run` with what a pipeline gives.
+/// Calls `run` with the input of a pipeline.
 fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
     let is_active = input.narrow_phase.map(|narrow_phase| {
         |first, second| {
-            // It has one or the other.
+            // Two colliders have either a contact pair or an intersection pair.
             match narrow_phase.contact_pair(first, second) {
                 Some(pair) => pair.has_any_active_contact(),
                 None => narrow_phase.intersection_pair(first, second) == Some(true),
@@ -35,43 +35,61 @@ fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
     });
 }
 
-impl CustomBroadPhase for UnisizeBroadPhase {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let lists = Lists::new(modified_colliders, removed_colliders);
-        self.bring_up_to_date(&Input::new(params, colliders, bodies, lists), events);
-    }
+/// Implements the trait; the first argument is the method for updates in a pipeline. What is left differs between the two types.
+macro_rules! impl_custom_broad_phase {
+    ($name:ident, $run_in_pipeline:ident, $($rest:tt)*) => {
+        impl CustomBroadPhase for $name {
+            fn update(
+                &mut self,
+                params: &IntegrationParameters,
+                colliders: &ColliderSet,
+                bodies: &RigidBodySet,
+                modified_colliders: &[ColliderHandle],
+                removed_colliders: &[ColliderHandle],
+                events: &mut Vec<BroadPhasePairEvent>,
+            ) {
+                let lists = Lists::new(modified_colliders, removed_colliders);
+                self.run(&Input::new(params, colliders, bodies, lists), events);
+            }
 
-    fn update_in_pipeline(
-        &mut self,
-        input: &PipelineInput<'_>,
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        with_input(input, |input| Self::update_in_pipeline(self, input, events));
-    }
+            fn update_in_pipeline(
+                &mut self,
+                input: &PipelineInput<'_>,
+                events: &mut Vec<BroadPhasePairEvent>,
+            ) {
+                with_input(input, |input| self.$run_in_pipeline(input, events));
+            }
 
+            fn set_aabb(
+                &mut self,
+                params: &IntegrationParameters,
+                handle: ColliderHandle,
+                aabb: Aabb,
+            ) {
+                self.set_boxes(params, None, &[(handle, aabb)]);
+            }
+
+            fn set_aabbs(
+                &mut self,
+                params: &IntegrationParameters,
+                colliders: &ColliderSet,
+                aabbs: &[(ColliderHandle, Aabb)],
+            ) {
+                self.set_boxes(params, Some(colliders), aabbs);
+            }
+
+            fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
+                Box::new(self.clone())
+            }
+
+            $($rest)*
+        }
+    };
+}
+
+impl_custom_broad_phase! { UnisizeBroadPhase, run_in_pipeline,
     fn is_new(&self) -> bool {
         self.stats().updates == 0
-    }
-
-    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        self.hand_over(params, None, &[(handle, aabb)]);
-    }
-
-    fn set_aabbs(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        aabbs: &[(ColliderHandle, Aabb)],
-    ) {
-        self.hand_over(params, Some(colliders), aabbs);
     }
 
     fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
@@ -83,56 +101,14 @@ impl CustomBroadPhase for UnisizeBroadPhase {
     fn bvh(&self) -> &Bvh {
         self.tree()
     }
-
-    fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
-        Box::new(self.clone())
-    }
 }
 
-impl CustomBroadPhase for Trial {
-    fn update(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        bodies: &RigidBodySet,
-        modified_colliders: &[ColliderHandle],
-        removed_colliders: &[ColliderHandle],
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        let lists = Lists::new(modified_colliders, removed_colliders);
-        self.run(&Input::new(params, colliders, bodies, lists), events);
-    }
-
-    fn update_in_pipeline(
-        &mut self,
-        input: &PipelineInput<'_>,
-        events: &mut Vec<BroadPhasePairEvent>,
-    ) {
-        with_input(input, |input| self.run(input, events));
-    }
-
+impl_custom_broad_phase! { Trial, run,
     fn is_new(&self) -> bool {
-        self.tried[0].is_new()
-    }
-
-    fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb) {
-        self.hand_over(params, None, &[(handle, aabb)]);
-    }
-
-    fn set_aabbs(
-        &mut self,
-        params: &IntegrationParameters,
-        colliders: &ColliderSet,
-        aabbs: &[(ColliderHandle, Aabb)],
-    ) {
-        self.hand_over(params, Some(colliders), aabbs);
+        self.updates() == 0
     }
 
     fn bvh(&self) -> &Bvh {
-        self.own.bvh()
-    }
-
-    fn clone_box(&self) -> Box<dyn CustomBroadPhase> {
-        Box::new(self.clone())
+        self.own().bvh()
     }
 }

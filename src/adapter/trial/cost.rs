@@ -1,26 +1,26 @@
-//! What one of the broad phases takes.
+//! The time and memory of a broad phase on trial.
 
 use std::time::Duration;
 
 use super::super::rapier::geometry::BroadPhasePairEvent;
-use super::report::Measured;
+use super::Measured;
 use crate::pair_filter::PairFilter;
 use crate::stopwatch;
 
-/// What one of the broad phases has taken so far.
+/// The time and memory of a broad phase so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Cost {
-    /// Of the update that is under way.
+    /// The time of the current update.
     current: Duration,
     total: Duration,
     longest: Duration,
-    /// Summed over all updates.
+    /// The sum of the pairs after each update.
     pairs: u64,
     bytes: Option<i64>,
 }
 
 impl Cost {
-    /// Runs something that belongs to the current update. The memory of events is not counted.
+    /// Runs a part of the current update, and adds its time and memory. The memory of events does not count.
     pub(super) fn of(
         &mut self,
         allocated: Option<fn() -> usize>,
@@ -40,7 +40,7 @@ impl Cost {
         }
     }
 
-    /// Ends an update, after which so many pairs are held. Its number counts from 1; it has none if there was nothing to look at.
+    /// Ends an update, after which there are this many pairs. `update` counts from 1, and is `None` if there was nothing to read.
     pub(super) fn end_update(&mut self, update: Option<u64>, pairs: usize) {
         let time = std::mem::take(&mut self.current);
         self.total += time;

@@ -1,4 +1,4 @@
-//! What a trial has found out.
+//! The results of a trial.
 
 use core::fmt;
 use std::time::Duration;
@@ -7,80 +7,80 @@ use super::super::rapier::geometry::ColliderHandle;
 use super::LEVELS;
 use crate::pair_filter::PairFilter;
 
-/// The share of pairs by which a level of the filter must differ from another for it to matter.
+/// The share of the pairs by which two levels of the filter must differ to matter.
 const WORTHWHILE: f64 = 0.05;
 
-/// What a [`Trial`](super::Trial) has found out. It prints itself as a table and some sentences.
+/// The results of a [`Trial`](super::Trial). `Display` prints them as a table and a recommendation.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct TrialReport {
-    /// Updates so far that had colliders to look at. Rapier 0.27 makes two in each step, of which one is mostly without any.
+    /// The number of updates so far that had colliders to read. Rapier 0.27 makes two updates in each step, one of which usually has none.
     pub updates: u64,
-    /// Colliders that unisize holds now.
+    /// The number of colliders that unisize has now.
     pub colliders: usize,
-    /// The wall-clock time of all that the trial does besides running Rapier's own broad phase.
+    /// The wall-clock time of the trial without that of Rapier's own broad phase.
     pub overhead: Duration,
     /// Rapier's own broad phase.
     pub own: Measured,
     pub(super) levels: [Measured; LEVELS.len()],
-    /// The level that unisize has by default with this version of Rapier.
+    /// The default level of the filter with this version of Rapier.
     pub default_level: PairFilter,
-    /// The level at which the pairs are Rapier's own: these were compared.
+    /// The level at which the pairs of unisize are those of Rapier's own broad phase. The trial compares the pairs at this level.
     pub compared_level: PairFilter,
-    /// The first pair that only one of the two held, in the first update where there was one.
+    /// The first difference of the pairs, in the first update with one.
     pub first_difference: Option<Difference>,
 }
 
-/// What one of the broad phases took, and what it held.
+/// The measurements of one broad phase.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Measured {
-    /// The level of the filter; `None` for Rapier's own.
+    /// The level of the filter; `None` for Rapier's own broad phase.
     pub level: Option<PairFilter>,
-    /// The wall-clock time of all updates, with the boxes that were handed over for them.
+    /// The wall-clock time of all updates, including the boxes that were set between them.
     pub total: Duration,
-    /// Its mean for an update.
+    /// The mean time per update.
     pub mean: Duration,
-    /// The longest time of an update other than the first one, in which everything is new.
+    /// The longest time of an update. The first one, in which everything is new, does not count.
     pub longest: Duration,
     /// The mean number of pairs after an update.
     pub pairs: f64,
-    /// Bytes allocated and not given back; see [`Trial::with_allocated`](super::Trial::with_allocated).
+    /// The number of bytes that were allocated and not freed; see [`Trial::with_allocated`](super::Trial::with_allocated).
     pub bytes: Option<i64>,
 }
 
-/// A pair that only one of two broad phases held, although the narrow phase would look at it.
+/// A pair that the narrow phase would not drop, and that only one of two broad phases had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Difference {
-    /// The number of the update, the first one being 1.
+    /// The number of the update, counting from 1.
     pub update: u64,
     /// The two colliders.
     pub colliders: [ColliderHandle; 2],
-    /// Whether it was unisize that did not hold it.
+    /// Whether Rapier's own broad phase had the pair, and unisize did not.
     pub is_missing: bool,
 }
 
 impl TrialReport {
-    /// Whether the pairs were the same after every update.
+    /// Returns whether the pairs were the same after every update.
     pub fn pairs_match(&self) -> bool {
         self.first_difference.is_none()
     }
 
-    /// unisize at each level of the filter, from the one that leaves out nothing.
+    /// Returns the measurements of unisize at each level of the filter, in ascending order.
     pub fn levels(&self) -> &[Measured] {
         &self.levels
     }
 
-    /// unisize at this level.
+    /// Returns the measurements of unisize at one level of the filter.
     pub fn level(&self, level: PairFilter) -> &Measured {
         &self.levels[level as usize]
     }
 
-    /// The level of the filter that the trial recommends: the default, or the lowest one with nearly as few pairs as any if that is fewer by a twentieth
-    /// than with the default. `None` if Rapier's own broad phase is as fast, and as few pairs are left.
+    /// Returns the recommended level of the filter, or `None` if Rapier's own broad phase is as fast and has as few pairs.
     ///
-    /// What a level other than the default changes is told by [`PairFilter`].
+    /// This is the default level, unless another level has at least a twentieth fewer pairs. Then it is the lowest level whose number of pairs is
+    /// within a twentieth of the smallest. [`PairFilter`] says what changes at levels other than the default.
     pub fn recommended_filter(&self) -> Option<PairFilter> {
         let fewest = self.levels.iter().map(|level| level.pairs);
         let fewest = fewest.fold(f64::INFINITY, f64::min);
@@ -96,11 +96,13 @@ impl TrialReport {
         recommended.level.filter(|_| pays)
     }
 
-    /// How many times as fast whole steps would be at least with this level of the filter, if all steps so far take this long on Rapier's
-    /// own broad phase: without the [`overhead`](Self::overhead), where the trial ran within them. What the narrow phase saves with fewer
-    /// pairs comes on top. Queries are not in it. NaN if neither steps nor updates have taken any time.
+    /// Returns a lower bound of the speedup of whole steps at one level of the filter. `steps` is the time of all steps so far on Rapier's own
+    /// broad phase; if the trial ran within the steps, subtract its [`overhead`](Self::overhead).
+    ///
+    /// The bound counts only the time of the broad phases. Fewer pairs also save time in the narrow phase. Queries do not count. The result is NaN
+    /// if neither steps nor updates took any time.
     pub fn min_speedup(&self, steps: Duration, level: PairFilter) -> f64 {
-        // A step takes no less than its broad phase.
+        // Steps include their broad phase.
         let steps = steps.max(self.own.total);
         let exchanged = steps - self.own.total + self.level(level).total;
         steps.as_secs_f64() / exchanged.as_secs_f64()

@@ -1,4 +1,4 @@
-//! Whether a trial catches a broad phase that does wrong.
+//! A trial detects a faulty broad phase.
 
 use super::super::rapier::dynamics::IntegrationParameters;
 use super::super::rapier::math::Real;
@@ -16,7 +16,7 @@ fn ball(x: Real) -> Collider {
     ball.translation(place).build()
 }
 
-/// What is different once the last of three balls has come to touch the second one, which touches the first, if unisize has this fault:
+/// Three balls, of which the first two touch. Injects a fault into unisize, moves the last ball to the second one, and returns the difference:
 /// the indices of the colliders, and whether the pair is missing.
 fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u32; 2], bool)> {
     let mut colliders = ColliderSet::new();
@@ -46,16 +46,16 @@ fn faults_are_named() {
     let forgets_a_collider = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
         let removed = [handle(1)];
         let lists = Lists::new(&[], &removed);
-        faulty.update_in_pipeline(&Input { lists, ..*input }, &mut Vec::new());
+        faulty.run_in_pipeline(&Input { lists, ..*input }, &mut Vec::new());
     };
     assert_eq!(difference(forgets_a_collider), Some(([1, 2], true)));
     let loses_events = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
-        faulty.update_in_pipeline(input, &mut Vec::new());
+        faulty.run_in_pipeline(input, &mut Vec::new());
     };
     assert_eq!(difference(loses_events), Some(([1, 2], true)));
     let has_a_wrong_box = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
         let aabb = ball(1.7).compute_aabb();
-        faulty.hand_over(input.params, None, &[(handle(0), aabb)]);
+        faulty.set_boxes(input.params, None, &[(handle(0), aabb)]);
     };
     assert_eq!(difference(has_a_wrong_box), Some(([0, 2], false)));
 }

@@ -17,9 +17,9 @@ impl Desk {
     }
 }
 
-/// Where the shape of a collider that was not known is, the last of its boxes tells, and not the box that is held, which has a margin.
+/// Its box has no margin, however many boxes were passed for it.
 #[test]
-fn a_collider_that_is_not_known_is_where_its_last_box_is() {
+fn the_next_update_reads_a_collider_that_is_not_known() {
     let mut desk = Desk::default();
     let known = desk.ball(0.5, [0.0, 0.0]);
     desk.update(&[known], &[]);

@@ -24,9 +24,8 @@ pub(super) struct Model {
     prediction: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
-    /// Colliders that the next update has to look for, by index and generation, with the box that the boxes handed over make, and the
-    /// last of these.
-    awaited: BTreeMap<(u32, u32), Option<[Aabb; 2]>>,
+    /// Colliders that the next update reads, by index and generation.
+    awaited: BTreeSet<(u32, u32)>,
 }
 
 #[derive(Clone)]
@@ -66,7 +65,7 @@ impl Model {
             volume_margin: 0.0,
             prediction: 0.0,
             is_begun: false,
-            awaited: BTreeMap::new(),
+            awaited: BTreeSet::new(),
         }
     }
 
@@ -78,13 +77,13 @@ impl Model {
 
     /// For how many indices boxes were handed over, though no collider is known there. Each may have a box for queries.
     pub(super) fn announced(&self) -> usize {
-        let indices = self.awaited.keys().map(|&(index, _)| index);
+        let indices = self.awaited.iter().map(|&(index, _)| index);
         let unknown = indices.filter(|index| !self.proxies.contains_key(index));
         unknown.collect::<BTreeSet<_>>().len()
     }
 
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
-    /// at; otherwise the next update looks for the collider, unless a newer one is known.
+    /// at; otherwise the next update reads the collider, unless a newer one is known.
     pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
         self.is_begun = true;
         let (index, generation) = handle.into_raw_parts();
@@ -100,7 +99,7 @@ impl Model {
             if known.generation > generation {
                 return;
             }
-            self.awaited.insert((index, known.generation), None);
+            self.awaited.insert((index, known.generation));
             if is_sound(&aabb) {
                 let proxy = Proxy {
                     aabb: Some(aabb),
@@ -109,12 +108,7 @@ impl Model {
                 self.proxies.insert(index, proxy);
             }
         }
-        let awaited = self.awaited.entry((index, generation)).or_default();
-        let held = match awaited.map(|[held, _]| held) {
-            Some(held) if is_sound(&held) && is_sound(&aabb) => renewed(&held, &aabb, margin),
-            _ => aabb,
-        };
-        *awaited = Some([held, aabb]);
+        self.awaited.insert((index, generation));
     }
 
     pub(super) fn held(&self) -> &BTreeSet<Pair> {
@@ -164,17 +158,14 @@ impl Model {
             self.reset_volumes(colliders, bodies);
         }
         let awaited = std::mem::take(&mut self.awaited).into_iter();
-        let awaited = awaited.map(|((index, generation), boxes)| {
-            (ColliderHandle::from_raw_parts(index, generation), boxes)
-        });
-        let awaited = awaited.filter(|(handle, _)| !removed.contains(handle));
-        let modified = modified.iter().map(|&handle| (handle, None));
-        for (handle, handed_over) in awaited.chain(modified) {
+        let awaited =
+            awaited.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
+        let awaited = awaited.filter(|handle| !removed.contains(handle));
+        for handle in awaited.chain(modified.iter().copied()) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
-                    let read = || [collider.compute_collision_aabb(skin); 2];
-                    let [aabb, last] = handed_over.unwrap_or_else(read);
+                    let aabb = collider.compute_collision_aabb(skin);
                     let body = collider.parent().and_then(|body| bodies.get(body));
                     let key = Key {
                         body: collider.parent(),
@@ -182,7 +173,7 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    let volume = self.volume(collider, bodies, &last);
+                    let volume = self.volume(collider, bodies, &aabb);
                     self.renew(handle, aabb, margin, key, volume);
                 }
                 _ => self.forget(handle),

@@ -193,7 +193,7 @@ const DAMAGES: [(&str, Change); 21] = [
     }),
     ("", |value| volume(value, "Ball")[0] = json!("Sphere")),
     (
-        "format 1, and this version of unisize reads format 11",
+        "format 1, and this version of unisize reads format 12",
         |value| {
             value["format"] = json!(1);
         },

@@ -1,87 +1,61 @@
-//! Boxes that are handed over between two updates, by an engine that knows them already.
+//! Boxes that the engine passes between two updates, because it has computed them already.
 //!
-//! They count in the next update. For a known collider, nothing is read again; an unknown one is read once, for its filter
-//! key. Nearly all are known colliders that have moved, which one tight loop deals with.
+//! They count in the next update. The table does not read a known collider again, and nearly all boxes are moves of known colliders, which
+//! one tight loop applies.
 //!
-//! A box for an unknown collider has to wait: whether there is such a collider, and whom it may meet, is only known when the
-//! next update reads it. Until then its slot has that box, so that queries find it.
+//! Only the next update can tell whether an unknown collider exists and what it may meet, so that update reads it. Until then its slot has
+//! the passed box, for queries.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::slot_run::{SlotRun, slot_runs};
 use super::{BoxSource, Handle, ProxyTable, Reading};
 use crate::aabb::Aabb;
-use crate::pair_tracker::{BoxUpdate, FilterKey};
-use crate::parallel::{self, Section};
+use crate::pair_tracker::FilterKey;
+use crate::parallel::Section;
 use crate::real::Real;
-use crate::stopwatch::Phase;
-use crate::tuning::prices::READ;
 use crate::tuning::update::ROOM_AHEAD;
 use crate::volume::Volume;
 
-/// What the next update has to look at, if it exists, by slot and generation: with boxes if some were handed over; otherwise it has to be
-/// read.
-pub(super) type Pending<R, const D: usize> = BTreeMap<(u32, u32), Option<HandedOver<R, D>>>;
-
-/// What boxes were handed over for a collider that is not known.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(bound(
-        serialize = "[R; D]: serde::Serialize",
-        deserialize = "[R; D]: serde::Deserialize<'de>"
-    ))
-)]
-pub(super) struct HandedOver<R, const D: usize> {
-    /// The first one, renewed as that of a known collider would have been by the others.
-    pub(super) held: Aabb<R, D>,
-    pub(super) last: Aabb<R, D>,
-}
+/// The colliders that the next update reads if they exist, by slot and generation.
+pub(super) type Pending = BTreeSet<(u32, u32)>;
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Takes boxes that are handed over, without the margin, as a part of the next [update](Self::update). Colliders keep
-    /// their filter keys. Returns the slots whose boxes it has written; some may repeat. **O(1)** each.
+    /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
+    /// whose boxes it has written; some may repeat. **O(1)** for each box.
     ///
-    /// `volume` is asked for volumes, if they are in use, but not of balls, which are where their boxes are, and of parts.
-    pub(crate) fn hand_over<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
+    /// `volume` returns the volume of a collider in a box. It is not called for balls, whose boxes show where they are, nor for
+    /// [parts](crate::volume::VolumeKind::Part).
+    pub(crate) fn set_boxes<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         boxes: &[(H, B)],
         margin: R,
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync,
     ) -> &[u32] {
-        self.begin();
-        let shared = parallel::shared();
-        self.tracker.stopwatch.enter(Phase::Read);
+        let shared = self.begin();
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
-        let price = self.tracker.proxies.volumes().price(READ);
-        let section = Section::of(boxes.len(), price);
+        let section = self.section(boxes.len());
         self.gathered.listed += boxes.len();
         if section.parts() > 1 {
             let unusual = self.follow_in_parts(section, boxes, margin, &volume);
             self.gathered.moved += self.touched().len() - first_touched;
             for (handle, aabb) in unusual.into_iter().map(|place| boxes[place]) {
-                self.take_in(handle, aabb.into(), margin, &volume);
+                self.set_box(handle, aabb.into(), margin, &volume);
             }
         } else {
             let mut boxes = boxes.iter();
             while let Some(&(handle, aabb)) =
                 section.run(|| self.follow_up_to(&mut boxes, margin, &volume))
             {
-                self.take_in(handle, aabb.into(), margin, &volume);
+                self.set_box(handle, aabb.into(), margin, &volume);
             }
         }
-        self.tracker.stopwatch.leave();
-        self.tracker
-            .stopwatch
-            .times
-            .shared
-            .add([shared, parallel::shared()]);
+        self.pause(shared);
         &self.touched()[first_touched..]
     }
 
-    /// Moves all up to the first that is more than a move, and returns that.
+    /// Moves proxies up to the first one that needs more than a move, and returns that.
     fn follow_up_to<'a, H: Handle, B: Copy + Into<Aabb<R, D>>>(
         &mut self,
         boxes: &mut impl Iterator<Item = &'a (H, B)>,
@@ -94,23 +68,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             generations: &self.generations,
             memos: &mut self.memos,
         };
-        let unusual = boxes.find(|&&(handle, aabb)| {
-            let (slot, generation) = handle.into_raw_parts();
-            let is_followed = all.follow(
-                slot as usize,
-                generation,
-                &aabb.into(),
-                margin,
-                |memo, aabb| volume(handle, memo, aabb),
-            );
-            !is_followed
-        });
+        let unusual =
+            boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin, volume));
         self.gathered.moved += self.touched().len() - touched;
         unusual
     }
 
-    /// Moves what is no more than a move, by several threads, each of which has a run of slots. Returns the others by their places,
-    /// ascending, and for each of them what follows it in its run, so that what is handed over for a collider is taken in order.
+    /// Moves proxies on several threads, each of which has a run of slots. Returns the ascending indices of the boxes that it has not
+    /// applied: the first in each run that needs more than a move, and all after it in that run, so that the boxes of a collider are
+    /// applied in order.
     fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         section: Section,
@@ -121,7 +87,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let parts = section.parts();
         let slots_a_part = self.generations.len().div_ceil(parts).max(1);
         let boxes_a_part = boxes.len().div_ceil(parts).max(1);
-        // First boxes are shared out, to tell whose slots they are of.
+        // First, each thread sorts some of the boxes by the run that they belong to; beyond the runs are those of slots without room.
         let starts = (0..).step_by(boxes_a_part).zip(boxes.chunks(boxes_a_part));
         let mut dealt: Vec<_> = starts
             .map(|(start, boxes)| (start, boxes, vec![Vec::new(); parts + 1]))
@@ -136,7 +102,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let of_part = dealt.iter().map(move |(_, _, places)| &places[part]);
             of_part.flatten().copied()
         };
-        // Then slots are.
+        // Then each thread applies the boxes of one run.
         let (proxies, notes) = (&mut self.tracker.proxies, &mut self.reader.notes);
         let runs = slot_runs(
             proxies,
@@ -151,12 +117,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let mut places = places(*part);
             let first = places.find(|&place| {
                 let (handle, aabb) = boxes[place];
-                let (slot, generation) = handle.into_raw_parts();
-                let i = slot as usize - slots_a_part * *part;
-                let is_followed = run.follow(i, generation, &aabb.into(), margin, |memo, aabb| {
-                    volume(handle, memo, aabb)
-                });
-                !is_followed
+                !run.follow(handle, &aabb.into(), margin, volume)
             });
             unusual.extend(first);
             unusual.extend(places);
@@ -170,8 +131,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         unusual
     }
 
-    /// Takes a box that is perhaps more than a move.
-    fn take_in<H: Handle>(
+    /// Sets one box, whatever has changed.
+    fn set_box<H: Handle>(
         &mut self,
         handle: H,
         aabb: Aabb<R, D>,
@@ -179,7 +140,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) {
         let Some(slot) = self.slot_of(handle) else {
-            return self.keep_pending(handle, aabb, margin);
+            return self.keep_pending(handle, aabb);
         };
         let proxies = &mut self.tracker.proxies;
         let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
@@ -194,22 +155,22 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         });
     }
 
-    /// Keeps a box until the next update can look for its collider. A collider of an earlier generation than the known one is gone, so
-    /// its box is ignored.
+    /// Has the next update read an unknown collider, and shows its box to queries until then. If the slot has a later generation, the
+    /// collider is gone, and its box is ignored.
     #[cold]
-    fn keep_pending(&mut self, handle: impl Handle, aabb: Aabb<R, D>, margin: R) {
+    fn keep_pending(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let (slot, generation) = handle.into_raw_parts();
         let index = slot as usize;
         if self.generations.get(index).copied().flatten() > Some(generation) {
             return;
         }
-        // Memory grows with the highest slot, so a collider that may not exist must not have one far beyond all known ones.
+        // Memory grows with the highest slot, so a collider that may not exist gets no slot far beyond all known ones.
         if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);
             let known = self.generations[index];
             if let Some(known) = known {
-                // Probably its removal has not been reported yet.
-                self.pending.insert((slot, known), None);
+                // It is probably gone, and its removal not reported yet. If not, it gets its own box back.
+                self.pending.insert((slot, known));
             }
             if aabb.is_valid() {
                 self.place(slot, aabb);
@@ -217,23 +178,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
                 self.tracker.proxies.clear_box(slot);
             }
         }
-        let pending = self.pending.entry((slot, generation)).or_default();
-        let held = pending.map_or(Aabb::ABSENT, |former| former.held);
-        let held = match BoxUpdate::of(&held, &aabb, margin) {
-            BoxUpdate::Keep => held,
-            BoxUpdate::Renew(renewed) => renewed,
-            BoxUpdate::Recheck => aabb,
-        };
-        *pending = Some(HandedOver { held, last: aabb });
+        self.pending.insert((slot, generation));
     }
 
-    /// Looks at the pending colliders, except those that have been removed in the meantime.
+    /// Reads the pending colliders, except those that have been removed since.
     pub(super) fn admit_pending<S>(&mut self, removed: &[S::Handle], source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let mut pending = std::mem::take(&mut self.pending);
-        for &(slot, _) in pending.keys() {
+        for &(slot, _) in &pending {
             if self.generations.get(slot as usize) == Some(&None) {
                 // The box was only there for queries.
                 self.tracker.proxies.clear_box(slot);
@@ -242,9 +196,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for handle in removed {
             pending.remove(&handle.into_raw_parts());
         }
-        for ((slot, generation), boxes) in pending {
-            let handle = S::Handle::from_raw_parts(slot, generation);
-            self.admit_read(handle, boxes, source, margin);
+        for (slot, generation) in pending {
+            self.admit_read(S::Handle::from_raw_parts(slot, generation), source, margin);
         }
     }
 }
