@@ -23,12 +23,14 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::kernel::Kernel;
+use crate::diagnostics::Diagnostics;
+use crate::overrides::Overrides;
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{
     BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
 };
 use crate::parallel;
+use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
@@ -64,6 +66,8 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     beyond: BTreeMap<u32, u32>,
     /// `proxies`, the known colliders that have a box, is current; the rest is as of the last update.
     stats: Stats,
+    /// What the last update gathered.
+    last: Gathered,
     has_warned: bool,
     gathered: Gathered,
     pending: Pending<R, D>,
@@ -78,7 +82,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
 )]
 struct Gathered {
     is_begun: bool,
-    /// As in [`Stats`].
+    /// As in [`Diagnostics`].
     listed: usize,
     moved: usize,
 }
@@ -87,8 +91,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// A table without colliders.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let volumes = settings.filter == Some(PairFilter::Shapes);
-        let (kernel, foresight) = (settings.kernel, settings.foresight);
-        let mut tracker = PairTracker::new(kernel, settings.layers, foresight, volumes);
+        let mut tracker = PairTracker::new(volumes);
         tracker.stopwatch = Stopwatch::new(settings.timed);
         Self {
             tracker,
@@ -99,6 +102,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             most_known_slots: MOST_KNOWN_SLOTS,
             beyond: BTreeMap::new(),
             stats: Stats::default(),
+            last: Gathered::default(),
             has_warned: false,
             gathered: Gathered::default(),
             pending: Pending::new(),
@@ -112,6 +116,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         stats.refused = self.refused();
         self.tracker.describe(&mut stats);
         stats
+    }
+
+    /// What tests and studies ask beyond that. **O(1)**.
+    pub(crate) fn diagnostics(&self) -> Diagnostics {
+        Diagnostics {
+            listed: self.last.listed,
+            moved: self.last.moved,
+            ..self.tracker.diagnostics()
+        }
+    }
+
+    pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
+        self.tracker.set_overrides(overrides);
     }
 
     fn refused(&self) -> usize {
@@ -391,18 +408,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             changes,
         };
         let shared = parallel::shared();
-        self.tracker.finish(slack, &mut observer);
+        self.tracker.commit(slack, &mut observer);
         self.tracker
             .stopwatch
             .times
             .shared
             .add([shared, parallel::shared()]);
         self.tracker.stopwatch.enter(Phase::Events);
-        let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
+        self.last = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);
         stats.updates = stats.updates.wrapping_add(1);
-        stats.listed = listed;
-        stats.moved = moved;
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
             event(is_added, handles(generations, pair));
         });
@@ -410,8 +425,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.stats.times = self.tracker.stopwatch.times;
     }
 
-    /// Panics unless the records of colliders are consistent, and the pairs those of a full search by `kernel`.
-    pub(crate) fn validate(&self, kernel: Kernel) {
+    /// Panics unless the records of colliders are consistent, and the pairs those of a full search.
+    pub(crate) fn validate(&self) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
         assert!(self.known_slots <= self.most_known_slots);
@@ -420,7 +435,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         assert!(unknown.iter().all(Option::is_none));
         assert_eq!(self.generations.iter().flatten().count(), self.known);
         assert_eq!(self.count_proxies(), Some(self.stats.proxies));
-        self.tracker.validate(kernel);
+        // Another kernel than the one in use, so that one checks the other.
+        self.tracker.validate(&mut RankSweep::default());
     }
 
     /// How many known colliders have a box; `None` if a slot has one without a collider that is known or pending.

@@ -11,7 +11,8 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::version;
-use crate::kernel::Kernel;
+use crate::diagnostics::Diagnostics;
+use crate::overrides::Overrides;
 use crate::pair_filter::PairFilter;
 use crate::parallel;
 use crate::proxy_table::{Changes, IsActive, Lists, ProxyTable};
@@ -28,7 +29,7 @@ use crate::stats::Stats;
 /// An update in which no collider has left its margin costs one box comparison for each listed collider. Pairs are
 /// searched for some updates ahead, so most updates only compare boxes that are known to be near each other. What moves
 /// otherwise than foreseen is looked up among the others in about **O(log n)** each; where that is much, there is one
-/// run of the [kernel](Kernel) over all boxes.
+/// search over all boxes.
 ///
 /// The events of an update come in one order, however they were found: first pairs that end, then pairs that begin, each by the
 /// smaller index of the two colliders and then by the larger one. In Rapier 0.27 those that begin are cut
@@ -146,6 +147,19 @@ impl UnisizeBroadPhase {
         self.table.stats()
     }
 
+    /// What tests and studies ask beyond the statistics. **O(1)**.
+    #[doc(hidden)]
+    pub fn diagnostics(&self) -> Diagnostics {
+        self.table.diagnostics()
+    }
+
+    /// Fixes what updates otherwise choose by themselves. Clones have the same overrides; a broad phase that was read from a snapshot has
+    /// none.
+    #[doc(hidden)]
+    pub fn set_overrides(&mut self, overrides: Overrides) {
+        self.table.set_overrides(overrides);
+    }
+
     /// The pairs it holds, each once, the collider with the smaller index first, in no particular order.
     /// **O(pairs)** to go through.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
@@ -165,11 +179,7 @@ impl UnisizeBroadPhase {
     /// # Panics
     /// If an invariant is broken, which would be a bug.
     pub fn validate(&self) {
-        // Another kernel than the one in use, so that one checks the other.
-        self.table.validate(match self.settings.kernel {
-            Kernel::RankSweep => Kernel::GridSweep,
-            _ => Kernel::RankSweep,
-        });
+        self.table.validate();
         self.query_tree.validate(self.table.boxes());
     }
 

@@ -12,7 +12,7 @@ use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
 /// The number of the format. It changes with every change of a field, or of what a field decides.
-const FORMAT: u32 = 11;
+const FORMAT: u32 = 12;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
