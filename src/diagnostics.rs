@@ -1,6 +1,6 @@
-//! What tests and studies ask of a broad phase beyond its [statistics](crate::Stats).
+//! Numbers for tests and studies, beyond the [statistics](crate::Stats).
 
-/// Counts of what the search for pairs keeps, and of what the last update was passed. No event depends on them, and they are not saved.
+/// The state of the search for pairs, and counts of the last update. No event depends on them, and they are not saved.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]

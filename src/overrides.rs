@@ -1,4 +1,4 @@
-//! What tests and studies fix.
+//! Choices that tests and studies fix.
 
 /// Replaces choices that the tracker makes for itself. They affect speed and memory, never events. Neither settings nor snapshots
 /// contain them.

@@ -284,7 +284,7 @@ impl Candidates {
     }
 }
 
-/// Keeps what belongs to rows that are not tombstones.
+/// Keeps the items of rows that are not tombstones.
 fn retain<T>(by_row: &mut Vec<T>, pairs: &[[u32; 2]]) {
     let mut pairs = pairs.iter();
     by_row.retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));

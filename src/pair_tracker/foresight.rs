@@ -17,7 +17,7 @@ const AHEAD: f64 = 0.5;
 const LONGEST: u16 = 32;
 
 /// Moves: the foresight before anything has moved. If larger: where the first body that moves is huge, thousands of candidates. If smaller:
-/// what moves first soon leaves its fat box again.
+/// the first boxes that move soon leave their fat boxes again.
 const FIRST: u16 = 8;
 
 /// A share of the extension along the move: how far the fat box extends to all sides. If larger: more candidates. If smaller: members of
@@ -127,7 +127,7 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
     before: &[Aabb<R, D>],
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0);
-    // By slots and in their order, because threads note what has moved in another order.
+    // The sample is chosen by slot and sorted, because threads write their notes in another order.
     let one_in = (moved.len() / SPEED_SAMPLE + 1) as u32;
     let is_sampled = |slot: &u32| (slot.wrapping_mul(0x9e37_79b9) >> 8) % one_in == 0;
     let mut sample: Vec<_> = moved.iter().copied().filter(is_sampled).collect();

@@ -68,8 +68,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Appends to what was [found](Self::found), which must be empty, the overlapping pairs among the valid boxes that may meet. Without a
-    /// condition, all may. Returns how many overlap, whether they may meet or not.
+    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. The list of [pairs](Self::found) must
+    /// be empty. Returns how many overlap, whether they may meet or not.
     ///
     /// # Errors
     /// If so many more overlap than in the last full search as `most` says. Then only some were found.

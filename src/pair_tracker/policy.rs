@@ -16,7 +16,7 @@ const COMPARE_ALL_FROM_ONE_IN: usize = 3;
 
 /// A share of a full search. There is one if the look-ups of an update cost more by this than the mean of all updates since the last full
 /// search, that one included. If larger: waves, fat boxes made at one time and left at one time, are looked up box by box. If smaller: full
-/// searches for what was chance.
+/// searches by chance.
 const FULL_SEARCH_TOLERANCE: u64 = 16;
 
 /// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut, for example where huge boxes are about to pass over
@@ -116,7 +116,7 @@ pub(super) struct Work {
 pub(super) struct Cost {
     updates: u64,
     searching: u64,
-    /// How many look-ups there were, and what they visited.
+    /// Look-ups, and their visits.
     looked_up: u64,
     visited: u64,
 }
@@ -144,7 +144,7 @@ impl Cost {
         self.searching / self.updates.max(1)
     }
 
-    /// What a look-up has visited, on average; 0 if there was none.
+    /// The visits of a look-up, on average; 0 if there was none.
     fn visits_a_look_up(&self) -> u64 {
         self.visited / self.looked_up.max(1)
     }

@@ -77,8 +77,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         lists.extend(pairs, first, self.proxies.len());
     }
 
-    /// Appends to what was found the pairs whose boxes overlapped and still do, and which a search does not find, because their keys have
-    /// come to forbid them.
+    /// Appends the forbidden pairs to those that were `found`: a search does not find a pair that its keys have come to forbid, although its
+    /// boxes still overlap.
     fn keep_forbidden(&mut self, found: &mut Vec<[u32; 2]>) {
         let (candidates, proxies) = (&mut *self.candidates, self.proxies);
         if proxies.are_rekeyed {

@@ -110,20 +110,21 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Inquiry<'_, R, D, K
 
     /// Asks pairs that a search has found.
     pub(super) fn ask_found(&self, found: &mut Found<'_>) {
+        let (candidates, proxies) = (self.candidates, self.proxies);
         let chunks = found.pairs.chunks(64).zip(found.states.chunks_mut(64));
         for (pairs, states) in chunks {
-            for i in ones(self.proxies.overlapping(pairs)) {
+            for i in ones(proxies.overlapping(pairs)) {
                 let pair = pairs[i];
                 // Most pairs that are held were held before.
-                let place = self.candidates.retired.place(pair);
+                let place = candidates.retired.place(pair);
                 let was_held = place.is_some();
                 found.taken.extend(place);
-                let state = self.proxies.state_of_overlapping(pair, was_held, None);
+                let state = proxies.state_of_overlapping(pair, was_held, None);
                 let state = self.unless_active(pair, was_held, state);
                 states[i] = state;
                 found.held_count += usize::from(state.is_held());
                 found.overlapping_count += 1;
-                if self.candidates.are_strangers(pair) {
+                if candidates.are_strangers(pair) {
                     found.strangers.push(pair);
                 }
                 if was_held != state.is_held() {

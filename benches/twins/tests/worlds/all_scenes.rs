@@ -1,8 +1,8 @@
 //! Every scene, small, with Rapier's broad phase and ours: the pairs held, the contacts and the
 //! intersections are equal after every step, and what is simulated on ours alone stays sound. `compare` does the same at full size.
 
-use super::scenes::{Candidate, Comparison};
 use super::UnisizeBroadPhase;
+use super::scenes::{Candidate, Comparison};
 use unisize_scenes::SceneKind;
 
 fn compare(comparison: Comparison) {
