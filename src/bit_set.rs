@@ -23,7 +23,7 @@ impl BitSet {
         is_new
     }
 
-    /// Adds a number, unless it is beyond the capacity.
+    /// Adds a number if it is below the capacity.
     #[inline(always)]
     pub(crate) fn insert_if_room(&mut self, i: usize) {
         if let Some(word) = self.words.get_mut(i / 64) {
@@ -38,7 +38,7 @@ impl BitSet {
         }
     }
 
-    /// Adds these numbers, and makes room for all below `capacity`, as these must be.
+    /// Adds these numbers, which must be below `capacity`, and makes room for all below it.
     pub(crate) fn insert_all(&mut self, numbers: &[u32], capacity: usize) {
         self.resize(capacity);
         for &i in numbers {
@@ -59,7 +59,7 @@ impl BitSet {
         word.is_some_and(|word| word >> (i % 64) & 1 == 0)
     }
 
-    /// Tells whether one of two slots is in the set, without a branch. The capacity must not be 0.
+    /// A lookup without a branch. The capacity must not be 0.
     pub(crate) fn lookup(&self) -> Lookup<'_> {
         Lookup {
             words: &self.words,
@@ -85,8 +85,8 @@ impl BitSet {
         self.words.fill(0);
     }
 
-    /// Removes these numbers, and possibly others near them: less work than [`clear`](Self::clear) if there are no
-    /// others in the set and these are few.
+    /// Removes these numbers, and possibly others near them. Faster than [`clear`](Self::clear) if these are few, and the only ones in
+    /// the set.
     pub(crate) fn clear_around(&mut self, numbers: &[u32]) {
         if numbers.len() > self.words.len() {
             return self.clear();
@@ -96,15 +96,15 @@ impl BitSet {
         }
     }
 
-    /// The words, 64 numbers each, the smallest lowest.
+    /// The words, of 64 numbers each; the smallest number is the lowest bit.
     pub(crate) fn words(&self) -> &[u64] {
         &self.words
     }
 
-    /// Makes it the set of the numbers below `count` for which the answer is yes.
+    /// Replaces the set by the numbers below `count` for which the answer is yes.
     ///
-    /// `ask` answers for up to 64 numbers, from the first of its range on, in the lowest bits, which takes about `price` for each. It is
-    /// called by several threads if that is much.
+    /// `ask` answers for a range of up to 64 numbers, the first one in the lowest bit, which takes about `price` for each number. Several
+    /// threads call it if that is a lot of work.
     pub(crate) fn ask(
         &mut self,
         count: usize,
@@ -123,7 +123,7 @@ impl BitSet {
     }
 }
 
-/// Tells which pairs of slots have one in a set.
+/// Says which pairs of slots have one in a set.
 #[derive(Clone, Copy)]
 pub(crate) struct Lookup<'a> {
     words: &'a [u64],
@@ -145,15 +145,15 @@ impl Lookup<'_> {
 /// The positions of the bits that are set, ascending.
 #[inline(always)]
 pub(crate) fn ones(word: u64) -> impl Iterator<Item = usize> {
-    let mut rest = word;
+    let mut remaining = word;
     core::iter::from_fn(move || {
-        let bit = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
-        rest &= rest - 1;
+        let bit = (remaining != 0).then(|| remaining.trailing_zeros() as usize)?;
+        remaining &= remaining - 1;
         Some(bit)
     })
 }
 
-/// The answers for up to 64 items, the first one lowest. Without a branch, because answers are practically random.
+/// The answers for up to 64 items, the first one in the lowest bit. There is no branch, because answers are practically random.
 #[inline(always)]
 pub(crate) fn gather<T>(
     items: impl IntoIterator<Item = T, IntoIter: ExactSizeIterator>,

@@ -27,7 +27,6 @@ use crate::tuning::kernel::FEW_QUERIES;
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 #[cfg(feature = "_adapter")]
-pub(crate) use class::retain_from;
 use class::{Class, FoundInvalid, Run, look_up_in_parts};
 use emitter::{Emitter, Tally};
 use members::{Everyone, Members};

@@ -68,11 +68,13 @@ mod aabb;
 mod bit_set;
 mod brute_force;
 mod counting_sort;
+#[cfg(feature = "_adapter")]
+mod diagnostics;
 mod grid_sweep;
 mod invalid_input;
-#[cfg(feature = "_adapter")]
-mod kernel;
 mod lanes;
+#[cfg(feature = "_adapter")]
+mod overrides;
 #[cfg(feature = "_adapter")]
 mod pair_filter;
 mod pair_finder;
@@ -133,7 +135,7 @@ macro_rules! flavours {
                 mod seam;
             )?
 
-            pub use crate::{kernel::Kernel, pair_filter::PairFilter, stats::{Stats, Work}};
+            pub use crate::{pair_filter::PairFilter, stats::Stats};
             pub use adapter::{Difference, Measured, Settings, Trial, TrialReport, UnisizeBroadPhase};
         }
     )* };
@@ -169,10 +171,8 @@ pub use real::Real;
 pub use stopwatch::PhaseTimes;
 #[cfg(feature = "_adapter")]
 pub use {
-    kernel::Kernel,
-    pair_filter::PairFilter,
-    settings::Settings,
-    stats::{Stats, Work},
+    diagnostics::Diagnostics, overrides::Overrides, pair_filter::PairFilter, settings::Settings,
+    stats::Stats,
 };
 
 /// The example of the README, compiled and run.

@@ -1,19 +1,20 @@
 //! The pair set over time: proxies in, changes of the pair set out.
 //!
-//! A *proxy* is a box kept under a slot number. Between two calls of [`PairTracker::finish`] proxies are
-//! placed, moved and removed; `finish` then reports how the set of overlapping pairs has changed.
+//! A *proxy* is a box in a numbered slot. Between two updates, proxies are placed, moved and removed; [`PairTracker::commit`] makes an
+//! update of these changes and reports which pairs begin and end.
 //!
-//! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates, and only when
-//! proxies leave their fat boxes must there be a search for new ones. In between, each candidate is held or not, as its
-//! two boxes overlap or not. Held pairs whose candidates are retired are kept in a hash table until it is known whether they are found
-//! again. This is the neighbour list of molecular dynamics (Verlet 1967), made exact.
+//! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates. New candidates must be searched for only
+//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap. Held pairs whose candidates are
+//! retired are kept in a hash table until the search has found them again or not. This is the neighbour list of molecular dynamics (Verlet
+//! 1967), made exact.
 
 mod box_update;
 mod candidates;
-mod chunk;
 mod foresight;
 mod layers;
+mod notes;
 mod odometer;
+mod pair_state;
 mod policy;
 mod proxies;
 #[cfg(feature = "serde-serialize")]
@@ -26,23 +27,23 @@ mod volumes;
 
 use std::fmt::Debug;
 
+use crate::diagnostics::Diagnostics;
 use crate::grid_sweep::MAX_BOXES;
-use crate::kernel::Kernel;
+use crate::overrides::Overrides;
 use crate::real::Real;
-use crate::stats::{Stats, Work};
+use crate::stats::Stats;
 use crate::stopwatch::Stopwatch;
 pub(crate) use box_update::BoxUpdate;
 use candidates::Candidates;
-pub(crate) use chunk::ProxyChunk;
 use foresight::Foresight;
 use layers::Layers;
-use policy::Cost;
-pub(crate) use proxies::{Notes, Proxies};
+pub(crate) use notes::Notes;
+use policy::{Cost, Work};
+pub(crate) use proxies::{Proxies, ProxyChunk};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
-pub(crate) use volumes::VolumeUpdate;
 
-/// The most slots that there may be: every kernel takes so many boxes.
+/// The most slots: every kernel takes so many boxes.
 pub(crate) const MOST_SLOTS: usize = MAX_BOXES;
 
 /// A change of the pair set, by slots, smaller first.
@@ -52,12 +53,12 @@ pub(crate) enum PairChange {
     Deleted([u32; 2]),
 }
 
-/// Whom an update tells how the pair set changes, and asks about pairs.
+/// Receives the changes of the pair set, and answers questions about pairs.
 pub(crate) trait PairObserver: Sync {
     fn report(&mut self, change: PairChange);
 
-    /// Whether the contact of a held pair is active, so that the pair must not end while its boxes overlap: whoever removes an active
-    /// contact wakes its bodies.
+    /// Whether the contact of a held pair is active. Removing an active contact wakes its bodies, so such a pair does not end while its boxes
+    /// overlap.
     fn is_active(&self, _pair: [u32; 2]) -> bool {
         false
     }
@@ -69,12 +70,13 @@ impl<F: FnMut(PairChange) + Sync> PairObserver for F {
     }
 }
 
-/// What decides, with the boxes, whether two proxies may become a pair. A pair that its keys come to forbid stays until its boxes part.
+/// A property of a proxy that decides with which others it may become a pair. A pair that its keys come to forbid stays until its boxes
+/// part.
 pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
-    /// Whether the two may be a pair; the same in either order.
+    /// Whether the two may become a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
 
-    /// Whether the two, if they meet, would touch, and not only intersect; the same in either order.
+    /// Whether the two, if they meet, have a contact and not only an intersection; the same in either order.
     fn may_touch(self, _other: Self) -> bool {
         true
     }
@@ -90,33 +92,37 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
-    /// What the last update took.
+    overrides: Overrides,
+    /// The work of the last update, and of visits since.
     work: Work,
-    /// What searching has cost since the last full search, that run included.
+    /// The cost of searching since the last full search, that one included.
     cost: Cost,
     full_searches: u64,
     candidates: Candidates,
     layers: Layers<R, D>,
-    /// Scratch: the candidates found by the kernel.
-    found: Vec<[u32; 2]>,
     pub(crate) stopwatch: Stopwatch,
 }
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
-    /// A tracker without proxies. `foresight` fixes for how many moves ahead it searches; without `layers`, every search
-    /// is for all pairs. With `volumes`, pairs whose boxes overlap are told apart by their volumes.
-    pub(crate) fn new(kernel: Kernel, layers: bool, foresight: Option<u16>, volumes: bool) -> Self {
+    /// A tracker without proxies. With `volumes`, a pair is held only if its volumes meet.
+    pub(crate) fn new(volumes: bool) -> Self {
         Self {
             proxies: Proxies::new(volumes),
-            foresight: Foresight::new(foresight),
+            foresight: Foresight::new(None),
+            overrides: Overrides::default(),
             work: Work::default(),
             cost: Cost::default(),
             full_searches: 0,
             candidates: Candidates::default(),
-            layers: Layers::new(kernel, layers),
-            found: Vec::new(),
+            layers: Layers::default(),
             stopwatch: Stopwatch::default(),
         }
+    }
+
+    /// Fixes choices that the tracker otherwise makes for itself.
+    pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
+        self.foresight = Foresight::new(overrides.foresight);
+        self.overrides = overrides;
     }
 
     /// The held pairs, by slots, smaller first.
@@ -128,41 +134,47 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
         if self.proxies.volumes().are_used() {
-            self.candidates.make_room(slots);
+            self.candidates.acquainted.resize(slots);
         }
     }
 
     /// Removes a proxy; its pairs end without an event.
     pub(crate) fn remove(&mut self, slot: u32) {
         self.proxies.remove(slot);
-        self.candidates.forget_acquaintance(slot);
+        self.candidates.acquainted.remove(slot as usize);
     }
 
     /// Whether the box of a slot's proxy has ever overlapped that of another that it might meet, if volumes are in use.
     pub(crate) fn is_acquainted(&self, slot: u32) -> bool {
-        self.candidates.acquainted().contains(slot as usize)
+        self.candidates.acquainted.contains(slot as usize)
     }
 
-    /// Calls `visit` with each of these slots and each other one, whose boxes overlapped at the end of the last update, that might touch,
-    /// and that are not held, by their volumes alone. Takes time in proportion to their candidates, if few are listed time and again.
+    /// Calls `visit` with each of these slots and each neighbor: another slot whose box overlapped its box at the end of the last update,
+    /// that might touch it, and with which it is not a pair only because of their volumes. Takes time in proportion to their candidates
+    /// if few slots are listed repeatedly.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
-        self.candidates
-            .visit_near(listed, self.proxies.len(), |pair| {
-                let [a, b] = pair.map(|slot| keys[slot as usize]);
-                if a.may_touch(b) {
-                    visit(pair);
-                }
-            });
+        let slots = self.proxies.len();
+        self.work.picked += self.candidates.visit_near(listed, slots, |pair| {
+            let [a, b] = pair.map(|slot| keys[slot as usize]);
+            if a.may_touch(b) {
+                visit(pair);
+            }
+        });
     }
 
-    /// Fills in what it knows: pairs, candidates, layers, the foresight, full searches.
+    /// Fills in the held pairs and the full searches.
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.held_count;
-        stats.candidates = self.candidates.len();
-        stats.foresight = u32::from(self.foresight.moves);
-        stats.work = self.work;
         stats.full_searches = self.full_searches;
-        self.layers.describe(stats);
+    }
+
+    /// The candidates, the foresight and the layers.
+    pub(crate) fn diagnostics(&self) -> Diagnostics {
+        Diagnostics {
+            candidates: self.candidates.len(),
+            foresight: self.foresight.moves,
+            ..self.layers.diagnostics()
+        }
     }
 }

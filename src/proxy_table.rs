@@ -21,12 +21,14 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::kernel::Kernel;
+use crate::diagnostics::Diagnostics;
+use crate::overrides::Overrides;
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{
     BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
 };
 use crate::parallel;
+use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
@@ -62,6 +64,8 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     beyond: BTreeMap<u32, u32>,
     /// Only `proxies`, the number of known colliders with a box, is current; the last update set the others.
     stats: Stats,
+    /// What the last update gathered.
+    last: Gathered,
     has_warned: bool,
     gathered: Gathered,
     pending: Pending,
@@ -76,7 +80,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
 )]
 struct Gathered {
     is_begun: bool,
-    /// As in [`Stats`].
+    /// As in [`Diagnostics`].
     listed: usize,
     moved: usize,
 }
@@ -85,8 +89,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// An empty table.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let volumes = settings.filter == Some(PairFilter::Shapes);
-        let (kernel, foresight) = (settings.kernel, settings.foresight);
-        let mut tracker = PairTracker::new(kernel, settings.layers, foresight, volumes);
+        let mut tracker = PairTracker::new(volumes);
         tracker.stopwatch = Stopwatch::new(settings.timed);
         Self {
             tracker,
@@ -97,6 +100,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             most_known_slots: MOST_KNOWN_SLOTS,
             beyond: BTreeMap::new(),
             stats: Stats::default(),
+            last: Gathered::default(),
             has_warned: false,
             gathered: Gathered::default(),
             pending: Pending::new(),
@@ -110,6 +114,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         stats.refused = self.refused();
         self.tracker.describe(&mut stats);
         stats
+    }
+
+    /// What tests and studies ask beyond that. **O(1)**.
+    pub(crate) fn diagnostics(&self) -> Diagnostics {
+        Diagnostics {
+            listed: self.last.listed,
+            moved: self.last.moved,
+            ..self.tracker.diagnostics()
+        }
+    }
+
+    pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
+        self.tracker.set_overrides(overrides);
     }
 
     fn refused(&self) -> usize {
@@ -393,14 +410,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             changes,
         };
         let shared = parallel::shared();
-        self.tracker.finish(slack, &mut observer);
+        self.tracker.commit(slack, &mut observer);
         self.pause(shared);
         self.tracker.stopwatch.enter(Phase::Events);
-        let Gathered { listed, moved, .. } = std::mem::take(&mut self.gathered);
+        self.last = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);
         stats.updates = stats.updates.wrapping_add(1);
-        stats.listed = listed;
-        stats.moved = moved;
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
             event(is_added, handles(generations, pair));
         });
@@ -408,8 +423,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.stats.times = self.tracker.stopwatch.times;
     }
 
-    /// Panics unless the table is consistent, and its pairs are those of a full search by `kernel`.
-    pub(crate) fn validate(&self, kernel: Kernel) {
+    /// Panics unless the table is consistent, and its pairs are those of a full search.
+    pub(crate) fn validate(&self) {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
         assert!(self.known_slots <= self.most_known_slots);
@@ -418,7 +433,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         assert!(unknown.iter().all(Option::is_none));
         assert_eq!(self.generations.iter().flatten().count(), self.known);
         assert_eq!(self.count_proxies(), Some(self.stats.proxies));
-        self.tracker.validate(kernel);
+        // Another kernel than the one in use, so that one checks the other.
+        self.tracker.validate(&mut RankSweep::default());
     }
 
     /// The number of known colliders with a box; `None` if a box has neither a known nor a pending collider.

@@ -1,12 +1,14 @@
 //! A set of slots that remembers the order in which they were inserted.
 
-use crate::tuning::update::CLEAR_ALL_FROM_ONE_IN;
+/// One slot in this many. A set of more slots is cleared by overwriting all flags. If larger: flags of slots outside the set are
+/// written. If smaller: the slots of the set are visited one by one, in any order.
+const CLEAR_ALL_FROM_ONE_IN: usize = 4;
 
-/// A set of slots, as a list and as flags: each operation takes constant time, except that iterating and clearing take
-/// time in proportion to its members.
+/// A set of slots, as a list and as flags. Iterating and clearing take time in proportion to the members, everything else takes constant
+/// time.
 ///
-/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but a tenth less time to ask for all
-/// candidates.
+/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but testing all candidates against them takes a tenth less
+/// time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
     slots: Vec<u32>,
@@ -32,7 +34,7 @@ impl SlotSet {
         self.is_member.get(slot as usize) == Some(&true)
     }
 
-    /// The slots, in the order in which they were inserted.
+    /// The slots, in the order of their insertion.
     pub(crate) fn slots(&self) -> &[u32] {
         &self.slots
     }

@@ -10,7 +10,8 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::{Input, Settings, version};
-use crate::kernel::Kernel;
+use crate::diagnostics::Diagnostics;
+use crate::overrides::Overrides;
 use crate::pair_filter::PairFilter;
 use crate::parallel;
 use crate::proxy_table::{Changes, ProxyTable};
@@ -38,7 +39,7 @@ use crate::stats::Stats;
 /// An update with empty lists takes **O(1)** time. For each listed collider an update compares one box. If colliders have left their margins,
 /// it also compares the boxes of the pairs that are near each other, which an earlier search found. A search looks some updates ahead. A
 /// collider that moves otherwise than predicted is looked up among the others in about **O(log n)** time. If there are many, the
-/// [kernel](Kernel) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
+/// [kernel](crate::GridSweep) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
 ///
 /// # Errors
 ///
@@ -125,6 +126,19 @@ impl UnisizeBroadPhase {
         self.table.stats()
     }
 
+    /// Counters for tests and studies. **O(1)**.
+    #[doc(hidden)]
+    pub fn diagnostics(&self) -> Diagnostics {
+        self.table.diagnostics()
+    }
+
+    /// Fixes choices that updates otherwise make themselves. Clones have the same overrides; a broad phase that was read from a snapshot has
+    /// none.
+    #[doc(hidden)]
+    pub fn set_overrides(&mut self, overrides: Overrides) {
+        self.table.set_overrides(overrides);
+    }
+
     /// Iterates over the current pairs in unspecified order, each once, with the smaller collider index first. Computes in **O(pairs)** time.
     pub fn pairs(&self) -> impl Iterator<Item = ColliderPair> + '_ {
         let pairs = self.table.pairs();
@@ -144,11 +158,7 @@ impl UnisizeBroadPhase {
     ///
     /// Panics if an invariant is broken, which is a bug in this library.
     pub fn validate(&self) {
-        // One kernel checks the other.
-        self.table.validate(match self.settings.kernel {
-            Kernel::RankSweep => Kernel::GridSweep,
-            _ => Kernel::RankSweep,
-        });
+        self.table.validate();
         self.query_tree.validate(self.table.boxes());
     }
 

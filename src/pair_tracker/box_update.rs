@@ -1,22 +1,22 @@
-//! What becomes of a proxy's box when its collider has another one.
+//! Whether a proxy keeps its box when its collider has moved.
 
 use crate::aabb::Aabb;
 use crate::real::Real;
 
-/// What becomes of a box.
+/// What happens to a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum BoxUpdate<R, const D: usize> {
-    /// The collider is still inside of it.
+    /// It stays, because it still contains the collider.
     Keep,
-    /// It is not: this box takes its place.
+    /// This box takes its place.
     Renew(Aabb<R, D>),
-    /// One of the two boxes is not valid: the collider is new, or to be refused.
+    /// One of the two boxes is not valid: the collider is new, or must be refused.
     Recheck,
 }
 
 impl<R: Real, const D: usize> BoxUpdate<R, D> {
-    /// What becomes of `held` ([absent](Aabb::ABSENT) if there is no box), which should contain `aabb`. A renewed box is loosened by
-    /// `margin`.
+    /// What happens to the box `held` ([absent](Aabb::ABSENT) if there is none) of a collider that has the box `aabb` now. A renewed box is
+    /// loosened by `margin`.
     #[inline(always)]
     pub(crate) fn of(held: &Aabb<R, D>, aabb: &Aabb<R, D>, margin: R) -> Self {
         if as_one_branch(held.contains(aabb) & aabb.is_valid()) {
@@ -31,8 +31,8 @@ impl<R: Real, const D: usize> BoxUpdate<R, D> {
     }
 }
 
-/// Keeps the compiler from making one branch of each comparison in a condition: which side of a box is passed first is practically
-/// random, so one branch on all of them is predicted better.
+/// Keeps the compiler from making a branch of each comparison in a condition. Which side of a box is passed first is practically random,
+/// so one branch on the whole condition is predicted better.
 #[inline(always)]
 fn as_one_branch(condition: bool) -> bool {
     std::hint::black_box(condition)

@@ -1,27 +1,28 @@
 //! The candidates: pairs of proxies whose fat boxes overlap, with a tombstone in place of each that is gone.
 //!
-//! When most proxies were touched, all candidates are compared, in order; when few were, their candidates are picked by a bit
-//! for each slot; when very few were, by lists. The lists are made once they would have been useful a number of times, and
-//! kept up to date until all candidates are replaced.
+//! When most proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each
+//! slot; when very few were, by lists. The lists are made once they would have been useful a number of times, and kept up to date until
+//! all candidates are replaced.
 
 mod comparing;
 mod lists;
-mod pair_rules;
 mod retired;
-mod state;
 mod turns;
 
+use super::odometer::Due;
+use super::pair_state::PairState;
+use super::proxies::overlap;
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
-use crate::pair_tracker::odometer::Due;
 use crate::real::Real;
-use crate::tuning::update::SPARSE_FROM_ONE_IN;
 pub(super) use comparing::Comparing;
 use lists::CandidateLists;
-pub(super) use pair_rules::overlap;
 use retired::RetiredPairs;
-use state::PairState;
 use turns::Turns;
+
+/// One row in this many. Once more rows are tombstones, they are removed. If larger: rows are moved, and lists made again, for a few
+/// tombstones. If smaller: comparing goes through rows that are gone.
+const SPARSE_FROM_ONE_IN: usize = 2;
 
 /// In place of a slot: the candidate is gone.
 const TOMBSTONE: u32 = u32::MAX;
@@ -29,39 +30,38 @@ const TOMBSTONE: u32 = u32::MAX;
 /// The candidates by rows, the state of each, and the lists through them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    /// By slots, smaller first; two tombstones where the candidate is gone.
+    /// By row, the two slots, smaller first; two tombstones where the candidate is gone.
     pairs: Vec<[u32; 2]>,
     /// By row.
     states: Vec<PairState>,
-    /// By row, when it is to be asked again, if volumes [have odometers](super::volumes::Volumes::have_odometers); otherwise empty.
+    /// By row, when the candidate must be asked again, if volumes [have odometers](super::volumes::Volumes::have_odometers); otherwise
+    /// empty.
     dues: Vec<Due>,
     pub(super) held_count: usize,
-    /// Those whose boxes overlap, held or not.
+    /// Candidates whose boxes overlap, held or not.
     pub(super) overlapping_count: usize,
     tombstones: usize,
-    pub(super) lists: CandidateLists,
-    /// Held pairs that were retired in this update, if their boxes and keys do not tell that they were held.
+    lists: CandidateLists,
+    /// In an update, held pairs that were retired.
     retired: RetiredPairs,
-    /// In an update, pairs that were retired, not held, and that their keys have come to forbid.
+    /// In an update, pairs that were retired, were not held, and that their keys have come to forbid.
     forbidden: Vec<[u32; 2]>,
-    /// The slots of proxies whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
-    acquainted: BitSet,
-    /// How many rows were passed over, in all updates, to find those of a few slots whose boxes have not changed.
-    pub(super) passed_over: usize,
+    /// The slots of proxies whose box has ever overlapped that of another one that they might meet. Has room only if volumes are in use.
+    pub(super) acquainted: BitSet,
     /// Scratch: the slots whose candidates are compared.
     slots: BitSet,
     /// Scratch: answers about rows.
     answers: BitSet,
-    /// Scratch: what becomes of rows.
+    /// Scratch: the changes of rows.
     turns: Vec<Turns>,
 }
 
 impl Candidates {
-    /// Makes those the candidates that were `found` for boxes that are as large as their fat boxes, of which those in `near` are not
-    /// held. There must be room for the acquainted slots.
+    /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near` are not held. There must be room for the
+    /// acquainted slots.
     ///
     /// # Errors
-    /// If a pair was found twice, or if one in `near` was not found, or is there twice.
+    /// A message, if a pair was found twice, or if one in `near` was not found or is there twice.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
@@ -125,45 +125,30 @@ impl Candidates {
         all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
 
-    /// The slots of proxies whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
-    pub(super) fn acquainted(&self) -> &BitSet {
-        &self.acquainted
-    }
-
-    /// Makes room for noting of this number of slots whether their proxies have been acquainted with others.
-    pub(super) fn make_room(&mut self, slots: usize) {
-        self.acquainted.resize(slots);
-    }
-
-    /// Forgets that the proxy of a slot was acquainted with others.
-    pub(super) fn forget_acquaintance(&mut self, slot: u32) {
-        self.acquainted.remove(slot as usize);
-    }
-
     #[inline(always)]
     fn note_overlap(&mut self, pair: [u32; 2]) {
         for slot in pair {
-            // There is no room if volumes are not in use.
             self.acquainted.insert_if_room(slot as usize);
         }
     }
 
-    /// Whether one of a pair has never overlapped another that it might meet; never if volumes are not in use.
+    /// Whether one of a pair is not acquainted yet; false if volumes are not in use.
     #[inline(always)]
     fn are_strangers(&self, pair: [u32; 2]) -> bool {
         pair.iter()
             .any(|&slot| self.acquainted.has_room_without(slot as usize))
     }
 
-    /// Calls `visit` with the pairs whose boxes overlap, that are not held, and that have one of these slots; that slot comes first.
+    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first. Returns
+    /// how many rows it has gone through to pick them.
     pub(super) fn visit_near(
         &mut self,
         listed: &[u32],
         slots: usize,
         mut visit: impl FnMut([u32; 2]),
-    ) {
+    ) -> usize {
         if self.overlapping_count == self.held_count {
-            return;
+            return 0;
         }
         if self.walks_lists(listed.len(), slots) {
             let Self {
@@ -181,9 +166,8 @@ impl Candidates {
                     a != TOMBSTONE
                 });
             }
-            return;
+            return 0;
         }
-        self.passed_over += self.rows();
         self.slots.insert_all(listed, slots);
         for [a, b] in self.near() {
             for pair in [[a, b], [b, a]] {
@@ -193,28 +177,23 @@ impl Candidates {
             }
         }
         self.slots.clear_around(listed);
+        self.rows()
     }
 
-    /// Whether the candidates of a number of slots are found by lists, rather than picked from all. Makes the lists once they have been
-    /// missed often enough.
+    /// Whether the candidates of a number of slots are found by lists, and not picked from all. Makes the lists once they have been missed
+    /// often enough.
     fn walks_lists(&mut self, walked: usize, slots: usize) -> bool {
-        if !self.lists.state.pay(walked, slots, self.rows()) {
+        if !CandidateLists::pay(walked, slots, self.rows()) {
             return false;
         }
-        if !self.lists.state.are_made {
-            if !self.lists.state.are_due() {
-                self.lists.state.missed += 1;
+        if !self.lists.are_made {
+            if !self.lists.are_due() {
                 return false;
             }
-            self.make_lists(slots);
+            self.compact();
+            self.lists.make(&self.pairs, slots);
         }
         true
-    }
-
-    /// Makes the lists of this number of slots.
-    fn make_lists(&mut self, slots: usize) {
-        self.compact();
-        self.lists.make(&self.pairs, slots);
     }
 
     /// Sets the state of a row. Returns the former one.
@@ -236,19 +215,19 @@ impl Candidates {
         former
     }
 
-    /// Removes the tombstones if they are more than a share of all rows.
+    /// Removes the tombstones if they are too large a share of all rows.
     pub(super) fn compact_if_sparse(&mut self) {
         if self.tombstones > self.pairs.len() / SPARSE_FROM_ONE_IN {
             self.compact();
         }
     }
 
-    /// Moves the last rows to where tombstones are, which must be those of the last turns.
+    /// Fills tombstones with the last rows. All tombstones must be from the last turns.
     fn fill_tombstones(&mut self) {
         if self.tombstones == 0 {
             return;
         }
-        // Backwards, so that the row `swap_remove` moves in has already been looked at.
+        // Backwards, so that the row that `swap_remove` moves has been visited already.
         for turn in self
             .turns
             .iter()
@@ -273,12 +252,8 @@ impl Candidates {
         if self.tombstones == 0 {
             return;
         }
-        let mut pairs = self.pairs.iter();
-        self.states
-            .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
-        let mut pairs = self.pairs.iter();
-        self.dues
-            .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
+        retain(&mut self.states, &self.pairs);
+        retain(&mut self.dues, &self.pairs);
         self.pairs.retain(|pair| pair[0] != TOMBSTONE);
         self.tombstones = 0;
         // Rows have moved.
@@ -287,11 +262,11 @@ impl Candidates {
 
     /// Panics unless states, counts and, if they are made, lists are consistent.
     ///
-    /// `volumes_meet` tells whether a pair whose boxes overlap, and that is held or not, should be.
+    /// `should_be_held` says whether a pair whose boxes overlap should be held, given whether it is.
     pub(super) fn validate<R: Real, const D: usize>(
         &self,
         now: &[Aabb<R, D>],
-        volumes_meet: impl Fn([u32; 2], bool) -> bool,
+        should_be_held: impl Fn([u32; 2], bool) -> bool,
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
         assert!(self.dues.is_empty() || self.dues.len() == self.rows());
@@ -302,9 +277,15 @@ impl Candidates {
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {
             let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);
             assert_eq!(state != PairState::Apart, overlaps, "{pair:?} overlaps");
-            let is_held = overlaps && volumes_meet(pair, state.is_held());
+            let is_held = overlaps && should_be_held(pair, state.is_held());
             assert_eq!(state.is_held(), is_held, "{pair:?} is held, or is not");
         }
         self.lists.validate(&self.pairs);
     }
+}
+
+/// Keeps the items of rows that are not tombstones.
+fn retain<T>(by_row: &mut Vec<T>, pairs: &[[u32; 2]]) {
+    let mut pairs = pairs.iter();
+    by_row.retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
 }

@@ -1,59 +1,85 @@
 //! How far ahead a proxy's fat box reaches.
 //!
-//! Things keep going where they went: the fat box is the box, inflated in the direction of its last move as far as it will get in a
-//! number of further moves, and by a skin to all sides.
+//! Bodies mostly keep their direction. So the fat box is the box, extended along its last move by a number of further moves, and by a skin
+//! to all sides.
 //!
-//! The farther ahead, the fewer searches and the more candidates to compare. What pays depends on how far a box gets: boxes are inflated
-//! for as many moves as take boxes half their size ahead on average, and for no more than [`LONGEST`], for sooner or later things turn. Finding the
-//! best number scene by scene, by what each has cost, was tried and gains nothing on that.
+//! A longer foresight makes fewer searches and more candidates to compare. Fat boxes reach as many moves ahead as take a box half its size
+//! on average, and no more than [`LONGEST`], because sooner or later bodies turn. Adapting the number to the measured cost of each scene was
+//! tried and gains nothing over this.
 
 use crate::aabb::{Aabb, max, min};
 use crate::real::Real;
-use crate::tuning::foresight::{
-    AHEAD, CUT, CUT_RUNS, FIRST, LONGEST, SKIN, SPEED_SAMPLE, WIDEST_SKIN,
-};
 
-/// For how many moves ahead boxes are inflated.
+/// Box sizes: how far ahead fat boxes reach, at the mean speed. If larger: more candidates where bodies are fast. If smaller: more searches.
+const AHEAD: f64 = 0.5;
+
+/// Moves: the longest foresight. If larger: where bodies are slow, more candidates than searches are saved. If smaller: more searches.
+const LONGEST: u16 = 32;
+
+/// Moves: the foresight before anything has moved. If larger: where the first body that moves is huge, thousands of candidates. If smaller:
+/// the first boxes that move soon leave their fat boxes again.
+const FIRST: u16 = 8;
+
+/// A share of the extension along the move: how far the fat box extends to all sides. If larger: more candidates. If smaller: members of
+/// crowds, which keep turning, leave their fat boxes a third more often.
+const SKIN: f64 = 0.125;
+
+/// A share of the size of the box: the most that the skin may be. If larger: more candidates where bodies are fast. If smaller: fast bodies
+/// that turn leave their fat boxes.
+const WIDEST_SKIN: f64 = 0.25;
+
+/// Proxies: the sample from which the mean speed is estimated. If larger: time. If smaller: a few outliers decide.
+const SPEED_SAMPLE: usize = 128;
+
+/// The divisor of foresight when there are too many candidates. If larger: foresight that would pay is lost. If smaller: several searches
+/// until there are few enough.
+const CUT: u16 = 4;
+
+/// Full searches after a cut until the limit is doubled. If larger: foresight that would pay is lost. If smaller: too many candidates are
+/// found, and dropped, again and again.
+const CUT_RUNS: u32 = 16;
+
+/// For how many moves ahead fat boxes are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Foresight {
     pub(super) moves: u16,
-    /// Whether the user has fixed it.
+    /// Whether it is [overridden](crate::Overrides::foresight).
     pub(super) is_fixed: bool,
-    /// No more than this, since there were too many candidates.
+    /// The most moves, less than [`LONGEST`] after there were too many candidates.
     limit: u16,
     /// Full searches until the limit is doubled.
-    rest: u32,
+    until_doubled: u32,
 }
 
 impl Foresight {
-    /// A foresight that goes by how fast things move, or is fixed at this number of moves.
+    /// A foresight that follows the mean speed, or is fixed at this number of moves.
     pub(super) fn new(fixed: Option<u16>) -> Self {
         Self {
             moves: fixed.unwrap_or(FIRST),
             is_fixed: fixed.is_some(),
             limit: LONGEST,
-            rest: 0,
+            until_doubled: 0,
         }
     }
 
-    /// The foresight of a full search, where things move by `speed()` box sizes on average, if anything moves.
+    /// The foresight of a full search. `speed()` is the mean speed in box sizes per move, if anything moves.
     pub(super) fn renewed(mut self, speed: impl FnOnce() -> Option<f64>) -> Self {
         if self.is_fixed {
             return self;
         }
         if self.limit < LONGEST {
-            match self.rest.checked_sub(1) {
-                Some(rest) => self.rest = rest,
+            match self.until_doubled.checked_sub(1) {
+                Some(searches) => self.until_doubled = searches,
                 None => self.limit_to((2 * self.limit).max(1)),
             }
         }
         let moves = speed().map_or(f64::from(FIRST), |speed| AHEAD / speed);
-        // Rounded down, so there are none where things are too fast.
+        // Rounded down, so there are none where bodies are too fast.
         self.moves = moves.min(f64::from(self.limit)) as u16;
         self
     }
 
-    /// Looks less far ahead, because there are too many candidates.
+    /// Shortens the foresight, because there are too many candidates.
     pub(super) fn shorten(&mut self) {
         self.moves /= CUT;
         self.limit_to(self.moves);
@@ -61,10 +87,10 @@ impl Foresight {
 
     fn limit_to(&mut self, limit: u16) {
         self.limit = limit.min(LONGEST);
-        self.rest = CUT_RUNS;
+        self.until_doubled = CUT_RUNS;
     }
 
-    /// The fat box of a proxy that was at `before` and is at `now`. It contains `now`, for any numbers.
+    /// The fat box of a proxy whose box was `before` and is `now`. It contains `now`, for any numbers.
     pub(super) fn fat_box<R: Real, const D: usize>(
         self,
         now: &Aabb<R, D>,
@@ -81,27 +107,27 @@ impl Foresight {
             .fold(R::ZERO, |m, &s| max(max(m, s), R::ZERO - s));
         let mut fat = *now;
         for k in 0..D {
-            // No more than the size of the box: for boxes of one size, there are then at most a constant factor more
-            // candidates than pairs.
+            // No more than the size of the box. So boxes of one size have at most a constant factor more candidates than pairs.
             let size = now.maxs[k] - now.mins[k];
             let ahead = max(min(steps[k] * moves, size), R::ZERO - size);
             let aside = min(longest * moves * skin, size * widest);
             fat.mins[k] = now.mins[k] + min(ahead, R::ZERO) - aside;
             fat.maxs[k] = now.maxs[k] + max(ahead, R::ZERO) + aside;
         }
-        // It has a NaN if the boxes are infinite.
+        // Infinite boxes make a NaN.
         if fat.contains(now) { fat } else { *now }
     }
 }
 
-/// How far slots have moved on each axis in box sizes, on average, by a sample; `None` if all are new, infinite or still.
+/// How far the proxies of these slots have moved along each axis in box sizes, on average, by a sample; `None` if all are new, infinite or
+/// at rest.
 pub(super) fn mean_speed<R: Real, const D: usize>(
     moved: &[u32],
     now: &[Aabb<R, D>],
     before: &[Aabb<R, D>],
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0);
-    // By slots and in their order, because threads note what has moved in another one.
+    // The sample is chosen by slot and sorted, because threads write their notes in another order.
     let one_in = (moved.len() / SPEED_SAMPLE + 1) as u32;
     let is_sampled = |slot: &u32| (slot.wrapping_mul(0x9e37_79b9) >> 8) % one_in == 0;
     let mut sample: Vec<_> = moved.iter().copied().filter(is_sampled).collect();
@@ -112,7 +138,7 @@ pub(super) fn mean_speed<R: Real, const D: usize>(
             let [size, step] = [now.maxs[k] - now.mins[k], step(now, before, k)].map(R::to_f64);
             let relative = (step / size).abs();
             if relative.is_finite() {
-                // One that has jumped far says nothing about the others.
+                // A proxy that has jumped far says nothing about the others.
                 sum += relative.min(1.0);
                 count += 1;
             }
@@ -167,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_new_or_rests_has_no_speed() {
+    fn a_new_or_resting_box_has_no_speed() {
         let now = [at(0.0, 0.0)];
         assert_eq!(mean_speed(&[0], &now, &[Aabb::ABSENT]), None);
         assert_eq!(mean_speed(&[0], &now, &now), None);
@@ -175,14 +201,14 @@ mod tests {
     }
 
     #[test]
-    fn it_goes_half_a_size_ahead_and_no_farther_than_the_longest() {
+    fn it_reaches_half_a_size_ahead_and_no_farther_than_the_longest() {
         let moves = |speed| Foresight::new(None).renewed(|| speed).moves;
         let speeds = [None, Some(1e-9), Some(0.1), Some(0.5), Some(0.51)];
         assert_eq!(speeds.map(moves), [FIRST, LONGEST, 5, 1, 0]);
     }
 
     #[test]
-    fn what_was_shortened_grows_again_by_and_by() {
+    fn a_shortened_foresight_grows_again_step_by_step() {
         let slow = |foresight: Foresight| foresight.renewed(|| Some(1e-9));
         let mut foresight = slow(Foresight::new(None));
         // From none as well.

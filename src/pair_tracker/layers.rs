@@ -1,69 +1,51 @@
-//! What has stayed in its fat box, and what has left it.
+//! The search for fat boxes that overlap, in two layers.
 //!
-//! When few boxes leave their fat boxes, sorting all of them again for each update would be a waste. So there are two
-//! layers. The *base* is in the order that the last full search left behind. What is *recent* has left its fat box since then; it is small,
-//! and sorted in each update. An update looks the leavers up in the base, where entries that have left since are passed over, and runs the
-//! kernel on what is recent.
+//! When few boxes leave their fat boxes, sorting all of them in each update would be a waste. So there are two layers. The *base* keeps
+//! the order of the last full search. The *recent* boxes have left their fat boxes since then; they are few, and sorted in each update. An
+//! update looks the leavers up in the base, skipping entries that are outdated, and runs the kernel on the recent boxes.
 //!
-//! There is a full search once what is recent has cost as much as one. So the time is never more than about twice what it would be if the best
-//! moment were known beforehand. Kernels that cannot look boxes up have no layers: with them, every search is a full search.
+//! A full search is due once the recent layer has cost as much as one. So the time is never more than about twice what it would be if the
+//! best moment were known beforehand.
 
+use super::policy::{AboveBase, Work};
 use crate::aabb::Aabb;
-use crate::grid_sweep::{GridSweep, retain_from};
-use crate::kernel::Kernel;
-use crate::pair_finder::PairFinder;
-use crate::rank_sweep::RankSweep;
+use crate::diagnostics::Diagnostics;
+use crate::grid_sweep::GridSweep;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::stats::{Stats, Work};
 use crate::stopwatch::{Phase, Stopwatch};
-use crate::tuning::update::{COMPARE_ALL_UP_TO, KEEP_SCRATCH_UP_TO};
+use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
-/// A kernel, and the layers if it can have them.
+/// Slots. Worlds of no more compare each box with each in a full search, and look nothing up. If larger: the number of comparisons is
+/// quadratic. If smaller: choosing a grid and sorting into it takes longer than comparing, and so do look-ups.
+const COMPARE_ALL_UP_TO: usize = 16;
+
+/// The kernel for each layer.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Layers<R: Real, const D: usize> {
-    kernel: Kernel,
-    are_used: bool,
     /// In the order of the last full search.
     base: GridSweep<R, D>,
     is_base_sorted: bool,
-    /// All that have left their fat boxes since then.
+    /// The slots that have left their fat boxes since then.
     outdated: SlotSet,
-    /// What the layer above has cost since then, in boxes of a run.
-    cost: usize,
     recent: GridSweep<R, D>,
-    /// How many pairs of boxes overlap, wanted or not, as of the last full search.
-    found: usize,
-    /// Scratch: the members of a run.
+    /// How many boxes the searches of the recent layer have gone through since then, in all.
+    cost: usize,
+    /// How many pairs of fat boxes overlapped in the last full search, whether they may meet or not.
+    overlapping: usize,
+    /// The pairs that the last search found.
+    pub(super) found: Vec<[u32; 2]>,
+    /// Scratch: the boxes of a search.
     members: Vec<u32>,
-    rank_sweep: RankSweep<R, D>,
 }
 
-/// There are far more pairs than foresight can be worth.
+/// Far more pairs overlap than foresight can be worth.
 pub(super) struct TooMany;
 
-/// The layer above the base, which the last full search has sorted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct AboveBase {
-    /// What it has cost since the last full search, in boxes of a run.
-    pub(super) cost: usize,
-    /// How many slots are recent.
-    pub(super) recent: usize,
-}
-
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// A kernel, with empty layers if it can have them and they are `wanted`.
-    pub(super) fn new(kernel: Kernel, wanted: bool) -> Self {
-        Self {
-            kernel,
-            are_used: wanted && kernel == Kernel::GridSweep,
-            ..Self::default()
-        }
-    }
-
-    /// What is above the base layer, if layers are used and the base layer is sorted, so that leavers may be looked up.
+    /// The state of the recent layer; `None` if the base layer is not sorted, so that nothing can be looked up.
     pub(super) fn above_base(&self) -> Option<AboveBase> {
-        (self.are_used && self.is_base_sorted).then_some(AboveBase {
+        self.is_base_sorted.then_some(AboveBase {
             cost: self.cost,
             recent: self.outdated.len(),
         })
@@ -74,81 +56,72 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.is_base_sorted = false;
     }
 
-    /// Fills in what it knows: how many slots are above the base layer, and the size classes of the last full search, if it still holds.
-    pub(super) fn describe(&self, stats: &mut Stats) {
-        stats.above_base = self.outdated.len();
-        stats.classes = match self.is_base_sorted {
-            true => self.base.class_count(),
-            false => 0,
-        };
+    /// The size of the recent layer, and the size classes of the last full search if its order is still kept.
+    pub(super) fn diagnostics(&self) -> Diagnostics {
+        Diagnostics {
+            above_base: self.outdated.len(),
+            classes: match self.is_base_sorted {
+                true => self.base.class_count(),
+                false => 0,
+            },
+            ..Diagnostics::default()
+        }
     }
 
-    /// Appends to `found` the overlapping pairs among the valid boxes that are wanted. Returns how many overlap, wanted or not, or that
-    /// they are far more than last time, and that only some were found: more than there were, and `most`.
+    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. The list of [pairs](Self::found) must
+    /// be empty. Returns how many overlap, whether they may meet or not.
+    ///
+    /// # Errors
+    /// If so many more overlap than in the last full search as `most` says. Then only some were found.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
-        wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
+        may_meet: Option<impl Fn([u32; 2]) -> bool + Sync>,
         most: usize,
-        found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> Result<usize, TooMany> {
-        let first = found.len();
         self.forget();
         self.outdated.clear();
         self.cost = 0;
-        match self.kernel {
-            Kernel::GridSweep if boxes.len() > COMPARE_ALL_UP_TO => {
-                collect_valid(boxes, &mut self.members);
-                let (members, most) = (&self.members, self.found.saturating_add(most));
-                let overlapping = self
-                    .base
-                    .find_among(boxes, members, wanted, most, found, stopwatch);
-                if overlapping > most {
-                    return Err(TooMany);
-                }
-                self.found = overlapping;
-                self.is_base_sorted = true;
-                if boxes.len() > KEEP_SCRATCH_UP_TO {
-                    self.members = Vec::new();
-                    self.base.free_scratch();
-                }
-                return Ok(overlapping);
+        if boxes.len() <= COMPARE_ALL_UP_TO {
+            stopwatch.enter(Phase::Sweep);
+            compare_all(boxes, &mut self.found);
+            let overlapping = self.found.len();
+            if let Some(may_meet) = may_meet {
+                self.found.retain(|&pair| may_meet(pair));
             }
-            Kernel::GridSweep | Kernel::BruteForce => {
-                stopwatch.enter(Phase::Sweep);
-                compare_all(boxes, found);
-            }
-            Kernel::RankSweep => {
-                stopwatch.enter(Phase::Sweep);
-                collect_valid(boxes, &mut self.members);
-                let slots = &self.members;
-                // It takes only slices of valid boxes.
-                let valid: Vec<_> = slots.iter().map(|&slot| boxes[slot as usize]).collect();
-                let mut pairs = Vec::new();
-                // They are valid, and fewer than it takes.
-                let _ = self.rank_sweep.find_pairs(&valid, &mut pairs);
-                // The slots ascend, so the smaller of a pair stays the smaller.
-                found.extend(pairs.iter().map(|pair| pair.map(|i| slots[i as usize])));
-            }
+            return Ok(overlapping);
         }
-        let overlapping = found.len() - first;
-        if let Some(wanted) = wanted {
-            retain_from(found, first, wanted);
+        self.members.clear();
+        let numbered = (0..).zip(boxes).filter(|(_, b)| b.is_valid());
+        self.members.extend(numbered.map(|(slot, _)| slot));
+        let most = self.overlapping.saturating_add(most);
+        let (members, found) = (&self.members, &mut self.found);
+        let base = &mut self.base;
+        let overlapping = base.find_among(boxes, members, may_meet, most, found, stopwatch);
+        if overlapping > most {
+            return Err(TooMany);
+        }
+        self.overlapping = overlapping;
+        self.is_base_sorted = true;
+        if boxes.len() > KEEP_SCRATCH_UP_TO {
+            self.members = Vec::new();
+            self.base.free_scratch();
         }
         Ok(overlapping)
     }
 
-    /// Appends to `found` the overlapping pairs among the valid boxes that may meet and involve one of the `leavers`, which must be all that
-    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns what it took, or that there are far
-    /// more pairs than there were, and `most`, and that only some were found.
+    /// Finds the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
+    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns the work it took.
+    ///
+    /// # Errors
+    /// If so many more overlap than in the last full search as `most` says. Then only some were found.
     pub(super) fn find_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &SlotSet,
         may_meet: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
-        found: &mut Vec<[u32; 2]>,
         stopwatch: &mut Stopwatch,
     ) -> Result<Work, TooMany> {
         let is_new = |pair: [u32; 2]| {
@@ -163,9 +136,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
             base,
             outdated,
             recent,
+            found,
             members,
             ..
         } = self;
+        found.clear();
         outdated.make_room(boxes.len());
         for &slot in leavers.slots() {
             outdated.insert(slot);
@@ -176,7 +151,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
             a != b && may_meet(pair)
         };
-        let most = self.found.saturating_add(most);
+        let most = self.overlapping.saturating_add(most);
         let tally = base.look_up(boxes, &queries, is_current, most, found);
         if tally.emitted > most {
             return Err(TooMany);
@@ -199,20 +174,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
     }
 }
 
-/// Appends the overlapping pairs among the valid ones of few boxes, each compared with each.
+/// Appends the overlapping pairs of a few boxes. Invalid boxes overlap nothing.
 fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
     for (b, second) in (0..).zip(boxes) {
-        // What is not valid overlaps nothing.
         let overlapping = (0..b)
             .zip(boxes)
             .filter(|(_, first)| first.intersects(second));
         found.extend(overlapping.map(|(a, _)| [a, b]));
     }
-}
-
-/// Replaces `slots` by the slots that have a valid box, ascending.
-fn collect_valid<R: Real, const D: usize>(boxes: &[Aabb<R, D>], slots: &mut Vec<u32>) {
-    slots.clear();
-    let numbered = (0..).zip(boxes);
-    slots.extend(numbered.filter(|(_, b)| b.is_valid()).map(|(slot, _)| slot));
 }

@@ -1,36 +1,36 @@
-//! How far a volume has moved, so that a pair is asked again only once its two volumes may have come to another answer.
+//! How far volumes have moved, so that a pair is tested again only once its answer may have changed.
 //!
-//! Each slot has an [`Odometer`], and each candidate that was asked has a [`Due`]: the sum of both odometers then, and the
-//! [room](crate::volume::VolumeRef::room) that both had together. Until the sum reaches it, the answer stays. These are the failure
-//! times of kinetic data structures (Basch, Guibas and Hershberger 1999) with a path in the place of a clock, or the skin of a Verlet
-//! list for each pair.
+//! Each slot has an [`Odometer`], and each candidate that was tested has a [`Due`]: the sum of both odometers at that time, plus the
+//! [room](crate::volume::VolumeRef::room) between the two volumes. Until the odometers reach it, the answer stays the same. These are the
+//! failure times of kinetic data structures (Basch, Guibas and Hershberger 1999) with a path in place of a clock, or a Verlet list with a
+//! skin for each pair.
 //!
-//! Moves are rounded up and room is rounded down, by more than the sums of a few numbers may be wrong by.
+//! Moves are rounded up and room is rounded down, by more than the error of a sum of a few numbers.
 
 use crate::real::Real;
 
-/// What a move is rounded up by, and room is rounded down by.
+/// A share by which moves are rounded up, and room is rounded down.
 const ROUNDING: f64 = 1.0 / 64.0;
 
-/// What two sums may be wrong by, and more.
+/// A bound on the relative error of two sums.
 const SUM_ROUNDING: f32 = 4.0 * f32::EPSILON;
 
-/// A pair's room has to last for so many moves at its mean speed, or looking at it takes longer than it spares.
+/// Moves for which the room of a pair must last at its mean speed. If it does not, computing the room takes longer than it saves.
 const WORTH_MOVES: f32 = 2.0;
 
-/// At least as far as any point of a volume has moved since it was set to 0.
+/// An upper bound on how far any point of a volume has moved since the odometer was set to 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Odometer(f32);
 
-/// What two odometers have to reach together. By default they have.
+/// The sum that two odometers must reach. By default it is reached.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Due(f32);
 
 impl Odometer {
-    /// That of a volume that may have moved anywhere: all its pairs are asked.
+    /// The odometer of a volume that may have moved anywhere: all its pairs are tested.
     pub(super) const LOST: Self = Self(f32::INFINITY);
 
-    /// Goes on by a move, at least 0. NaN counts as a move of any length.
+    /// Adds a move of at least 0. NaN counts as a move of any length.
     #[inline(always)]
     pub(super) fn advance<R: Real>(&mut self, by: R) {
         let rounded = (by.to_f64() * (1.0 + ROUNDING)) as f32;
@@ -42,10 +42,10 @@ impl Odometer {
 }
 
 impl Due {
-    /// That of a pair that moves so far, or has so little room, that it is asked in each update, without a look at its room.
+    /// The due of a pair that moves so far, or has so little room, that it is tested in each update, and its room is not computed.
     const HOPELESS: Self = Self(-1.0);
 
-    /// The due of a pair that has this room, and whose odometers have come so far in this number of updates.
+    /// The due of a pair with this room, whose odometers have come so far in this number of updates.
     #[inline(always)]
     pub(super) fn of_room<R: Real>([a, b]: [Odometer; 2], room: R, moves: u32) -> Self {
         let (moved, room) = (a.0 + b.0, (room.to_f64() * (1.0 - ROUNDING)) as f32);
@@ -55,16 +55,16 @@ impl Due {
         }
     }
 
-    /// Whether it is not worth asking for the room of the pair again.
+    /// Whether the room of the pair is not worth computing again.
     #[inline(always)]
     pub(super) fn is_hopeless(self) -> bool {
         self == Self::HOPELESS
     }
 
-    /// Whether the pair is to be asked again.
+    /// Whether the pair must be tested again.
     #[inline(always)]
     pub(super) fn is_reached(self, [a, b]: [Odometer; 2]) -> bool {
-        // So it is if a number is NaN.
+        // True if a number is NaN.
         let is_ahead = a.0 + b.0 < self.0;
         !is_ahead
     }
@@ -74,7 +74,7 @@ impl Due {
 mod tests {
     use super::*;
 
-    /// Moves, so that all room is worth a look.
+    /// So many moves that all room is worth computing.
     const MANY: u32 = u32::MAX;
 
     fn moved(moves: impl IntoIterator<Item = f64>) -> Odometer {
@@ -97,7 +97,7 @@ mod tests {
                         });
                         assert!(due.is_reached(pair), "{size} {before} {parts} {moves}");
                     }
-                    // Nor is it reached by far too early, where it counts.
+                    // Nor is it reached far too early, where that matters.
                     if parts > before / 1000.0 && parts * size > 1e-30 {
                         assert!(!due.is_reached(start));
                         let [a, mut b] = start;
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_by_next_to_nothing_gets_on() {
+    fn tiny_moves_add_up() {
         for by in [f64::MIN_POSITIVE, 1e-300, 1e-46, 1e-9] {
             let mut far = [moved([1.0]), Odometer::default()];
             let due = Due::of_room(far, 1e-3, MANY);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn room_that_does_not_last_is_not_looked_at_again() {
+    fn room_that_does_not_last_is_not_computed_again() {
         let pair = [moved([1.0]), moved([1.0])];
         for (room, moves, is_hopeless) in [(3.0, 1, true), (5.0, 1, false), (3.0, 2, false)] {
             let due = Due::of_room(pair, room, moves);
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_beyond_all_numbers_is_asked() {
+    fn infinite_and_nan_moves_reach_any_due() {
         let still = Odometer::default();
         for odd in [f64::NAN, f64::INFINITY, 1e300] {
             let pair = [still, moved([odd])];

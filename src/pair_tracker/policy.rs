@@ -1,114 +1,80 @@
 //! What an update does: a function from a few numbers to a plan.
 //!
-//! Comparing boxes that are known to be near each other is cheap. Looking a few boxes up among all others costs more. A
-//! full search, a search for all pairs, costs most, but it postpones the next ones. The costs are in `tuning`.
+//! Comparing boxes that are known to be near each other is cheap. Looking a few boxes up among all others costs more. A full search, a
+//! search for all pairs, costs most, and postpones the next one. The prices are in `tuning`.
 
 #[cfg(test)]
 mod tests;
 
 use super::foresight::Foresight;
-use super::layers::AboveBase;
-use crate::stats::Work;
-use crate::tuning::prices::{FOUND, LISTED, LOOKED_UP, PICKED, SEARCHED, VISITED, WALKED};
-use crate::tuning::update::{
-    COMPARE_ALL_FROM_ONE_IN, FULL_SEARCH_SLACK, LISTS_COST, MOST_CANDIDATES,
-};
+use crate::tuning::prices::{FOUND, LOOKED_UP, SEARCHED, VISITED};
+
+/// One slot in this many. If more were touched, an update goes through all slots and all candidates, in order; otherwise only through the
+/// touched slots, and it picks their candidates. If larger: all candidates are compared though few can have changed. If smaller: picking
+/// costs as much as comparing.
+const COMPARE_ALL_FROM_ONE_IN: usize = 3;
+
+/// A share of a full search. There is one if the look-ups of an update cost more by this than the mean of all updates since the last full
+/// search, that one included. If larger: waves, fat boxes made at one time and left at one time, are looked up box by box. If smaller: full
+/// searches by chance.
+const FULL_SEARCH_TOLERANCE: u64 = 16;
+
+/// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut, for example where huge boxes are about to pass over
+/// many small ones. If larger: memory. If smaller: dense scenes lose their foresight.
+const MOST_CANDIDATES: usize = 8;
 
 /// What decides the plan of an update.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlanInputs {
-    /// Slots there is room for.
+    /// Slots for which there is room.
     pub(super) slots: usize,
-    /// Slots that were touched: their boxes or keys were written. A slot may count more than once.
-    pub(super) touched: usize,
-    /// Slots whose volume has changed, and not their box. May count more than once, and may have been touched as well.
-    pub(super) revolumed: usize,
-    /// Touched slots whose boxes have left their fat boxes, have none yet, or are gone.
+    /// Slots whose boxes have left their fat boxes, are new, or are gone.
     pub(super) leavers: usize,
     pub(super) candidates: usize,
-    /// Rows of the candidates, tombstones included.
-    pub(super) rows: usize,
-    pub(super) lists: ListState,
-    /// What is above the base layer, if leavers may be looked up in it.
+    /// The state of the recent layer, if leavers may be looked up.
     pub(super) above_base: Option<AboveBase>,
     /// How far ahead the present fat boxes reach.
     pub(super) foresight: Foresight,
-    /// What searching has cost in all updates since the last full search, that run included.
+    /// The cost of searching in all updates since the last full search, that one included.
     pub(super) cost: Cost,
 }
 
-/// What an update does.
+/// The recent layer of a search, above the base that the last full search has sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct AboveBase {
+    /// How many boxes its searches have gone through since the last full search, in all.
+    pub(super) cost: usize,
+    /// How many slots are recent.
+    pub(super) recent: usize,
+}
+
+/// What an update does that has something to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Plan {
-    /// Nothing was touched.
-    Nothing,
-    /// Nothing has left its fat box: candidates are compared.
-    Compare(CompareMode),
-    /// Little has: it is looked up in the layers, then candidates are compared.
-    LookUp(CompareMode),
-    /// Much has, or is about to: what has moved is inflated anew with this foresight, and all pairs are searched for.
+    /// No box has left its fat box: compare candidates.
+    Compare,
+    /// A few boxes have: look them up in the layers, then compare candidates.
+    LookUp,
+    /// Many boxes have, or are about to: make new fat boxes with this foresight for all that have moved, and search for all pairs.
     FullSearch(Foresight),
 }
 
-/// Which candidates are compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CompareMode {
-    /// All, in order.
-    All,
-    /// Those of the touched slots, picked from all. `lists_are_missed` if lists would have been useful.
-    Picked { lists_are_missed: bool },
-    /// Those of the touched slots, by lists, which are made if there are none.
-    Listed,
-}
-
-/// Whether there are lists of the candidates of each slot.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct ListState {
-    pub(super) are_made: bool,
-    /// How often they would have been useful while there were none.
-    pub(super) missed: u32,
-}
-
-impl ListState {
-    /// The most rows that 32-bit links can tell apart.
-    pub(super) const MOST_ROWS: usize = 1 << 30;
-
-    /// Whether walking the lists of some of all slots is cheaper than picking their candidates from all rows.
-    pub(super) fn pay(self, walked: usize, slots: usize, rows: usize) -> bool {
-        let [listed, slots, all] = [walked, slots, rows].map(to_u64);
-        // Each candidate is in two lists.
-        let candidates = 2 * all * listed / slots.max(1);
-        LISTED * listed + WALKED * candidates < PICKED * all && rows <= Self::MOST_ROWS
-    }
-
-    /// Whether they have been missed often enough to be made.
-    pub(super) fn are_due(self) -> bool {
-        self.missed >= LISTS_COST
-    }
-}
-
 impl Plan {
-    /// The plan for an update. `mean_speed`, of what has moved, in box sizes per move, is called only before a full search.
+    /// The plan for an update. `mean_speed`, that of the proxies that have moved, in box sizes per move, is called only before a full
+    /// search.
     pub(super) fn of(inputs: &PlanInputs, mean_speed: impl FnOnce() -> Option<f64>) -> Self {
-        if inputs.touched + inputs.revolumed == 0 {
-            return Self::Nothing;
-        }
-        if inputs.is_full_search_due() {
-            return Self::FullSearch(inputs.foresight.renewed(mean_speed));
-        }
-        let mode = inputs.compare_mode();
-        match inputs.leavers {
-            0 => Self::Compare(mode),
-            _ => Self::LookUp(mode),
+        if inputs.leavers == 0 {
+            Self::Compare
+        } else if inputs.is_full_search_due() {
+            Self::FullSearch(inputs.foresight.renewed(mean_speed))
+        } else {
+            Self::LookUp
         }
     }
 }
 
 impl PlanInputs {
     fn is_full_search_due(&self) -> bool {
-        if self.leavers == 0 {
-            return false;
-        }
         let Some(above_base) = self.above_base else {
             return true;
         };
@@ -121,36 +87,38 @@ impl PlanInputs {
         let look_ups = look_up.saturating_mul(leavers).saturating_add(
             SEARCHED * (to_u64(above_base.recent) + leavers) + FOUND * found_by_look_ups,
         );
-        // As long as an update costs less than the mean since the last full search, that run still pays. Fat boxes made
-        // at one time tend to be left at one time; then it no longer does.
-        let mean = self.cost.searching / self.cost.updates.max(1);
-        look_ups > mean.saturating_add(full_search / FULL_SEARCH_SLACK)
-            || above_base.cost > self.slots
-    }
-
-    fn compare_mode(&self) -> CompareMode {
-        if are_most_touched(self.touched, self.slots) {
-            return CompareMode::All;
-        }
-        let lists = self.lists;
-        let pay = lists.pay(self.touched, self.slots, self.rows);
-        match pay && (lists.are_made || lists.are_due()) {
-            true => CompareMode::Listed,
-            false => CompareMode::Picked {
-                lists_are_missed: pay,
-            },
-        }
+        // As long as an update costs less than the mean since the last full search, that search still pays. Fat boxes made at one time
+        // tend to be left at one time; then it no longer does.
+        let tolerated = full_search / FULL_SEARCH_TOLERANCE;
+        look_ups > self.cost.mean().saturating_add(tolerated) || above_base.cost > self.slots
     }
 }
 
-/// What searching has cost in some updates.
+/// The work of an update, in counts of operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Work {
+    /// Candidates of which it was asked whether one of their slots was touched.
+    pub(super) picked: usize,
+    /// Slots whose candidates were found by lists.
+    pub(super) walked: usize,
+    /// Boxes that were looked up among all others.
+    pub(super) looked_up: usize,
+    /// Boxes with which these were compared, and the cost of finding them, in comparisons.
+    pub(super) visited: usize,
+    /// Boxes among which all pairs were searched for.
+    pub(super) searched: usize,
+    /// Pairs that were found by either.
+    pub(super) found: usize,
+}
+
+/// The cost of searching in some updates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cost {
-    pub(super) updates: u64,
-    pub(super) searching: u64,
-    /// Of that, look-ups and what they visited.
-    pub(super) looked_up: u64,
-    pub(super) visited: u64,
+    updates: u64,
+    searching: u64,
+    /// Look-ups, and their visits.
+    looked_up: u64,
+    visited: u64,
 }
 
 impl Cost {
@@ -171,22 +139,27 @@ impl Cost {
         self.visited = self.visited.saturating_add(to_u64(work.visited));
     }
 
-    /// What a look-up has visited, on average; nothing if there was none.
+    /// The cost of an update, on average; 0 if there was none.
+    pub(super) fn mean(&self) -> u64 {
+        self.searching / self.updates.max(1)
+    }
+
+    /// The visits of a look-up, on average; 0 if there was none.
     fn visits_a_look_up(&self) -> u64 {
         self.visited / self.looked_up.max(1)
     }
 }
 
-/// Whether so many slots were touched that going through all slots in order is faster than visiting only the touched.
+/// Whether going through all slots in order is faster than visiting those that were touched.
 pub(super) fn are_most_touched(touched: usize, slots: usize) -> bool {
     touched >= slots / COMPARE_ALL_FROM_ONE_IN
-}
-
-fn to_u64(count: usize) -> u64 {
-    count as u64
 }
 
 /// Whether there are more candidates than foresight can be worth.
 pub(super) fn are_too_many(candidates: usize, slots: usize, overlapping: usize) -> bool {
     candidates / MOST_CANDIDATES > slots + overlapping
+}
+
+fn to_u64(count: usize) -> u64 {
+    count as u64
 }

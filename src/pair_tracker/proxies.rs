@@ -1,12 +1,15 @@
 //! The proxies: one structure of arrays, by slot.
 //!
-//! Between two updates, placing, clearing and removing proxies only writes boxes and notes which slots it has written. Nothing is
-//! searched or compared until the next `finish`, so a proxy may be written any number of times. What works through many slots
-//! borrows all of them as one [`ProxyChunk`], or each of several threads a chunk of its own.
+//! Between two updates, placing, clearing and removing proxies only writes boxes and notes which slots were written. Nothing is searched
+//! or compared until the next update, so a proxy may be written any number of times. Code that goes through many slots borrows all of them
+//! as one [`ProxyChunk`], or gives each of several threads a chunk.
+
+mod chunk;
+mod pair_rules;
 
 use super::FilterKey;
-use super::chunk::ProxyChunk;
 use super::foresight::Foresight;
+use super::notes::Notes;
 use super::policy::are_most_touched;
 use super::volumes::Volumes;
 use crate::aabb::Aabb;
@@ -17,45 +20,36 @@ use crate::slot_set::SlotSet;
 use crate::tuning::prices::SLOT;
 use crate::tuning::update::MOST_NOTES_A_SLOT;
 use crate::volume::Volume;
+pub(crate) use chunk::ProxyChunk;
+pub(super) use pair_rules::{Rows, overlap};
 
-/// What is known of each slot, and what has changed since the last `finish`.
+/// The state of each slot, and notes of what has changed since the last update.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Proxies<R, const D: usize, K> {
     /// The box of each slot; all NaN, which overlaps nothing, where there is no proxy.
     pub(crate) boxes: Vec<Aabb<R, D>>,
-    /// The boxes as they were at the end of the last `finish`; all NaN too once a proxy is removed.
+    /// The boxes at the end of the last update; all NaN once a proxy is removed.
     pub(super) previous: Vec<Aabb<R, D>>,
-    /// The fat box of each proxy; all NaN where there is none, or none yet.
+    /// The fat box of each proxy; all NaN where there is no proxy, or a new one.
     pub(crate) fat_boxes: Vec<Aabb<R, D>>,
     pub(super) keys: Vec<K>,
-    /// Whether a slot has had another key than the default one, with which all may meet.
+    /// Whether any slot has had another key than the default one, with which all may meet.
     pub(super) are_filtered: bool,
-    /// Whether a proxy with a box has had its key changed, so that pairs may be held that the keys now forbid.
+    /// Whether the key of any proxy with a box has changed, so that pairs may be held that their keys forbid.
     pub(super) are_rekeyed: bool,
-    /// The volume of each slot, if pairs are told apart by them.
+    /// The volume of each slot, if volumes are in use.
     pub(super) volumes: Volumes<R, D>,
     pub(super) notes: Notes,
-    /// In a `finish`, the slots whose boxes have left their fat boxes, have none yet, or are gone.
+    /// In an update, the slots whose boxes have left their fat boxes, are new, or are gone.
     pub(super) leavers: SlotSet,
-    /// In a `finish`, the slots that have another box than at the end of the last one, if volumes are in use.
+    /// In an update, the slots whose boxes differ from those at the end of the last one, if volumes are in use.
     pub(super) renewed: BitSet,
-    /// In a `finish`, how far the volumes of a held pair may be apart.
+    /// In an update, how far apart the volumes of a held pair may be.
     pub(super) slack: R,
 }
 
-/// Slots that were written since the last `finish`; each may repeat.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Notes {
-    /// Whose boxes or keys were written.
-    pub(super) touched: Vec<u32>,
-    /// Those of them whose boxes have left their fat boxes, or that have to be searched for all the same.
-    pub(super) left: Vec<u32>,
-    /// Whose volumes have changed, but not their boxes at that time.
-    pub(super) revolumed: Vec<u32>,
-}
-
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
-    /// No slots yet. `volumes` says whether volumes are in use.
+    /// Proxies without slots. `volumes` says whether volumes are in use.
     pub(super) fn new(volumes: bool) -> Self {
         Self {
             volumes: Volumes::new(volumes),
@@ -83,17 +77,17 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.keys[slot as usize]
     }
 
-    /// The volumes, if pairs are told apart by them.
+    /// The volumes; there are none unless they are in use.
     pub(crate) fn volumes(&self) -> &Volumes<R, D> {
         &self.volumes
     }
 
-    /// The volumes, to note what all of them depend on.
+    /// The volumes, to note the extents on which all of them depend.
     pub(crate) fn volumes_mut(&mut self) -> &mut Volumes<R, D> {
         &mut self.volumes
     }
 
-    /// The slots whose boxes or keys were written since the last `finish`; may repeat.
+    /// The slots whose boxes or keys were written since the last update; may repeat.
     pub(crate) fn touched(&self) -> &[u32] {
         &self.notes.touched
     }
@@ -124,15 +118,15 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Chunks of this many slots, to be written by several threads. What they note is to be [taken in](Self::note).
+    /// Chunks of this many slots, to be written by several threads. The caller passes their notes to [`note`](Self::note) afterwards.
     pub(crate) fn chunks<'a>(
         &'a mut self,
         slots: usize,
         notes: impl IntoIterator<Item = &'a mut Notes>,
     ) -> impl Iterator<Item = ProxyChunk<'a, R, D, K>> {
         let boxes = self.boxes.chunks_mut(slots).zip(notes);
-        let rest = self.fat_boxes.chunks(slots).zip(self.keys.chunks(slots));
-        let all = boxes.zip(rest).zip(self.volumes.chunks(slots));
+        let read = self.fat_boxes.chunks(slots).zip(self.keys.chunks(slots));
+        let all = boxes.zip(read).zip(self.volumes.chunks(slots));
         all.enumerate().map(
             move |(i, (((boxes, notes), (fat_boxes, keys)), volumes))| ProxyChunk {
                 first_slot: i * slots,
@@ -145,11 +139,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         )
     }
 
-    /// Takes in the notes of a chunk.
+    /// Takes the notes of a chunk.
     pub(crate) fn note(&mut self, notes: &mut Notes) {
-        self.notes.touched.append(&mut notes.touched);
-        self.notes.left.append(&mut notes.left);
-        self.notes.revolumed.append(&mut notes.revolumed);
+        self.notes.append(notes);
     }
 
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
@@ -157,11 +149,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.all().place(slot as usize, aabb);
     }
 
-    /// Takes the box of a slot away; its pairs end with an event each. Its fat box stays until then, like its candidates.
+    /// Removes the box of a slot; its pairs end with an event each. Its fat box and its candidates stay until then.
     pub(crate) fn clear_box(&mut self, slot: u32) {
         if let Some(aabb) = self.boxes.get_mut(slot as usize) {
             *aabb = Aabb::ABSENT;
-            self.search_anew(slot);
+            self.search_again(slot);
         }
     }
 
@@ -173,13 +165,13 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    fn search_anew(&mut self, slot: u32) {
+    fn search_again(&mut self, slot: u32) {
         self.notes.touched.push(slot);
-        self.notes.left.push(slot);
+        self.notes.leavers.push(slot);
     }
 
-    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for anew. Pairs that are held
-    /// stay, whether the new key allows them or not.
+    /// Sets the filter key of a slot, for which there must be room. If it changes, the proxy is searched for again. Held pairs stay,
+    /// whether the new key allows them or not.
     pub(crate) fn set_key(&mut self, slot: u32, key: K) {
         let index = slot as usize;
         let former = std::mem::replace(&mut self.keys[index], key);
@@ -189,39 +181,34 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.are_filtered = true;
         self.are_rekeyed |= self.previous[index].is_valid();
         if self.boxes[index].is_valid() {
-            self.search_anew(slot);
+            self.search_again(slot);
         }
     }
 
-    /// Sets the volume of a slot, for which there must be room, and whose box `is_renewed` at the same time or not.
+    /// Sets the volume of a slot, for which there must be room. `is_renewed` says whether its box is renewed at the same time.
     pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) {
         if self.volumes.set(slot, volume, is_renewed) && !is_renewed {
             self.notes.revolumed.push(slot);
         }
     }
 
-    /// Sets the volume of a slot as it is now, without a margin.
+    /// Sets the volume of a slot to the present one, without a margin.
     pub(crate) fn reset_volume(&mut self, slot: u32, volume: &Volume<R, D>) {
         self.volumes.set(slot, volume, true);
         self.notes.revolumed.push(slot);
     }
 
-    /// Forgets what was noted more than once since the last `finish`, if it takes much memory. **O(1)** a note.
+    /// Removes repeated notes if they take much memory. **O(1)** per note, amortized.
     pub(crate) fn forget_repeats(&mut self) {
-        let notes = &mut self.notes;
-        for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
-            if noted.len() > MOST_NOTES_A_SLOT * self.boxes.len() {
-                noted.sort_unstable();
-                noted.dedup();
-            }
-        }
+        self.notes
+            .forget_repeats(MOST_NOTES_A_SLOT * self.boxes.len());
     }
 
-    /// Prepares for comparing: makes sets of what was noted.
-    pub(super) fn begin_finish(&mut self, slack: R) {
+    /// Begins an update: makes sets of the notes.
+    pub(super) fn begin_update(&mut self, slack: R) {
         self.slack = slack;
         self.volumes.note_moves();
-        for &slot in &self.notes.left {
+        for &slot in &self.notes.leavers {
             self.leavers.insert(slot);
         }
         if self.volumes.are_used() {
@@ -230,7 +217,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             if are_most_touched(self.notes.touched.len(), slots) {
                 return self.renewed.ask(slots, SLOT, |slots| {
                     let boxes = boxes[slots.clone()].iter().zip(&previous[slots]);
-                    // Where there is no box, it does not equal itself.
+                    // An absent box does not equal itself.
                     gather(boxes, |(now, before)| (now != before) & now.is_valid())
                 });
             }
@@ -244,7 +231,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Inflates the boxes that have left their fat boxes anew.
+    /// Makes new fat boxes for the leavers.
     pub(super) fn inflate_leavers(&mut self, foresight: Foresight) {
         for &slot in self.leavers.slots() {
             let i = slot as usize;
@@ -252,10 +239,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Inflates the boxes that were touched.
+    /// Makes new fat boxes for the touched proxies.
     pub(super) fn inflate_touched(&mut self, foresight: Foresight) {
         if are_most_touched(self.notes.touched.len(), self.boxes.len()) {
-            // The rest has not moved, or is back inside its fat box.
+            // The other boxes have not moved, or are back inside their fat boxes.
             return self.inflate(foresight, |fat, now, before| {
                 now != before || !fat.contains(now)
             });
@@ -266,12 +253,12 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Inflates all boxes.
+    /// Makes new fat boxes for all proxies.
     pub(super) fn inflate_all(&mut self, foresight: Foresight) {
         self.inflate(foresight, |_, _, _| true);
     }
 
-    /// Inflates the boxes for which it is due, going by their fat boxes, their boxes, and those before.
+    /// Makes a new fat box for each proxy for which `is_due` says so, which is given the fat box, the box, and the previous box.
     fn inflate(
         &mut self,
         foresight: Foresight,
@@ -289,8 +276,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         });
     }
 
-    /// Makes the present boxes the previous ones, and forgets the notes.
-    pub(super) fn commit(&mut self) {
+    /// Ends an update: makes the present boxes the previous ones, and clears the notes.
+    pub(super) fn end_update(&mut self) {
         let touched = &self.notes.touched;
         if are_most_touched(touched.len(), self.boxes.len()) {
             let (section, slots) = self.section();
@@ -307,14 +294,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if self.volumes.are_used() {
             self.renewed.clear_around(touched);
         }
-        let notes = &mut self.notes;
-        for noted in [&mut notes.touched, &mut notes.left, &mut notes.revolumed] {
-            noted.clear();
-        }
+        self.notes.clear();
         self.leavers.clear();
     }
 
-    /// A section that goes through all slots, and how many of them make a part of it.
+    /// A section that goes through all slots, and the number of slots in each part of it.
     fn section(&self) -> (Section, usize) {
         let section = Section::of(self.boxes.len(), SLOT);
         (section, self.boxes.len().div_ceil(section.parts()).max(1))

@@ -1,41 +1,41 @@
-//! A tracker as it is written and read by serde.
+//! The serialized form of a tracker.
 //!
-//! The changes to come, and their order in events, depend on boxes, filter keys and volumes, and on which pairs whose boxes overlap are
-//! held. Only that is written. Fat boxes, candidates, layers and the foresight decide how much work it is to find the changes; a tracker
-//! that was read makes them anew. Between two updates boxes may have been handed over, so what has been touched since the last update is
-//! written too. What is read is checked, so a tracker that was read is always consistent.
+//! Later changes, and the order of their events, depend on boxes, filter keys and volumes, and on which pairs of overlapping boxes are
+//! held. Only these are serialized. Fat boxes, candidates, layers and the foresight decide how long it takes to find the changes; a
+//! restored tracker makes them again. Boxes may be written between two updates, so the slots touched since the last update are serialized
+//! too. Restoring checks everything, so a restored tracker is always consistent.
 
 use serde::{Deserialize, Serialize};
 
-use super::candidates::overlap;
+use super::proxies::overlap;
 use super::validation::{overlapping, set_of};
 use super::volumes::VolumesSnapshot;
 use super::{FilterKey, MOST_SLOTS, PairTracker};
 use crate::aabb::Aabb;
-use crate::kernel::Kernel;
+use crate::grid_sweep::GridSweep;
 use crate::real::Real;
 
-/// What decides the changes to come.
+/// The state on which later changes depend.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
     deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
 ))]
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
-    /// By slot, as of the last `finish`.
+    /// By slot, at the end of the last update.
     proxies: Vec<Option<Proxy<R, D, K>>>,
-    /// The keys of slots without a proxy, except default ones: a box that is handed over does not bring its key.
+    /// The keys of slots without a proxy, except default ones. Such a slot may get a box without a new key.
     other_keys: Vec<(u32, K)>,
-    /// The slots touched since the last `finish`, with their present boxes.
+    /// The slots touched since the last update, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
     volumes: VolumesSnapshot<R>,
-    /// The slots whose volumes have changed since the last `finish`.
+    /// The slots whose volumes have changed since the last update.
     revolumed: Vec<u32>,
     /// The pairs whose boxes overlap and that are not held.
     near: Vec<[u32; 2]>,
-    /// The candidates whose boxes overlap and that their keys have come to forbid, held or not.
+    /// The pairs whose boxes overlap and that their keys have come to forbid, held or not.
     forbidden: Vec<[u32; 2]>,
-    /// The slots whose boxes have ever overlapped those of others that they might meet, if volumes are in use.
+    /// The acquainted slots, if volumes are in use.
     acquainted: Vec<u32>,
     full_searches: u64,
 }
@@ -52,7 +52,7 @@ struct Proxy<R, const D: usize, K> {
 }
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
-    /// A tracker between two updates.
+    /// The serialized form of a tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
         let proxies = &self.proxies;
         let by_slot = || proxies.previous.iter().zip(&proxies.keys);
@@ -72,7 +72,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             false => Vec::new(),
         };
         forbidden.sort_unstable();
-        let acquainted = self.candidates.acquainted().iter();
+        let acquainted = self.candidates.acquainted.iter();
         TrackerSnapshot {
             proxies: by_slot().map(proxy).collect(),
             other_keys: other_keys.collect(),
@@ -88,10 +88,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Goes on from where another tracker was; this one must be new.
+    /// Restores a tracker from its serialized form. This one must be new.
     ///
     /// # Errors
-    /// What is wrong, if no tracker can have written it.
+    /// A message, if no tracker has this serialized form.
     pub(crate) fn restore(
         &mut self,
         snapshot: TrackerSnapshot<R, D, K>,
@@ -124,7 +124,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         proxies.are_filtered = proxies.keys.iter().any(|&key| key != K::default());
         proxies.volumes.restore(snapshot.volumes, slots)?;
-        // Each fat box is its box, so what moves is searched for at once.
+        // Each fat box is the box itself, so a proxy that moves is searched for at once.
         proxies.fat_boxes.clone_from(&proxies.previous);
         proxies.boxes.clone_from(&proxies.previous);
         for (slot, aabb) in snapshot.touched {
@@ -143,7 +143,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return Err("snapshot: a volume has changed whose slot is out of range");
         }
         proxies.notes.revolumed = snapshot.revolumed;
-        let mut found = overlapping(Kernel::GridSweep, &proxies.fat_boxes, &proxies.keys);
+        let mut kernel = GridSweep::default();
+        let mut found = overlapping(&mut kernel, &proxies.fat_boxes, &proxies.keys);
         for &[a, b] in &snapshot.forbidden {
             let is_one = a < b
                 && (b as usize) < slots

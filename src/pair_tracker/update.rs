@@ -1,141 +1,127 @@
-//! The update cycle: what happens between one set of pairs and the next.
+//! The update cycle: from one set of pairs to the next.
 //!
-//! 1. **Note.** Placing, clearing and removing proxies between two updates only writes boxes and takes notes: which slots were
-//!    *touched*, and which of those have *left* their fat boxes.
-//! 2. **Plan.** [`Plan::of`] looks at a few numbers (slots, touched, leavers, candidates, costs so far) and chooses one of
-//!    four: nothing, compare, look up, or a full search. The same numbers give the same plan on every machine.
-//! 3. **Inflate.** Boxes are inflated to fat boxes ahead of their motion, from the previous box to the present one: those of the
-//!    leavers before a look-up, of all that were touched before a full search. A comparison needs none.
-//! 4. **Search.** A look-up finds the new candidates of the leavers, by the layers; a full search finds all candidates. If a
-//!    full search finds too many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
-//! 5. **Compare.** Candidates of the leavers are retired, those of the other touched proxies are compared, and what was found
-//!    is taken in; after a full search, what was found replaces all. Wherever the answer for a pair differs from what was held,
-//!    a change is reported.
-//! 6. **Commit.** The present boxes become the previous ones, and the notes are forgotten.
+//! 1. **Note.** Between two updates, placing, clearing and removing proxies only writes boxes and takes notes: which slots were *touched*,
+//!    and which of those have *left* their fat boxes.
+//! 2. **Plan.** [`Plan::of`] looks at a few numbers (slots, leavers, candidates, costs so far) and chooses one of three: compare, look up,
+//!    or a full search. The same numbers give the same plan on every machine.
+//! 3. **Inflate.** New fat boxes are made ahead of the motion from the previous box to the present one: for the leavers before a look-up,
+//!    for all touched proxies before a full search. A comparison needs none.
+//! 4. **Search.** A look-up finds the new candidates of the leavers, in the layers. A full search finds all candidates; if it finds too
+//!    many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
+//! 5. **Compare.** The candidates of the leavers are retired, those of the other touched proxies are compared, and those that were found
+//!    are added; after a full search, those that were found replace all. Each pair that begins or ends is reported.
+//! 6. **Commit.** The present boxes become the previous ones, and the notes are cleared.
 //!
-//! The fat boxes that were not left stay as they are, and with them the candidates: that is what the next updates live on.
+//! All other fat boxes stay, and with them their candidates. The next updates live on these.
 
 use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::layers::TooMany;
-use super::policy::{self, CompareMode, Cost, Plan, PlanInputs};
+use super::policy::{Cost, Plan, PlanInputs, Work, are_most_touched, are_too_many};
 use super::{FilterKey, PairObserver, PairTracker};
 use crate::real::Real;
-use crate::stats::Work;
 use crate::stopwatch::Phase;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
-use crate::tuning::update::{FOUND_SPARE_ONE_IN, KEEP_SCRATCH_UP_TO, MOST_FOUND};
+use crate::tuning::update::KEEP_SCRATCH_UP_TO;
+
+/// One candidate in this many. A full search reserves room for so many more than there are. If larger: the list of pairs grows during the
+/// search, and is copied. If smaller: memory.
+const FOUND_SPARE_ONE_IN: usize = 8;
+
+/// Pairs of fat boxes for each slot and pair of overlapping boxes. A search that finds so many more than the last one is given up, and
+/// foresight is cut. If larger: memory. If smaller: a crowd of new boxes is searched twice.
+const MOST_FOUND: usize = 64;
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Brings the pairs up to date and reports what has changed since the last call.
     ///
-    /// Costs nothing when nothing was touched. Otherwise the candidates of the touched are compared, or, if most proxies
-    /// were touched, all candidates in order. Each proxy that has left its fat box is looked up in about **O(log n)**; if
-    /// there are many, there is a run of the kernel over all proxies instead.
+    /// Takes no time if nothing was written. Otherwise it compares the candidates of the touched proxies, or all candidates in order if
+    /// most proxies were touched. Each proxy that has left its fat box is looked up in about **O(log n)**; if there are many, the kernel
+    /// searches among all proxies instead.
     ///
-    /// If volumes are in use, a held pair ends when one of its boxes is renewed and they are farther apart than `slack`, unless the
+    /// If volumes are in use, a held pair ends when one of its boxes is renewed and its volumes are farther apart than `slack`, unless the
     /// observer says that it is active.
-    pub(crate) fn finish(&mut self, slack: R, observer: &mut impl PairObserver) {
-        self.stopwatch.enter(Phase::Difference);
-        let notes = &self.proxies.notes;
-        if !(notes.touched.is_empty() && notes.revolumed.is_empty()) {
-            self.candidates.compact_if_sparse();
-            self.proxies.begin_finish(slack);
+    pub(crate) fn commit(&mut self, slack: R, observer: &mut impl PairObserver) {
+        if self.proxies.notes.are_empty() {
+            return;
         }
+        self.stopwatch.enter(Phase::Difference);
+        self.candidates.compact_if_sparse();
+        self.proxies.begin_update(slack);
         let proxies = &self.proxies;
         let plan = Plan::of(&self.plan_inputs(), || {
             mean_speed(proxies.touched(), &proxies.boxes, &proxies.previous)
         });
         match plan {
-            Plan::Nothing => {
-                self.stopwatch.leave();
-                return;
-            }
-            Plan::Compare(mode) => {
+            Plan::Compare => {
                 self.work = Work::default();
-                self.found.clear();
-                self.compare(mode, observer);
+                self.compare(observer);
             }
-            Plan::LookUp(mode) => match self.look_up() {
-                Ok(()) => self.compare(mode, observer),
+            Plan::LookUp => match self.look_up() {
+                Ok(()) => self.compare(observer),
                 Err(TooMany) => {
                     self.foresight.shorten();
-                    self.cost = Cost::default();
                     self.search_in_full(self.foresight, observer);
                 }
             },
-            Plan::FullSearch(foresight) => {
-                self.cost = Cost::default();
-                self.search_in_full(foresight, observer);
-            }
+            Plan::FullSearch(foresight) => self.search_in_full(foresight, observer),
         }
         self.cost.add(&self.work);
-        self.proxies.commit();
+        self.proxies.end_update();
         self.stopwatch.leave();
     }
 
-    /// About how much work there will be if so many slots are touched, going by the mean of the updates since the last full search.
+    /// An estimate of the work of the next update if so many slots are touched, from the mean of the updates since the last full search.
     pub(crate) fn work_ahead(&self, touched: usize) -> u64 {
         if touched == 0 {
             return 0;
         }
-        let mean = self.cost.searching / self.cost.updates.max(1);
-        let comparing = match policy::are_most_touched(touched, self.proxies.len()) {
+        let comparing = match are_most_touched(touched, self.proxies.len()) {
             true => COMPARED * self.candidates.rows() as u64 + SLOT * self.proxies.len() as u64,
             false => PICKED * self.candidates.rows() as u64,
         };
-        mean.saturating_add(self.proxies.volumes.price(comparing))
+        let comparing = self.proxies.volumes.price(comparing);
+        self.cost.mean().saturating_add(comparing)
     }
 
     fn plan_inputs(&self) -> PlanInputs {
         PlanInputs {
             slots: self.proxies.len(),
-            touched: self.proxies.notes.touched.len(),
-            revolumed: self.proxies.notes.revolumed.len(),
             leavers: self.proxies.leavers.len(),
             candidates: self.candidates.len(),
-            rows: self.candidates.rows(),
-            lists: self.candidates.lists.state,
-            above_base: self.layers.above_base(),
+            above_base: match self.overrides.full_searches_only {
+                true => None,
+                false => self.layers.above_base(),
+            },
             foresight: self.foresight,
             cost: self.cost,
         }
     }
 
-    /// Inflates the leavers anew and looks them up among all others.
+    /// Makes new fat boxes for the leavers and looks them up among all others.
     fn look_up(&mut self) -> Result<(), TooMany> {
         self.proxies.inflate_leavers(self.foresight);
-        self.found.clear();
         let (proxies, most) = (&self.proxies, self.most_found());
         self.work = self.layers.find_leavers(
             &proxies.fat_boxes,
             &proxies.leavers,
             |pair| !proxies.are_filtered || proxies.may_meet(pair),
             most,
-            &mut self.found,
             &mut self.stopwatch,
         )?;
         self.stopwatch.enter(Phase::Difference);
         Ok(())
     }
 
-    /// Compares candidates, retires those of the leavers, and takes in what was found for these.
-    fn compare(&mut self, mode: CompareMode, observer: &mut impl PairObserver) {
-        let notes = &self.proxies.notes;
+    /// Compares candidates, retires those of the leavers, and adds those that were found.
+    fn compare(&mut self, observer: &mut impl PairObserver) {
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &self.proxies,
             observer,
         };
-        let is_any_touched = !notes.touched.is_empty();
-        if is_any_touched {
-            comparing.compare(mode, &mut self.work);
-        }
-        let are_all_compared = is_any_touched && mode == CompareMode::All;
-        if !(notes.revolumed.is_empty() || are_all_compared) {
-            comparing.compare_volumes();
-        }
-        comparing.extend(&mut self.found);
+        comparing.compare(&mut self.work);
+        comparing.extend(&mut self.layers.found);
         if !self.foresight.is_fixed && self.are_too_many(self.candidates.len()) {
             self.foresight.shorten();
             self.layers.forget();
@@ -144,20 +130,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Searches for all candidates, by fat boxes with this foresight.
     fn search_in_full(&mut self, foresight: Foresight, observer: &mut impl PairObserver) {
-        // What was read from a snapshot may be any number.
+        // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
         self.foresight = foresight;
+        self.cost = Cost::default();
         self.work = Work::default();
         self.proxies.inflate_touched(self.foresight);
-        self.found.clear();
+        self.layers.found.clear();
         let count = self.candidates.len();
-        self.found.reserve_exact(count + count / FOUND_SPARE_ONE_IN);
+        let room = count + count / FOUND_SPARE_ONE_IN;
+        self.layers.found.reserve_exact(room);
         let mut most = self.most_found();
         while self.search(most).is_err() || self.are_too_many_found(most) {
             self.foresight.shorten();
             self.proxies.inflate_all(self.foresight);
-            self.found = Vec::new();
-            // Only now: even without foresight, what has not moved since may have had its fat box from an earlier time.
+            self.layers.found = Vec::new();
+            // Only now: the fat boxes of proxies that have not moved since may be from a time when there was foresight.
             if self.foresight.moves == 0 {
                 most = usize::MAX;
             }
@@ -167,15 +155,18 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies: &self.proxies,
             observer,
         };
-        comparing.replace(&mut self.found);
+        comparing.replace(&mut self.layers.found);
         let near = self.candidates.overlapping_count - self.candidates.held_count;
         self.proxies.volumes.reset_odometers(near);
-        if self.found.capacity() > KEEP_SCRATCH_UP_TO {
-            self.found = Vec::new();
+        if self.layers.found.capacity() > KEEP_SCRATCH_UP_TO {
+            self.layers.found = Vec::new();
         }
     }
 
-    /// Appends the pairs that may meet among all fat boxes that overlap to what was found. Gives up when far more than `most` overlap.
+    /// Finds the pairs that may meet among all fat boxes that overlap.
+    ///
+    /// # Errors
+    /// If so many more overlap than in the last full search as `most` says.
     fn search(&mut self, most: usize) -> Result<(), TooMany> {
         let proxies = &self.proxies;
         let may_meet = |pair| proxies.may_meet(pair);
@@ -183,7 +174,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             &proxies.fat_boxes,
             proxies.are_filtered.then_some(may_meet),
             most,
-            &mut self.found,
             &mut self.stopwatch,
         );
         self.stopwatch.enter(Phase::Difference);
@@ -192,7 +182,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         Ok(())
     }
 
-    /// How many more pairs of fat boxes than last time a search may find before it gives up.
+    /// How many more pairs of fat boxes than in the last full search a search may find before it gives up.
     fn most_found(&self) -> usize {
         match self.foresight.is_fixed {
             true => usize::MAX,
@@ -203,16 +193,16 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Whether this number of candidates is more than foresight can be worth.
     fn are_too_many(&self, candidates: usize) -> bool {
         let overlapping = self.candidates.overlapping_count;
-        policy::are_too_many(candidates, self.proxies.len(), overlapping)
+        are_too_many(candidates, self.proxies.len(), overlapping)
     }
 
-    /// Whether too many candidates were found, if there is a limit. How many of them overlap is not known yet.
+    /// Whether a search has found too many candidates, if there is a limit. How many of their boxes overlap is not known yet.
     fn are_too_many_found(&self, most: usize) -> bool {
+        let found = &self.layers.found;
         // There are hardly ever that many, so boxes are hardly ever compared here.
-        most < usize::MAX && self.are_too_many(self.found.len()) && {
-            let overlapping = self.found.iter();
-            let overlapping = overlapping.filter(|&&pair| self.proxies.overlap(pair));
-            policy::are_too_many(self.found.len(), self.proxies.len(), overlapping.count())
+        most < usize::MAX && self.are_too_many(found.len()) && {
+            let overlapping = found.iter().filter(|&&pair| self.proxies.overlap(pair));
+            are_too_many(found.len(), self.proxies.len(), overlapping.count())
         }
     }
 }

@@ -1,27 +1,24 @@
-//! Whether a tracker is consistent, and its pairs are those of a full search.
+//! Checks that a tracker is consistent, and that its pairs are those of a full search.
 
 use std::collections::HashSet;
 
-use super::layers::Layers;
 use super::{FilterKey, PairTracker};
 use crate::aabb::Aabb;
-use crate::grid_sweep::retain_from;
-use crate::kernel::Kernel;
+use crate::pair_finder::PairFinder;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::stopwatch::Stopwatch;
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
-    /// Panics unless the pairs held since the last `finish` are exactly those that overlapped then, by a full search of a
-    /// kernel, and everything else that is kept is consistent.
-    pub(crate) fn validate(&self, kernel: Kernel) {
+    /// Panics unless the pairs held since the last update are exactly those that overlapped then, as found by this kernel, and all other
+    /// state is consistent.
+    pub(crate) fn validate(&self, finder: &mut impl PairFinder<R, D>) {
         let proxies = &self.proxies;
         let slots = proxies.boxes.len();
         let lengths = [&proxies.previous, &proxies.fat_boxes].map(Vec::len);
         assert_eq!([lengths[0], lengths[1], proxies.keys.len()], [slots; 3]);
         let notes = &proxies.notes;
         let touched = set_of(&notes.touched, slots);
-        let left = set_of(&notes.left, slots);
+        let leavers = set_of(&notes.leavers, slots);
         for slot in 0..slots as u32 {
             let all = [&proxies.boxes, &proxies.previous, &proxies.fat_boxes];
             let [now, before, fat] = all.map(|boxes| &boxes[slot as usize]);
@@ -29,21 +26,20 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 fat.contains(before) || !(before.is_valid() || fat.is_valid()),
                 "the box of slot {slot} is not in its fat box"
             );
-            assert!(touched.contains(slot) || !left.contains(slot));
+            assert!(touched.contains(slot) || !leavers.contains(slot));
             if now != before && (now.is_valid() || before.is_valid()) {
                 assert!(touched.contains(slot), "slot {slot} has moved unnoticed");
                 assert!(
-                    fat.contains(now) || left.contains(slot),
+                    fat.contains(now) || leavers.contains(slot),
                     "slot {slot} has left its fat box unnoticed"
                 );
             }
         }
-        // Volumes that have changed since the last `finish` say nothing about it.
+        // Volumes that have changed since the last update say nothing about it.
         let mut are_noted = touched;
-        notes
-            .revolumed
-            .iter()
-            .for_each(|&slot| are_noted.insert(slot));
+        for &slot in &notes.revolumed {
+            are_noted.insert(slot);
+        }
         let should_be_held = |pair: [u32; 2], is_held: bool| {
             let is_noted = pair.iter().any(|&slot| are_noted.contains(slot));
             let volumes_meet = match proxies.volumes.are_used() {
@@ -58,17 +54,17 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             expected.sort_unstable();
             assert!(kept == expected, "{what} are not the overlapping ones");
         };
-        // What keys have come to forbid may be held, and is no longer searched for.
+        // A pair may be held that its keys have come to forbid. It is no longer searched for.
         let allowed = |pair: &[u32; 2]| proxies.may_meet(*pair);
         let held: HashSet<_> = self.pairs().collect();
-        let mut expected = overlapping(kernel, &proxies.previous, &proxies.keys);
+        let mut expected = overlapping(finder, &proxies.previous, &proxies.keys);
         expected.retain(|pair| should_be_held(*pair, held.contains(pair)));
         check(
             self.pairs().filter(allowed).collect(),
             expected,
             "the held pairs",
         );
-        let expected = overlapping(kernel, &proxies.fat_boxes, &proxies.keys);
+        let expected = overlapping(finder, &proxies.fat_boxes, &proxies.keys);
         let mut candidates: Vec<_> = self.candidates.iter().collect();
         if proxies.are_rekeyed {
             candidates.retain(allowed);
@@ -77,7 +73,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 }
 
-/// A set of slots, of so many.
+/// A set of these slots, with room for this many.
 pub(super) fn set_of(members: &[u32], slots: usize) -> SlotSet {
     let mut set = SlotSet::default();
     set.make_room(slots);
@@ -85,23 +81,21 @@ pub(super) fn set_of(members: &[u32], slots: usize) -> SlotSet {
     set
 }
 
-/// The overlapping pairs among the valid ones of `boxes` that may meet, by a fresh kernel.
+/// The overlapping pairs among the valid `boxes` that may meet, as found by a kernel.
 pub(super) fn overlapping<R: Real, const D: usize, K: FilterKey>(
-    kernel: Kernel,
+    finder: &mut impl PairFinder<R, D>,
     boxes: &[Aabb<R, D>],
     keys: &[K],
 ) -> Vec<[u32; 2]> {
+    let numbered = (0..).zip(boxes.iter().copied());
+    let (slots, valid): (Vec<u32>, Vec<_>) = numbered.filter(|(_, aabb)| aabb.is_valid()).unzip();
     let mut found = Vec::new();
-    // Without a limit.
-    let _ = Layers::new(kernel, true).find_all(
-        boxes,
-        None::<fn([u32; 2]) -> bool>,
-        usize::MAX,
-        &mut found,
-        &mut Stopwatch::default(),
-    );
-    retain_from(&mut found, 0, |[a, b]| {
-        keys[a as usize].may_meet(keys[b as usize])
-    });
+    // They are valid, and no more than any kernel takes.
+    let _ = finder.find_pairs(&valid, &mut found);
+    // Slots ascend, so the smaller one of a pair stays the smaller one.
+    for pair in &mut found {
+        *pair = pair.map(|i| slots[i as usize]);
+    }
+    found.retain(|&[a, b]| keys[a as usize].may_meet(keys[b as usize]));
     found
 }

@@ -1,20 +1,27 @@
-//! The bounding volumes of all slots, if pairs are told apart by them.
+//! The bounding volumes of all slots, if volumes are in use.
 //!
-//! As a box has a margin, so has a volume, of a part of it: while the collider's own differs by less, and the box is not renewed, it
-//! stays, and the proxy is *slow* until its box is renewed. So what hardly moves is not compared again. The volumes of what is slow are
-//! loosened by that margin; others are as of this update.
+//! A volume has a margin, as a box has, and a smaller one. While the collider's volume differs from it by less, and the box is not renewed,
+//! the volume stays, and the proxy is *slow* until its box is renewed. So proxies that hardly move are not compared again. The volume of a
+//! slow proxy is loosened by the margin; all others are exact.
 //!
-//! A ball takes a kind, a centre and a radius; half axes are kept only up to the highest slot that has had some.
+//! A ball takes a kind, a centre and a radius. Half axes are kept only up to the highest slot that has ever had some.
+
+mod chunk;
 
 use super::odometer::{Due, Odometer};
-use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::tuning::prices::BEYOND_BALLS;
-use crate::tuning::update::DUES_FROM;
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
+use chunk::volume_of;
+pub(crate) use chunk::{VolumeUpdate, VolumesChunk};
 
-/// The margin of a volume, in margins of a box. With a wider one, more pairs begin that are near and do not touch; with a narrower
-/// one, more of what settles is compared in each update. Events depend on it.
+/// Pairs per slot whose boxes overlap and whose volumes do not. From this many on, in worlds of capsules, a pair is asked again only once
+/// both may have moved far enough. If larger: bundles of capsules are asked in each update. If smaller: counting moves takes longer than
+/// asking.
+const DUES_FROM: usize = 2;
+
+/// The margin of a volume, in margins of a box. If larger: more pairs begin that are near and do not touch. If smaller: more proxies that
+/// come to rest are compared in each update. Events depend on it.
 pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
 /// Volumes by slot; none unless they are in use.
@@ -23,22 +30,22 @@ pub(crate) struct Volumes<R, const D: usize> {
     are_used: bool,
     kinds: Vec<VolumeKind>,
     balls: Vec<Ball<R, D>>,
-    /// Of the first slots; behind them, no volume has any.
+    /// Of the first slots; no volume of a higher slot has any.
     half_axes: Vec<[[R; D]; D]>,
-    /// Whether the collider may be elsewhere, by less than the margin.
+    /// Whether the collider may be elsewhere by up to the margin.
     are_slow: Vec<bool>,
-    /// Whether odometers go on.
+    /// Whether odometers count.
     have_odometers: bool,
-    /// How far each has moved since the last full search, if they go on.
+    /// How far each volume has moved since the last full search, if they count.
     odometers: Vec<Odometer>,
-    /// In how many updates.
+    /// Updates since the last full search.
     moves: u32,
     margin: R,
-    /// By how much all shapes were extended when volumes were last read.
+    /// How far all shapes were extended when volumes were last read.
     reach: R,
 }
 
-/// Volumes as they are written.
+/// The serialized form of volumes.
 #[cfg(feature = "serde-serialize")]
 #[derive(serde::Serialize, serde::Deserialize)]
 pub(crate) struct VolumesSnapshot<R> {
@@ -46,32 +53,8 @@ pub(crate) struct VolumesSnapshot<R> {
     margin: Option<R>,
     /// `None` if it is not finite.
     reach: Option<R>,
-    /// The kind of each, whether it is slow, and its numbers; none if volumes are not in use.
+    /// For each slot the kind, whether it is slow, and the numbers; empty if volumes are not in use.
     by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
-}
-
-/// What happens to the volume of a proxy when its collider has another one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum VolumeUpdate {
-    /// It stays, and so do its pairs.
-    Keep,
-    /// It stays, loosened by the margin from now on: its pairs must be compared.
-    Loosen,
-    /// The new volume takes its place: its pairs must be compared.
-    Renew,
-    /// Nothing: the volumes are of different kinds, or the box alone does not determine the new one.
-    Recheck,
-}
-
-/// The volumes of a chunk of slots, whose kinds stay as they are.
-pub(crate) struct VolumesChunk<'a, R, const D: usize> {
-    kinds: &'a [VolumeKind],
-    balls: &'a mut [Ball<R, D>],
-    half_axes: &'a mut [[[R; D]; D]],
-    are_slow: &'a mut [bool],
-    /// Empty if they stand still.
-    odometers: &'a mut [Odometer],
-    margin: R,
 }
 
 impl<R: Real, const D: usize> Volumes<R, D> {
@@ -82,8 +65,8 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Takes note of the margin that boxes have from now on, and of by how much all shapes are extended. Returns whether either is
-    /// another one than before, so that all volumes have to be [reset](super::Proxies::reset_volume).
+    /// Notes the margin of boxes, and how far all shapes are extended. Returns whether either has changed; then the caller must
+    /// [reset](super::Proxies::reset_volume) all volumes.
     pub(crate) fn note_extents(&mut self, margin: R, reach: R) -> bool {
         let margin = margin * R::from_f64(VOLUME_MARGIN);
         let have_changed = self.are_used && (self.margin, self.reach) != (margin, reach);
@@ -98,7 +81,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         self.are_used
     }
 
-    /// A price of working with boxes and volumes, given that with boxes and balls alone.
+    /// The price of an item of work, given its price where all volumes are balls.
     pub(crate) fn price(&self, of_balls: u64) -> u64 {
         match self.half_axes.is_empty() {
             true => of_balls,
@@ -115,24 +98,24 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Whether candidates have dues.
+    /// Whether odometers count, so that candidates have dues.
     pub(super) fn have_odometers(&self) -> bool {
         self.have_odometers
     }
 
-    /// Takes note of an update.
+    /// Counts an update.
     pub(super) fn note_moves(&mut self) {
         self.moves = self.moves.saturating_add(1);
     }
 
-    /// Sets all odometers to 0, once no candidate has a due. From now on they go on if so many pairs are near each other and apart, and
-    /// most volumes are capsules: others are asked too fast for odometers to pay.
+    /// Sets all odometers to 0, when no candidate has a due. From now on they count if enough pairs are `near` and not held, and most
+    /// volumes are capsules: the test of others is too fast for odometers to pay.
     pub(super) fn reset_odometers(&mut self, near: usize) {
         let slots = self.kinds.len();
         let is_capsule = |kind: &&VolumeKind| **kind == VolumeKind::Capsule;
         let is_worth_it =
             || near > DUES_FROM * slots && 2 * self.kinds.iter().filter(is_capsule).count() > slots;
-        // Debug builds have them anyway, so that tests need not be of thousands.
+        // Debug builds have them in any case, so that tests need not have thousands of colliders.
         self.have_odometers = self.are_used && (cfg!(debug_assertions) || is_worth_it());
         if self.have_odometers {
             self.odometers.fill(Odometer::default());
@@ -146,8 +129,8 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         volume_of(&self.kinds, &self.balls, &self.half_axes, slot as usize)
     }
 
-    /// Sets the volume of a slot, for which there must be room, unless it is within the margin of what it is, and the box is not
-    /// renewed. Returns whether it is another one than before.
+    /// Sets the volume of a slot, for which there must be room. It stays if it differs by less than the margin and the box is not
+    /// renewed. Returns whether pairs of the slot may begin or end.
     pub(super) fn set(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) -> bool {
         if !self.are_used {
             return false;
@@ -158,23 +141,22 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         if kind.axes::<D>() > 0 && index >= self.half_axes.len() {
             let room = self.half_axes.capacity();
             if index >= room {
-                // Twice as many, but no more than kinds have room for, which grows in the same way.
+                // Twice as many, but no more than kinds have room for, which grow in the same way.
                 let room = (2 * room).min(self.kinds.capacity()).max(index + 1);
                 self.half_axes.reserve_exact(room - self.half_axes.len());
             }
             self.half_axes
                 .resize(index + 1, Volume::<R, D>::BOX.half_axes);
         }
-        let update = self
-            .all()
-            .set(index, volume, is_renewed | is_of_another_kind);
+        let is_replaced = is_renewed | is_of_another_kind;
+        let update = self.all().set(index, volume, is_replaced);
         if is_of_another_kind {
             self.odometers[index] = Odometer::LOST;
         }
-        update != VolumeUpdate::Keep || is_of_another_kind
+        is_of_another_kind || update.is_some_and(VolumeUpdate::concerns_pairs)
     }
 
-    /// All volumes, as they are written.
+    /// The serialized form of all volumes.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn snapshot(&self) -> VolumesSnapshot<R> {
         let slots = 0..self.kinds.len() as u32;
@@ -189,10 +171,10 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// The volumes of this number of slots.
+    /// Restores the volumes of this number of slots.
     ///
     /// # Errors
-    /// What is wrong, if no volumes can have been written like this.
+    /// A message, if no volumes have this serialized form.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
@@ -226,16 +208,15 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         Ok(())
     }
 
-    /// All volumes, to move them in place.
+    /// All volumes, to be written in place.
     #[inline(always)]
     pub(super) fn all(&mut self) -> VolumesChunk<'_, R, D> {
-        let have_odometers = self.have_odometers();
         VolumesChunk {
             kinds: &self.kinds,
             balls: &mut self.balls,
             half_axes: &mut self.half_axes,
             are_slow: &mut self.are_slow,
-            odometers: match have_odometers {
+            odometers: match self.have_odometers {
                 true => &mut self.odometers,
                 false => &mut [],
             },
@@ -243,9 +224,9 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Chunks of this many slots, and then empty ones without end: if volumes are not in use, there are no others.
+    /// Chunks of this many slots, followed by empty ones without end. If volumes are not in use, all are empty.
     pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
-        let odometers = match self.have_odometers() {
+        let odometers = match self.have_odometers {
             true => &mut self.odometers[..],
             false => &mut [],
         };
@@ -265,7 +246,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         })
     }
 
-    /// Whether two proxies may meet, by their volumes, loosened by half of `slack` each, and by their margins.
+    /// Whether two volumes may meet, each loosened by half of `slack`, and by the margin if it is slow.
     #[inline(always)]
     pub(super) fn meet(&self, pair: [u32; 2], slack: R) -> bool {
         match self.meet_as_balls(pair, slack) {
@@ -274,19 +255,33 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// The same if both are balls, and so are most proxies.
+    /// The same for two balls, if most proxies are balls.
     #[inline(always)]
     pub(super) fn meet_as_balls(&self, [a, b]: [u32; 2], slack: R) -> Option<bool> {
-        // A box, too, is a ball that meets all. The first slot is the smaller one.
+        // A box is a ball that meets all. The first slot is the smaller one.
         let (i, j) = (a as usize, b as usize);
         let are_balls = i >= self.half_axes.len();
         are_balls.then(|| self.balls[i].meets(&self.balls[j], self.loosened([a, b], slack)))
     }
 
-    /// Whether two proxies that were apart may meet now. They are asked only if that is due.
+    /// Whether two volumes that were apart may meet now. If they have a due, they are tested only once it is reached, and the due is set.
     #[inline(always)]
-    pub(super) fn have_met(&self, pair: [u32; 2], due: &mut Due) -> bool {
-        due.is_reached(self.odometers_of(pair)) && self.have_met_when_due(pair, due)
+    pub(super) fn have_met(&self, pair: [u32; 2], due: Option<&mut Due>) -> bool {
+        match self.meet_as_balls(pair, R::ZERO) {
+            Some(meet) => meet,
+            None => self.have_met_beyond_balls(pair, due),
+        }
+    }
+
+    /// The same for two volumes that are not [both balls](Self::meet_as_balls).
+    #[inline(always)]
+    pub(super) fn have_met_beyond_balls(&self, pair: [u32; 2], due: Option<&mut Due>) -> bool {
+        match due {
+            None => self.meet_beyond_balls(pair, R::ZERO),
+            Some(due) => {
+                due.is_reached(self.odometers_of(pair)) && self.have_met_when_due(pair, due)
+            }
+        }
     }
 
     #[inline(never)]
@@ -310,7 +305,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         self.get(a).meets(self.get(b), self.loosened([a, b], slack))
     }
 
-    /// A slack, and the margins of those that are slow.
+    /// The sum of the slack and of the margins of slow proxies.
     #[inline(always)]
     fn loosened(&self, pair: [u32; 2], slack: R) -> R {
         let [a, b] = pair.map(|slot| match self.are_slow[slot as usize] {
@@ -318,125 +313,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             false => R::ZERO,
         });
         slack + (a + b)
-    }
-}
-
-/// The volume of the slot `i` of a run of slots.
-#[inline(always)]
-fn volume_of<'a, R: Real, const D: usize>(
-    kinds: &[VolumeKind],
-    balls: &'a [Ball<R, D>],
-    half_axes: &'a [[[R; D]; D]],
-    i: usize,
-) -> VolumeRef<'a, R, D> {
-    let kind = kinds[i];
-    VolumeRef {
-        kind,
-        ball: &balls[i],
-        half_axes: match kind.axes::<D>() {
-            0 => &[],
-            axes => &half_axes[i][..axes],
-        },
-    }
-}
-
-impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
-    #[inline(always)]
-    pub(super) fn are_used(&self) -> bool {
-        !self.kinds.is_empty()
-    }
-
-    /// The volume of the slot `i` of the chunk in this box, if no more than the box is needed to tell.
-    #[inline(always)]
-    pub(super) fn by_box(&self, i: usize, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
-        match self.kinds.get(i)? {
-            VolumeKind::Part => Some(Volume::PART),
-            VolumeKind::Ball => Some(Volume {
-                kind: VolumeKind::Ball,
-                ball: self.balls[i].in_box(aabb),
-                ..Volume::BOX
-            }),
-            _ => None,
-        }
-    }
-
-    /// Moves the volume of the slot `i` of the chunk, or keeps it if it has hardly moved and its box is not renewed.
-    #[inline(always)]
-    pub(crate) fn set(
-        &mut self,
-        i: usize,
-        volume: &Volume<R, D>,
-        is_renewed: bool,
-    ) -> VolumeUpdate {
-        let kind = volume.kind;
-        if kind != self.kinds[i] {
-            return VolumeUpdate::Recheck;
-        }
-        if matches!(kind, VolumeKind::Box | VolumeKind::Part) && !is_renewed {
-            return VolumeUpdate::Keep;
-        }
-        let former = volume_of(self.kinds, self.balls, self.half_axes, i);
-        let change = former.change_to(volume.as_ref());
-        let update = self.update_of(i, change, is_renewed);
-        if update == VolumeUpdate::Renew {
-            if kind.axes::<D>() > 0 {
-                self.half_axes[i] = volume.half_axes;
-            }
-            self.balls[i] = volume.ball;
-        }
-        update
-    }
-
-    /// Does the same for a ball in this box, and for a volume that no box changes.
-    #[inline(always)]
-    pub(crate) fn set_by_box(
-        &mut self,
-        i: usize,
-        aabb: &Aabb<R, D>,
-        is_renewed: bool,
-    ) -> VolumeUpdate {
-        match self.kinds[i] {
-            VolumeKind::Part => VolumeUpdate::Keep,
-            VolumeKind::Ball => {
-                let ball = self.balls[i].in_box(aabb);
-                let change = self.balls[i].change_to(&ball);
-                let update = self.update_of(i, change, is_renewed);
-                if update == VolumeUpdate::Renew {
-                    self.balls[i] = ball;
-                }
-                update
-            }
-            _ => VolumeUpdate::Recheck,
-        }
-    }
-
-    /// Decides between keeping the volume of the slot `i` and renewing it, and notes what that does to its margin.
-    #[inline(always)]
-    fn update_of(&mut self, i: usize, change: R, is_renewed: bool) -> VolumeUpdate {
-        if change <= self.margin && !is_renewed {
-            let is_slow = self.are_slow[i] | (change > R::ZERO);
-            let is_slow_now = is_slow & !std::mem::replace(&mut self.are_slow[i], is_slow);
-            if is_slow_now {
-                self.advance(i, self.margin);
-                return VolumeUpdate::Loosen;
-            }
-            return VolumeUpdate::Keep;
-        }
-        self.advance(i, change);
-        if is_renewed & self.are_slow[i] {
-            // It is no longer loosened.
-            self.advance(i, self.margin);
-        }
-        self.are_slow[i] &= !is_renewed;
-        VolumeUpdate::Renew
-    }
-
-    /// Lets the odometer of the slot `i` go on, if it does not stand still.
-    #[inline(always)]
-    fn advance(&mut self, i: usize, by: R) {
-        if let Some(odometer) = self.odometers.get_mut(i) {
-            odometer.advance(by);
-        }
     }
 }
 
@@ -450,8 +326,8 @@ mod tests {
         Volume::new(VolumeKind::Capsule, [x, 0.0], 0.1, &[[half, 0.0]])
     }
 
-    /// Two capsules on one line with a gap of 0.2, and the due of the pair once it was asked.
-    fn asked() -> (Volumes<f32, 2>, Due) {
+    /// Two capsules on one line with a gap of 0.2, and the due of the pair after a test.
+    fn tested() -> (Volumes<f32, 2>, Due) {
         let mut volumes = Volumes::new(true);
         volumes.make_room(2);
         volumes.note_extents(1.0, 0.0);
@@ -460,35 +336,35 @@ mod tests {
         volumes.reset_odometers(0);
         volumes.note_moves();
         let mut due = Due::default();
-        assert!(!volumes.have_met(SLOTS, &mut due));
+        assert!(!volumes.have_met(SLOTS, Some(&mut due)));
         assert!(!due.is_reached(volumes.odometers_of(SLOTS)));
         (volumes, due)
     }
 
     #[test]
-    fn what_was_of_another_kind_for_a_while_is_asked() {
-        let (mut volumes, _) = asked();
+    fn a_volume_of_another_kind_for_a_while_is_tested() {
+        let (mut volumes, _) = tested();
         volumes.set(
             0,
             &Volume::new(VolumeKind::Ball, [0.25, 0.0], 0.1, &[]),
             true,
         );
         let mut due = Due::default();
-        assert!(!volumes.have_met(SLOTS, &mut due));
-        // Its half axes are those that it had.
+        assert!(!volumes.have_met(SLOTS, Some(&mut due)));
+        // Its half axes are the former ones.
         volumes.set(0, &capsule(0.25, 1.0), true);
-        assert!(volumes.have_met(SLOTS, &mut due));
+        assert!(volumes.have_met(SLOTS, Some(&mut due)));
     }
 
     #[test]
-    fn what_is_loosened_because_it_is_slow_is_asked() {
-        let (mut volumes, mut due) = asked();
+    fn a_volume_that_becomes_slow_is_tested() {
+        let (mut volumes, mut due) = tested();
         let margin = VOLUME_MARGIN as f32;
         volumes.set(0, &capsule(0.2 - 0.75 * margin, 1.0), true);
         volumes.set(1, &capsule(2.4, 1.0), true);
-        assert!(!volumes.have_met(SLOTS, &mut due) && !due.is_hopeless());
-        // It stays, for it has hardly moved, and counts as elsewhere.
+        assert!(!volumes.have_met(SLOTS, Some(&mut due)) && !due.is_hopeless());
+        // It has hardly moved, so it stays, and becomes slow.
         volumes.set(1, &capsule(2.4 + 0.01 * margin, 1.0), false);
-        assert!(volumes.have_met(SLOTS, &mut due));
+        assert!(volumes.have_met(SLOTS, Some(&mut due)));
     }
 }

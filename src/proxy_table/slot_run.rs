@@ -2,7 +2,7 @@
 
 use super::{BoxSource, Handle, is_known};
 use crate::aabb::Aabb;
-use crate::pair_tracker::{FilterKey, Notes, Proxies, ProxyChunk, VolumeUpdate};
+use crate::pair_tracker::{FilterKey, Notes, Proxies, ProxyChunk};
 use crate::real::Real;
 use crate::volume::Volume;
 
@@ -96,12 +96,9 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         let (i, memos) = (place as usize, &mut self.memos);
         is_known(self.generations, place, generation)
             && self.proxies.follow(i, aabb, margin, |volumes, is_renewed| {
-                match volumes.set_by_box(i, aabb, is_renewed) {
-                    VolumeUpdate::Recheck => {
-                        volumes.set(i, &volume(handle, &mut memos[i], aabb), is_renewed)
-                    }
-                    update => update,
-                }
+                volumes
+                    .set_by_box(i, aabb, is_renewed)
+                    .or_else(|| volumes.set(i, &volume(handle, &mut memos[i], aabb), is_renewed))
             })
     }
 }

@@ -4,7 +4,6 @@ use oorandom::Rand32;
 
 use super::{BoxSource, Changes, FilterKey, Handle, Lists, ProxyTable};
 use crate::aabb::Aabb;
-use crate::kernel::Kernel;
 use crate::pair_filter::PairFilter;
 use crate::parallel::with_threads;
 use crate::settings::Settings;
@@ -100,7 +99,7 @@ fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
     table.finish(2.0 * MARGIN, None, changes, |is_added, ids| {
         events.push((is_added, ids));
     });
-    table.validate(Kernel::GridSweep);
+    table.validate();
     events
 }
 
@@ -194,8 +193,11 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
         }
         // `assert_eq` would print thousands of events.
         assert!(finish(&mut at_once) == finish(&mut by_and_by));
-        let stats = [at_once.stats(), by_and_by.stats()];
-        let [a, b] = stats.map(|s| [s.proxies, s.refused, s.listed, s.moved, s.pairs]);
+        let [a, b] = [&at_once, &by_and_by].map(|table| {
+            let (stats, last) = (table.stats(), table.diagnostics());
+            let [proxies, refused, pairs] = [stats.proxies, stats.refused, stats.pairs];
+            [proxies, refused, last.listed, last.moved, pairs]
+        });
         assert_eq!(a, b);
     }
     assert!(at_once.pairs::<Id>().count() > 0 && at_once.stats().refused > 0);
@@ -290,7 +292,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
     }
     set_boxes(&mut table, last.0 + 1);
     assert_eq!(table.boxes().len(), 3 * ROOM_AHEAD);
-    table.validate(Kernel::GridSweep);
+    table.validate();
 }
 
 #[test]

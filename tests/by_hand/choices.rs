@@ -1,6 +1,7 @@
-//! What the broad phase chooses by itself shows in its statistics, and its settings can fix it.
+//! What the broad phase chooses by itself shows in its diagnostics, and overrides can fix it.
 
 use super::*;
+use unisize::{Diagnostics, Overrides};
 
 /// Balls on a lattice in the plane of the first two axes that all move on, or some of them.
 struct Plane {
@@ -10,9 +11,10 @@ struct Plane {
 }
 
 impl Plane {
-    fn new(settings: Settings) -> Self {
-        let settings = settings.with_filter(PairFilter::Groups).with_margin(0.01);
-        let mut desk = Desk::with_settings(settings);
+    fn new(overrides: Overrides) -> Self {
+        let settings = Settings::default().with_filter(PairFilter::Groups);
+        let mut desk = Desk::with_settings(settings.with_margin(0.01));
+        desk.broad_phase.set_overrides(overrides);
         let handles = (0..2500).map(|_| desk.ball(0.45, [0.0; 2])).collect();
         let mut plane = Self {
             desk,
@@ -36,27 +38,32 @@ impl Plane {
         self.updates += 1;
         self.desk.broad_phase.stats().full_searches
     }
+
+    fn diagnostics(&self) -> Diagnostics {
+        self.desk.broad_phase.diagnostics()
+    }
 }
 
 #[test]
 fn classes_follow_sizes() {
-    let mut plane = Plane::new(Settings::default());
-    let stats = plane.desk.broad_phase.stats();
-    assert_eq!(stats.classes, 1);
+    let mut plane = Plane::new(Overrides::default());
+    assert_eq!(plane.diagnostics().classes, 1);
     for &handle in plane.handles.iter().step_by(10) {
         plane.desk.colliders[handle].set_shape(SharedShape::ball(9.0));
     }
     plane.advance(1);
-    assert!(plane.desk.broad_phase.stats().classes > 1);
+    assert!(plane.diagnostics().classes > 1);
 }
 
 #[test]
 fn looking_ahead_spares_searches_and_can_be_fixed() {
     let runs_with = |foresight| {
-        let mut plane = Plane::new(Settings::default().with_foresight(foresight));
-        (0..20).for_each(|_| _ = plane.advance(1));
-        let stats = plane.desk.broad_phase.stats();
-        (stats.full_searches, stats.foresight)
+        let mut plane = Plane::new(Overrides {
+            foresight,
+            ..Overrides::default()
+        });
+        (0..19).for_each(|_| _ = plane.advance(1));
+        (plane.advance(1), plane.diagnostics().foresight)
     };
     assert_eq!(runs_with(Some(0)), (21, 0));
     let (runs, foresight) = runs_with(Some(5));
@@ -67,9 +74,12 @@ fn looking_ahead_spares_searches_and_can_be_fixed() {
 
 #[test]
 fn few_movers_are_a_layer_unless_there_are_to_be_none() {
-    for (layers, expected) in [(true, (1, 25)), (false, (2, 0))] {
-        let mut plane = Plane::new(Settings::default().with_foresight(0).with_layers(layers));
+    for (full_searches_only, expected) in [(false, (1, 25)), (true, (2, 0))] {
+        let mut plane = Plane::new(Overrides {
+            foresight: Some(0),
+            full_searches_only,
+        });
         let runs = plane.advance(100);
-        assert_eq!((runs, plane.desk.broad_phase.stats().above_base), expected);
+        assert_eq!((runs, plane.diagnostics().above_base), expected);
     }
 }

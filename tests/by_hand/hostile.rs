@@ -57,7 +57,7 @@ fn denormals_and_negative_zeros_are_numbers() {
     // From one zero to the other is no move.
     desk.place(points[0], [0.0, 0.0]);
     assert_eq!(desk.update(&[points[0]], &[]), []);
-    assert_eq!(desk.broad_phase.stats().moved, 0);
+    assert_eq!(desk.broad_phase.diagnostics().moved, 0);
 }
 
 #[test]

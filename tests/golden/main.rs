@@ -23,7 +23,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use unisize::$unisize::{Kernel, Settings, Stats, UnisizeBroadPhase};
+            use unisize::$unisize::{Settings, Stats, UnisizeBroadPhase};
             use $rapier as rapier;
 
             const FLAVOUR: &str = stringify!($name);

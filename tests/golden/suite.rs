@@ -1,11 +1,12 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::{FLAVOUR, Kernel, Settings, Stats, UnisizeBroadPhase, rapier};
+use super::{FLAVOUR, Settings, Stats, UnisizeBroadPhase, rapier};
 use crate::hash::Hash;
 use crate::hashes::golden;
 use crowd::Crowd;
 use oorandom::Rand32;
 use rapier::prelude::*;
+use unisize::{Diagnostics, Overrides};
 
 #[path = "../common/crowd.rs"]
 mod crowd;
@@ -53,7 +54,7 @@ const fn replay(
 /// What must not matter.
 #[derive(Clone, Default)]
 struct Way {
-    settings: Settings,
+    overrides: Overrides,
     /// Whether clones take each other's place.
     is_cloned: bool,
     /// Whether what was written and read takes its place, before one update in so many.
@@ -97,7 +98,7 @@ impl Crowd {
 
 impl Replay {
     /// Checks the hash of all events, and returns the statistics of each update.
-    fn check(&self, way: &Way) -> Vec<Stats> {
+    fn check(&self, way: &Way) -> Vec<(Stats, Diagnostics)> {
         // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
@@ -111,7 +112,8 @@ impl Replay {
         if way.is_on_bodies {
             crowd.put_on_bodies();
         }
-        let mut broad_phase = UnisizeBroadPhase::with_settings(way.settings);
+        let mut broad_phase = UnisizeBroadPhase::with_settings(Settings::default());
+        broad_phase.set_overrides(way.overrides);
         let mut random = Rand32::new(5);
         let mut hash = Hash::default();
         let (mut events, mut stats) = (0, Vec::new());
@@ -136,7 +138,7 @@ impl Replay {
                 let found = crowd.update(&mut broad_phase);
                 write(&mut hash, &found);
                 events += found.len();
-                stats.push(broad_phase.stats());
+                stats.push((broad_phase.stats(), broad_phase.diagnostics()));
                 crowd.advance(stride);
                 if self.is_to_and_fro {
                     for velocity in &mut crowd.velocities {
@@ -163,7 +165,7 @@ fn saved(broad_phase: &UnisizeBroadPhase) -> UnisizeBroadPhase {
     broad_phase.clone()
 }
 
-fn check(way: &Way) -> Vec<Vec<Stats>> {
+fn check(way: &Way) -> Vec<Vec<(Stats, Diagnostics)>> {
     ALL.iter().map(|replay| replay.check(way)).collect()
 }
 
@@ -187,13 +189,10 @@ fn clones_orders_and_bodies_do_not_matter() {
 /// Read back, it may search in other updates. The interval divides neither ten nor that between two full searches.
 #[test]
 fn saves_do_not_matter() {
-    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        check(&Way {
-            settings: Settings::default().with_kernel(kernel),
-            saved_every: Some(7),
-            ..Way::default()
-        });
-    }
+    check(&Way {
+        saved_every: Some(7),
+        ..Way::default()
+    });
 }
 
 /// Even the statistics are the same.
@@ -213,31 +212,19 @@ fn threads_do_not_matter() {
 }
 
 #[test]
-fn foresight_and_layers_do_not_matter() {
-    let settings = Settings::default();
-    for settings in [
-        settings.with_foresight(0),
-        settings.with_foresight(3),
-        settings.with_foresight(64),
-        settings.with_layers(false),
+fn foresight_and_look_ups_do_not_matter() {
+    for (foresight, full_searches_only) in [
+        (Some(0), false),
+        (Some(3), false),
+        (Some(64), false),
+        (None, true),
     ] {
         check(&Way {
-            settings,
+            overrides: Overrides {
+                foresight,
+                full_searches_only,
+            },
             ..Way::default()
         });
-    }
-}
-
-#[test]
-fn kernels_do_not_matter() {
-    // Brute force takes its time.
-    for (kernel, most) in [(Kernel::RankSweep, usize::MAX), (Kernel::BruteForce, 1000)] {
-        let way = Way {
-            settings: Settings::default().with_kernel(kernel),
-            ..Way::default()
-        };
-        for replay in ALL.iter().filter(|replay| replay.count <= most) {
-            replay.check(&way);
-        }
     }
 }

@@ -11,7 +11,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use unisize::$unisize::{Kernel, Settings, UnisizeBroadPhase};
+            use unisize::$unisize::{Settings, UnisizeBroadPhase};
             use $rapier as rapier;
 
             #[path = $dim]
@@ -26,15 +26,15 @@ macro_rules! flavour {
 for_each_027!(flavour);
 for_each_036!(flavour);
 
-/// Plays a sequence with lists made by hand and one of the kernels, in one of the flavours whose features are on.
-pub(crate) fn play(sequence: &Sequence, flavour: usize, kernel: usize) {
-    let mut plays: Vec<fn(&Sequence, usize)> = Vec::new();
+/// Plays a sequence with lists made by hand, in one of the flavours whose features are on.
+pub(crate) fn play(sequence: &Sequence, flavour: usize) {
+    let mut plays: Vec<fn(&Sequence)> = Vec::new();
     macro_rules! add {
         ($name:ident, $($rest:tt),*) => {
-            plays.extend([$name::suite::play as fn(&Sequence, usize)]);
+            plays.extend([$name::suite::play as fn(&Sequence)]);
         };
     }
     for_each_027!(add);
     for_each_036!(add);
-    plays[flavour % plays.len()](sequence, kernel);
+    plays[flavour % plays.len()](sequence);
 }

@@ -25,10 +25,11 @@ const LONG_LIST: usize = 300;
 /// Plays the sequence that the bytes encode.
 pub(crate) fn play(bytes: &[u8]) {
     let mut bytes = Bytes::new(bytes);
-    let way = bytes.below(24);
+    // It once chose a kernel too. Inputs that were kept mean what they meant.
+    let flavour = bytes.below(24) % 8;
     let mut sequence = bytes.sequence();
     bytes.read_updates(&mut sequence.updates);
-    flavours::play(&sequence, way % 8, way / 8);
+    flavours::play(&sequence, flavour);
 }
 
 /// Bytes that have not been read yet.
@@ -46,7 +47,7 @@ impl<'a> Bytes<'a> {
             margin: self.one_of(&MARGINS),
             filter: self.one_of(&FILTERS),
             foresight: self.one_of(&FORESIGHTS),
-            layers: self.below(5) < 4,
+            full_searches_only: self.below(5) == 4,
             updates: Vec::new(),
         }
     }

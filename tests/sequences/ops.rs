@@ -182,10 +182,10 @@ pub(crate) struct Sequence {
     pub(crate) length_unit: f32,
     /// The margin in the settings.
     pub(crate) margin: f32,
-    /// How far to look ahead, in the settings.
+    /// How far to look ahead, in the overrides.
     pub(crate) foresight: Option<u16>,
-    /// Whether there are layers, in the settings.
-    pub(crate) layers: bool,
+    /// Whether there are no look-ups, in the overrides.
+    pub(crate) full_searches_only: bool,
     /// Which pairs are left out, in the settings.
     pub(crate) filter: PairFilter,
     pub(crate) updates: Vec<Vec<Op>>,
@@ -195,8 +195,8 @@ impl fmt::Debug for Sequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "length unit {}, margin {}, foresight {:?}, layers {}, filter {:?}",
-            self.length_unit, self.margin, self.foresight, self.layers, self.filter
+            "length unit {}, margin {}, foresight {:?}, full searches only {}, filter {:?}",
+            self.length_unit, self.margin, self.foresight, self.full_searches_only, self.filter
         )?;
         for (i, ops) in self.updates.iter().enumerate() {
             writeln!(f, "update {i}")?;

@@ -1,6 +1,5 @@
 //! Sequences in the steps of Rapier's own pipelines, which make the lists.
 
-use super::super::Kernel;
 use super::super::rapier::prelude::*;
 use super::super::suite::World;
 use super::super::suite::checked::CheckedBroadPhase;
@@ -10,20 +9,12 @@ use crate::strategies::{SEQUENCES, sequences};
 
 #[test]
 fn steps_of_the_collision_pipeline() {
-    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        check(SEQUENCES, &sequences(), |sequence| {
-            play_collisions(sequence, kernel)
-        });
-    }
+    check(SEQUENCES, &sequences(), play_collisions);
 }
 
 #[test]
 fn steps_of_the_physics_pipeline() {
-    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        check(SEQUENCES, &sequences(), |sequence| {
-            play_physics(sequence, kernel)
-        });
-    }
+    check(SEQUENCES, &sequences(), play_physics);
 }
 
 /// Plays a sequence with one step for each of its updates, and one more without changes.
@@ -37,8 +28,8 @@ fn play(sequence: &Sequence, world: &mut World, mut step: impl FnMut(&mut World)
     step(world);
 }
 
-fn play_collisions(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
+fn play_collisions(sequence: &Sequence) {
+    let mut broad_phase = CheckedBroadPhase::new(sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = CollisionPipeline::new();
     let mut world = World::new(sequence.length_unit.into());
@@ -55,8 +46,8 @@ fn play_collisions(sequence: &Sequence, kernel: Kernel) {
     });
 }
 
-fn play_physics(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
+fn play_physics(sequence: &Sequence) {
+    let mut broad_phase = CheckedBroadPhase::new(sequence);
     let mut narrow_phase = NarrowPhase::new();
     let mut pipeline = PhysicsPipeline::new();
     let mut ccd_solver = CCDSolver::new();

@@ -14,7 +14,7 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use unisize::$unisize::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase};
+            use unisize::$unisize::{PairFilter, Settings, Stats, UnisizeBroadPhase};
             use $rapier as rapier;
 
             mod suite;

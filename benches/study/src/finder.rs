@@ -1,6 +1,5 @@
 //! What finds the pairs: unisize by its settings, Rapier's own broad phase, and methods that miss pairs in exchange for speed.
 
-use unisize::Kernel;
 use unisize_charts::{RGBColor, color};
 
 /// What finds the pairs. Margins are in typical sizes; none is the default.
@@ -8,7 +7,7 @@ use unisize_charts::{RGBColor, color};
 pub(crate) enum Finder {
     /// Rapier's own broad phase.
     Rapier,
-    Unisize(Kernel, Option<f32>),
+    Unisize(Option<f32>),
     /// unisize, updated once in so many steps.
     Seldom(usize, Option<f32>),
     /// A hash grid of the centres of boxes.
@@ -30,7 +29,7 @@ pub(crate) enum Cell {
 }
 
 impl Finder {
-    pub(crate) const DEFAULT: Self = Self::Unisize(Kernel::GridSweep, None);
+    pub(crate) const DEFAULT: Self = Self::Unisize(None);
 
     /// Whether it cannot miss a pair that touches, whatever bodies do and whatever sizes they have.
     pub(crate) fn is_exact(self) -> bool {
@@ -45,9 +44,8 @@ impl Finder {
     pub(crate) fn name(self) -> String {
         match self {
             Self::Rapier => "Rapier's".to_owned(),
-            Self::Unisize(Kernel::GridSweep, None) => "unisize".to_owned(),
-            Self::Unisize(Kernel::GridSweep, Some(_)) => "unisize, no margin".to_owned(),
-            Self::Unisize(kernel, _) => format!("unisize, {kernel:?}"),
+            Self::Unisize(None) => "unisize".to_owned(),
+            Self::Unisize(Some(_)) => "unisize, no margin".to_owned(),
             Self::Seldom(2, None) => "every 2nd step".to_owned(),
             Self::Seldom(2, Some(_)) => "every 2nd step, wide margin".to_owned(),
             Self::Seldom(interval, _) => format!("every {interval}th step"),

@@ -1,19 +1,18 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
-use super::state::{PairState, near_and_held};
-use super::turns::{Found, FoundNotes, Rows, Turn, Turns, next_state};
+use super::turns::{Found, Inquiry, Turn, Turns};
 use super::{Candidates, TOMBSTONE};
 use crate::bit_set::{Lookup, gather, ones};
 use crate::pair_tracker::odometer::Due;
-use crate::pair_tracker::policy::CompareMode;
-use crate::pair_tracker::proxies::Proxies;
+use crate::pair_tracker::pair_state::{PairState, near_and_held};
+use crate::pair_tracker::policy::{Work, are_most_touched};
+use crate::pair_tracker::proxies::{Proxies, Rows};
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
 use crate::parallel::{Section, start_of_part};
 use crate::real::Real;
-use crate::stats::Work;
 use crate::tuning::prices::{COMPARED, HELD, PICKED};
 
-/// The candidates of an update, what decides which of them are held, and whom changes are reported to.
+/// The candidates of an update, the proxies that decide which of them are held, and the receiver of the changes.
 pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
     pub(in crate::pair_tracker) candidates: &'a mut Candidates,
     pub(in crate::pair_tracker) proxies: &'a Proxies<R, D, K>,
@@ -21,7 +20,7 @@ pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
 }
 
 impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
-    /// Makes `found` the candidates, and leaves the memory of the former ones there.
+    /// Replaces all candidates by those that were `found`. Leaves that list empty, with the memory of the former candidates.
     pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
         let Self {
             candidates,
@@ -40,8 +39,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         retired.reserve(*held_count);
         answers.ask(pairs.len(), COMPARED, |rows| {
             let [_, held] = near_and_held(&states[rows.clone()]);
-            let is_left = |i: usize| proxies.are_left(pairs[rows.start + i]);
-            ones(held).fold(0, |word, i| word | u64::from(is_left(i)) << i)
+            let existed = |i: usize| proxies.both_existed(pairs[rows.start + i]);
+            ones(held).fold(0, |word, i| word | u64::from(existed(i)) << i)
         });
         answers.iter().for_each(|row| retired.insert(pairs[row]));
         if proxies.are_rekeyed {
@@ -60,9 +59,10 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         self.hold_new(found);
         self.candidates.retired.free_if_large();
         std::mem::swap(&mut self.candidates.pairs, found);
+        found.clear();
     }
 
-    /// Adds candidates.
+    /// Adds the candidates that were `found`, and empties that list.
     pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
         self.keep_forbidden(found);
         self.hold_new(found);
@@ -70,15 +70,15 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             pairs, dues, lists, ..
         } = &mut *self.candidates;
         let first = pairs.len();
-        pairs.extend_from_slice(found);
+        pairs.append(found);
         if !dues.is_empty() {
             dues.resize(pairs.len(), Due::default());
         }
         lists.extend(pairs, first, self.proxies.len());
     }
 
-    /// Appends to what was found the pairs whose boxes overlapped and still do, and that were not found because their keys have come to
-    /// forbid them.
+    /// Appends the forbidden pairs to those that were `found`: a search does not find a pair that its keys have come to forbid, although its
+    /// boxes still overlap.
     fn keep_forbidden(&mut self, found: &mut Vec<[u32; 2]>) {
         let (candidates, proxies) = (&mut *self.candidates, self.proxies);
         if proxies.are_rekeyed {
@@ -89,7 +89,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         }
     }
 
-    /// Appends the states of candidates that were found.
+    /// Appends the states of candidates that were found, and reports which pairs begin. Retired pairs that were not found end.
     fn hold_new(&mut self, found: &[[u32; 2]]) {
         let mut states = std::mem::take(&mut self.candidates.states);
         let first = states.len();
@@ -104,24 +104,22 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             .map(|(pairs, states)| Found {
                 pairs,
                 states,
-                notes: FoundNotes::default(),
+                ..Found::default()
             })
             .collect();
-        let (candidates, observer) = (&*self.candidates, &*self.observer);
-        section.for_each(&mut parts, |part| {
-            part.ask(candidates, self.proxies, observer);
-        });
-        for Found { notes, .. } in parts {
-            self.candidates.held_count += notes.held_count;
-            self.candidates.overlapping_count += notes.overlapping_count;
-            for place in notes.taken {
+        let inquiry = self.inquiry();
+        section.for_each(&mut parts, |part| inquiry.ask_found(part));
+        for found in parts {
+            self.candidates.held_count += found.held_count;
+            self.candidates.overlapping_count += found.overlapping_count;
+            for place in found.taken {
                 self.candidates.retired.take(place);
             }
-            for pair in notes.strangers {
+            for pair in found.strangers {
                 self.candidates.note_overlap(pair);
             }
-            for (pair, is_held) in notes.changed {
-                self.report_change(pair, !is_held, is_held);
+            for change in found.changed {
+                self.observer.report(change);
             }
         }
         self.candidates.states = states;
@@ -129,91 +127,94 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         retired.drain(|pair| self.observer.report(PairChange::Deleted(pair)));
     }
 
-    /// Brings the candidates of what was touched up to date with the present boxes, and retires those of the leavers. Looks at all
-    /// candidates, or only at these. Adds what it took to `work`.
+    /// Brings the candidates of touched proxies, and of those with another volume, up to date, and retires the candidates of leavers.
     ///
-    /// Picking a few candidates out of all is cheap, and walking lists is not: it waits for memory at each step. So lists are
-    /// for very few.
-    pub(in crate::pair_tracker) fn compare(&mut self, mode: CompareMode, work: &mut Work) {
-        let (proxies, touched) = (self.proxies, self.proxies.touched());
-        match mode {
-            CompareMode::All => {
-                self.candidates.compact();
-                let leavers = &proxies.leavers;
-                let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
-                // Which ones overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-                self.turn(COMPARED, |rows| match leavers.len() {
-                    0 => proxies.toggled(rows),
-                    _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
-                });
-                work.compared = self.candidates.rows();
-                self.candidates.fill_tombstones();
+    /// If most proxies were touched, it goes through all candidates. Otherwise it picks theirs out of all, which is cheap per candidate, or
+    /// walks their lists, which waits for memory at each step and so is for very few proxies.
+    pub(in crate::pair_tracker) fn compare(&mut self, work: &mut Work) {
+        let proxies = self.proxies;
+        let (touched, revolumed) = (proxies.touched(), &proxies.notes.revolumed);
+        if !touched.is_empty() {
+            if are_most_touched(touched.len(), proxies.len()) {
+                return self.compare_all();
             }
-            CompareMode::Picked { lists_are_missed } => {
-                work.picked = self.candidates.rows();
-                work.compared = self.turn_those_of(touched, |rows, listed| {
-                    gather(rows.pairs, |&pair| listed.has_one(pair))
-                });
-                if lists_are_missed {
-                    self.candidates.lists.state.missed += 1;
-                }
-            }
-            CompareMode::Listed => {
-                work.walked = touched.len();
-                if !self.candidates.lists.state.are_made {
-                    self.candidates.make_lists(proxies.len());
-                }
-                let mut lists = std::mem::take(&mut self.candidates.lists);
-                for &slot in proxies.leavers.slots() {
-                    lists.take(slot, |row| self.retire(row));
-                }
-                for &slot in touched {
-                    lists.walk(slot, |row| self.compare_row(row));
-                }
-                self.candidates.lists = lists;
-            }
+            self.compare_touched(touched, work);
+        }
+        if !revolumed.is_empty() {
+            self.compare_revolumed(revolumed, work);
         }
     }
 
-    /// Brings the candidates of what has another volume in the same box up to date.
-    pub(in crate::pair_tracker) fn compare_volumes(&mut self) {
+    fn compare_touched(&mut self, touched: &[u32], work: &mut Work) {
         let proxies = self.proxies;
-        let revolumed = &proxies.notes.revolumed;
-        if self.candidates.walks_lists(revolumed.len(), proxies.len()) {
+        if self.candidates.walks_lists(touched.len(), proxies.len()) {
             let mut lists = std::mem::take(&mut self.candidates.lists);
-            for &slot in revolumed {
-                lists.walk(slot, |row| self.compare_row(row));
+            for &slot in proxies.leavers.slots() {
+                lists.take(slot, |row| self.retire(row));
             }
             self.candidates.lists = lists;
-            return;
+            return self.walk(touched, work);
         }
-        self.candidates.passed_over += self.candidates.rows();
+        work.picked += self.candidates.rows();
+        self.turn_those_of(touched, |rows, listed| {
+            gather(rows.pairs, |&pair| listed.has_one(pair))
+        });
+    }
+
+    /// The boxes of these slots stay, so the pairs that are held stay too.
+    fn compare_revolumed(&mut self, revolumed: &[u32], work: &mut Work) {
+        let proxies = self.proxies;
+        if self.candidates.walks_lists(revolumed.len(), proxies.len()) {
+            return self.walk(revolumed, work);
+        }
+        work.picked += self.candidates.rows();
         self.turn_those_of(revolumed, |rows, listed| {
             proxies.met_of_near(rows, |pair| listed.has_one(pair))
         });
     }
 
-    /// Asks the rows that are picked from each 64, given which pairs have one of these slots, and applies the answers. Returns how many
-    /// were picked, tombstones included.
+    /// Brings all candidates up to date, in order.
+    fn compare_all(&mut self) {
+        self.candidates.compact();
+        let (proxies, leavers) = (self.proxies, &self.proxies.leavers);
+        let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+        // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
+        self.turn(COMPARED, |rows| match leavers.len() {
+            0 => proxies.toggled(rows),
+            _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
+        });
+        self.candidates.fill_tombstones();
+    }
+
+    /// Brings the candidates in the lists of these slots up to date.
+    fn walk(&mut self, slots: &[u32], work: &mut Work) {
+        work.walked += slots.len();
+        let mut lists = std::mem::take(&mut self.candidates.lists);
+        for &slot in slots {
+            lists.walk(slot, |row| self.compare_row(row));
+        }
+        self.candidates.lists = lists;
+    }
+
+    /// Asks the rows that are picked from each 64, given which pairs have one of these slots, and applies the answers.
     fn turn_those_of(
         &mut self,
         listed: &[u32],
         pick: impl Fn(Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
-    ) -> usize {
+    ) {
         let mut slots = std::mem::take(&mut self.candidates.slots);
         slots.insert_all(listed, self.proxies.len());
         let lookup = slots.lookup();
         // Each candidate has two slots.
         let share_picked = (2 * listed.len() as u64).min(self.proxies.len() as u64);
         let price = PICKED + COMPARED * share_picked / self.proxies.len().max(1) as u64;
-        let picked = self.turn(price, |rows| pick(rows, lookup));
+        self.turn(price, |rows| pick(rows, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
-        picked
     }
 
-    /// Asks the rows that are picked from each 64, and applies the answers. Returns how many were picked, tombstones included.
-    fn turn(&mut self, price: u64, pick: impl Fn(Rows<'_>) -> u64 + Send + Sync) -> usize {
+    /// Asks the rows that are picked from each 64, and applies the answers.
+    fn turn(&mut self, price: u64, pick: impl Fn(Rows<'_>) -> u64 + Send + Sync) {
         let mut dues = std::mem::take(&mut self.candidates.dues);
         if self.proxies.volumes.have_odometers() {
             dues.resize(self.candidates.rows(), Due::default());
@@ -228,17 +229,17 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             let [start, end] = [i, i + 1].map(|i| 64 * start_of_part(i, count, rows.div_ceil(64)));
             part.rows = start..end.min(rows);
         }
-        let (candidates, observer) = (&*self.candidates, &*self.observer);
-        let mut rest = &mut dues[..];
+        let mut unassigned = &mut dues[..];
         let with_dues = parts.iter_mut().map(|part| {
-            let count = part.rows.len().min(rest.len());
-            let (dues, others) = std::mem::take(&mut rest).split_at_mut(count);
-            rest = others;
+            let count = part.rows.len().min(unassigned.len());
+            let (dues, others) = std::mem::take(&mut unassigned).split_at_mut(count);
+            unassigned = others;
             (part, dues)
         });
         let mut with_dues: Vec<_> = with_dues.collect();
+        let inquiry = self.inquiry();
         section.for_each(&mut with_dues, |(part, dues)| {
-            part.ask(candidates, dues, self.proxies, observer, &pick);
+            inquiry.ask(part, dues, &pick);
         });
         self.candidates.dues = dues;
         for &Turn { row, state } in parts.iter().flat_map(|part| &part.turns) {
@@ -247,9 +248,16 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
                 None => self.retire(row),
             }
         }
-        let picked = parts.iter().map(|part| part.picked).sum();
         self.candidates.turns = parts;
-        picked
+    }
+
+    #[inline(always)]
+    fn inquiry(&self) -> Inquiry<'_, R, D, K, O> {
+        Inquiry {
+            candidates: self.candidates,
+            proxies: self.proxies,
+            observer: self.observer,
+        }
     }
 
     /// Brings a row up to date. Returns whether there is a candidate in it.
@@ -259,7 +267,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return false;
         };
         let former = self.candidates.states[row];
-        let state = next_state(self.proxies, &*self.observer, pair, former, None);
+        let state = self.inquiry().next_state(pair, former, None);
         if state != former {
             self.set_state(row, state);
         }
@@ -270,12 +278,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     fn set_state(&mut self, row: usize, state: PairState) {
         let former = self.candidates.set_state(row, state);
         let pair = self.candidates.pairs[row];
-        self.report_change(pair, former.is_held(), state.is_held());
-    }
-
-    #[inline(always)]
-    fn report_change(&mut self, pair: [u32; 2], was_held: bool, is_held: bool) {
-        match (was_held, is_held) {
+        match (former.is_held(), state.is_held()) {
             (false, true) => self.observer.report(PairChange::Added(pair)),
             (true, false) => self.observer.report(PairChange::Deleted(pair)),
             _ => {}
@@ -293,12 +296,10 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         candidates.pairs[row] = [TOMBSTONE; 2];
         candidates.tombstones += 1;
         match former {
-            PairState::Apart => {}
             PairState::Near if proxies.is_forbidden(pair) => candidates.forbidden.push(pair),
-            PairState::Near => {}
             // The pairs of removed proxies end without an event.
-            PairState::Held if proxies.are_left(pair) => candidates.retired.insert(pair),
-            PairState::Held => {}
+            PairState::Held if proxies.both_existed(pair) => candidates.retired.insert(pair),
+            _ => {}
         }
     }
 }

@@ -1,14 +1,14 @@
-//! Held pairs whose candidates are retired, until it is known whether they are found again.
+//! Held pairs whose candidates are retired, until the search has found them again or not.
 
 use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
 
-/// A set of pairs that is filled, then indexed and asked, then emptied, in each update.
+/// A set of pairs. In each update it is filled, indexed, searched, and emptied, in this order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RetiredPairs {
-    /// By hash, the first entry of a list. As many as a power of two, and at least as many as entries.
+    /// By hash, the first entry of a list. Their number is a power of two, and at least the number of entries.
     heads: Vec<u32>,
     entries: Vec<Entry>,
 }
@@ -19,7 +19,7 @@ struct Entry {
     next: u32,
 }
 
-/// In place of a pair that was taken out.
+/// In place of a pair that was removed.
 const TAKEN: [u32; 2] = [u32::MAX; 2];
 
 impl RetiredPairs {
@@ -33,12 +33,12 @@ impl RetiredPairs {
         self.entries.push(Entry { pair, next: END });
     }
 
-    /// The pairs, before any is taken out.
+    /// The pairs, before any is removed.
     pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.entries.iter().map(|entry| entry.pair)
     }
 
-    /// Prepares for taking pairs out.
+    /// Prepares for [`place`](Self::place).
     pub(super) fn index(&mut self) {
         let count = self.entries.len().next_power_of_two().max(2);
         self.heads.clear();
@@ -49,7 +49,7 @@ impl RetiredPairs {
         }
     }
 
-    /// The place of a pair in the set, which must be indexed, if it is in it.
+    /// The place of a pair, if it is in the set, which must be indexed.
     pub(super) fn place(&self, pair: [u32; 2]) -> Option<u32> {
         if self.entries.is_empty() {
             return None;
@@ -65,18 +65,18 @@ impl RetiredPairs {
         None
     }
 
-    /// Takes the pair at a place out of the set.
+    /// Removes the pair at a place.
     pub(super) fn take(&mut self, place: u32) {
         self.entries[place as usize].pair = TAKEN;
     }
 
-    /// Empties the set, and calls `visit` with each pair that was left.
+    /// Empties the set, and calls `visit` with each pair that was not removed.
     pub(super) fn drain(&mut self, visit: impl FnMut([u32; 2])) {
-        let left = self.entries.drain(..).map(|entry| entry.pair);
-        left.filter(|&pair| pair != TAKEN).for_each(visit);
+        let pairs = self.entries.drain(..).map(|entry| entry.pair);
+        pairs.filter(|&pair| pair != TAKEN).for_each(visit);
     }
 
-    /// Frees the memory of an empty set, if it is much.
+    /// Frees the memory of an empty set if it is large.
     pub(super) fn free_if_large(&mut self) {
         if self.entries.capacity() > KEEP_SCRATCH_UP_TO {
             *self = Self::default();
@@ -84,7 +84,7 @@ impl RetiredPairs {
     }
 }
 
-/// A number below `count`, a power of two above 1. Fibonacci hashing (Knuth, The Art of Computer Programming, 6.4).
+/// A number below `count`, which is a power of two above 1. Fibonacci hashing (Knuth, The Art of Computer Programming, 6.4).
 #[inline(always)]
 fn hash([a, b]: [u32; 2], count: usize) -> usize {
     let key = u64::from(a) << 32 | u64::from(b);

@@ -1,12 +1,11 @@
 //! Sequences with hand-made lists: duplicates, foreign handles and empty lists included.
 
-use super::Kernel;
 use super::checked::CheckedBroadPhase;
 use super::world::{Ahead, World};
 use crate::ops::Sequence;
 
-pub(super) fn play(sequence: &Sequence, kernel: Kernel) {
-    let mut broad_phase = CheckedBroadPhase::new(kernel, sequence);
+pub(super) fn play(sequence: &Sequence) {
+    let mut broad_phase = CheckedBroadPhase::new(sequence);
     let mut world = World::new(sequence.length_unit.into());
     for ops in &sequence.updates {
         for &op in ops {

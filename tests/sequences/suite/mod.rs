@@ -1,7 +1,7 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`, and what depends on
 //! Rapier's version as `version`.
 
-use super::{Kernel, Settings, UnisizeBroadPhase, dim, rapier, version};
+use super::{Settings, UnisizeBroadPhase, dim, rapier, version};
 
 pub(super) mod checked;
 mod direct;
@@ -23,10 +23,9 @@ use crate::strategies::{SEQUENCES, sequences};
 pub(super) use shapes::Solid;
 pub(super) use world::{HandedOver, World};
 
-/// Plays a sequence with lists made by hand, with one of the kernels.
-pub(crate) fn play(sequence: &crate::ops::Sequence, kernel: usize) {
-    let kernels = [Kernel::GridSweep, Kernel::RankSweep, Kernel::BruteForce];
-    direct::play(sequence, kernels[kernel % kernels.len()]);
+/// Plays a sequence with lists made by hand.
+pub(crate) fn play(sequence: &crate::ops::Sequence) {
+    direct::play(sequence);
 }
 
 /// A turn.
@@ -38,9 +37,5 @@ fn rotation(angles: crate::ops::Triple) -> version::Pose {
 #[cfg(test)]
 #[test]
 fn lists_made_by_hand() {
-    for kernel in [Kernel::GridSweep, Kernel::RankSweep] {
-        check(SEQUENCES, &sequences(), |sequence| {
-            direct::play(sequence, kernel)
-        });
-    }
+    check(SEQUENCES, &sequences(), direct::play);
 }

@@ -1,6 +1,6 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::{Kernel, PairFilter, Settings, Stats, UnisizeBroadPhase, rapier};
+use super::{PairFilter, Settings, Stats, UnisizeBroadPhase, rapier};
 
 mod damage;
 mod settings;

@@ -14,7 +14,6 @@ use crate::statistics::{geometric_mean, median, rarer_than};
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
-use unisize::Kernel;
 use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
@@ -30,10 +29,9 @@ const SCENES: [SceneKind; 6] = [
 ];
 
 /// What is measured, unisize by default first: one of each idea.
-pub(crate) const FINDERS: [Finder; 11] = [
+pub(crate) const FINDERS: [Finder; 10] = [
     Finder::DEFAULT,
-    Finder::Unisize(Kernel::GridSweep, Some(0.0)),
-    Finder::Unisize(Kernel::RankSweep, None),
+    Finder::Unisize(Some(0.0)),
     Finder::Rapier,
     Finder::Grid(Cell::Largest),
     Finder::Grid(Cell::Median),

@@ -1,14 +1,13 @@
-//! Every scene, small, with Rapier's broad phase and each kernel of ours: the pairs held, the contacts and the
+//! Every scene, small, with Rapier's broad phase and ours: the pairs held, the contacts and the
 //! intersections are equal after every step, and what is simulated on ours alone stays sound. `compare` does the same at full size.
 
+use super::UnisizeBroadPhase;
 use super::scenes::{Candidate, Comparison};
-use super::{Kernel, Settings, UnisizeBroadPhase};
 use unisize_scenes::SceneKind;
 
-fn compare(kernel: Kernel, comparison: Comparison) {
-    let settings = Settings::default().with_kernel(kernel);
+fn compare(comparison: Comparison) {
     let candidate = Candidate::new(
-        move || UnisizeBroadPhase::with_settings(settings),
+        UnisizeBroadPhase::new,
         |ours| ours.pairs().collect(),
         UnisizeBroadPhase::as_query_pipeline,
     )
@@ -20,7 +19,7 @@ fn compare(kernel: Kernel, comparison: Comparison) {
     assert!(comparison.bodies < 2 || has_pairs, "{name} has no pairs");
 }
 
-fn compare_all(kernel: Kernel, bodies: usize, steps: usize, repeats: usize) {
+fn compare_all(bodies: usize, steps: usize, repeats: usize) {
     for kind in SceneKind::ALL {
         let comparison = Comparison::new(kind, bodies, 7);
         let comparison = Comparison {
@@ -29,24 +28,19 @@ fn compare_all(kernel: Kernel, bodies: usize, steps: usize, repeats: usize) {
             rays: 4,
             ..comparison
         };
-        compare(kernel, comparison);
+        compare(comparison);
     }
 }
 
 #[test]
-fn grid_sweep() {
-    compare_all(Kernel::GridSweep, 150, 60, 1);
-}
-
-#[test]
-fn rank_sweep() {
-    compare_all(Kernel::RankSweep, 150, 60, 0);
+fn a_hundred_bodies() {
+    compare_all(150, 60, 1);
 }
 
 #[test]
 fn one_body_or_none() {
-    compare_all(Kernel::GridSweep, 1, 10, 0);
-    compare_all(Kernel::GridSweep, 0, 10, 0);
+    compare_all(1, 10, 0);
+    compare_all(0, 10, 0);
 }
 
 /// So many that ours uses its threads, if it has any.
@@ -57,5 +51,5 @@ fn a_large_swarm() {
         repeats: 0,
         ..Comparison::new(SceneKind::Swarm, 20_000, 7)
     };
-    compare(Kernel::GridSweep, comparison);
+    compare(comparison);
 }

@@ -24,7 +24,7 @@ macro_rules! flavour {
         #[path = "."]
         mod $name {
             use flavour::{hinge, mesh_floor, spin};
-            use unisize::$unisize::{Kernel, PairFilter, Settings, Trial, UnisizeBroadPhase};
+            use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
             use unisize_scenes::$name as scenes;
             use unisize_scenes::$name::{
                 AnyBroadPhase, Installed, Observed, OwnBroadPhase, Steppable, World, install,

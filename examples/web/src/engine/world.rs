@@ -137,9 +137,12 @@ impl<B: Steppable> World for Run<B> {
 
     fn searches(&self) -> [f64; 3] {
         let unisize = self.unisize.map(|unisize| unisize(&self.broad_phase));
-        let stats = unisize.map(UnisizeBroadPhase::stats).unwrap_or_default();
+        let Some(unisize) = unisize else {
+            return [0.0; 3];
+        };
+        let stats = unisize.stats();
         let [runs, updates] = [stats.full_searches, stats.updates].map(|count| count as f64);
-        [stats.foresight.into(), runs, updates]
+        [unisize.diagnostics().foresight.into(), runs, updates]
     }
 
     fn pair_lines(&self, touching: bool) -> Vec<f32> {

@@ -190,7 +190,7 @@ fn what_is_left_out_is_not_held() {
         twins.insert(sleepless(0.5).translation(at(-0.9, -0.9)), ball);
         twins.steps(STEPS);
         let stats = twins.unisize.stats();
-        assert!(stats.candidates >= stats.pairs);
+        assert!(twins.unisize.diagnostics().candidates >= stats.pairs);
         stats.pairs
     };
     assert_eq!(pairs_with(PairFilter::Off), 6);

@@ -1,12 +1,12 @@
-//! What is known of a candidate.
+//! Whether a candidate is a pair.
 
-/// Whether a candidate is a pair. A byte, with a bit for each answer, so that many are asked at once.
+/// The state of a candidate. A byte with a bit for each question, so that many candidates are asked at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub(in crate::pair_tracker) enum PairState {
+pub(super) enum PairState {
     /// Its boxes do not overlap.
     Apart = 0b00,
-    /// Its boxes overlap, but it is not held, because its volumes have not met yet, or no longer do.
+    /// Its boxes overlap. It is not held, because its volumes have not met yet, or no longer do.
     Near = 0b01,
     /// It is held.
     Held = 0b10,
@@ -24,7 +24,7 @@ impl PairState {
     }
 }
 
-/// Of up to 64 candidates, those that are near and those that are held, the first one lowest.
+/// Which of up to 64 candidates are near, and which are held. The first candidate is the lowest bit.
 #[inline(always)]
 pub(super) fn near_and_held(states: &[PairState]) -> [u64; 2] {
     /// The lowest bit of each byte.

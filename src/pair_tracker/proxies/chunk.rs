@@ -1,13 +1,13 @@
-//! A chunk of the proxies, to be moved in place: what one thread works on, or all of them.
+//! A range of the proxies, written in place: that of one thread, or all of them.
 
-use super::box_update::BoxUpdate;
-use super::proxies::Notes;
-use super::volumes::{VolumeUpdate, VolumesChunk};
 use crate::aabb::Aabb;
+use crate::pair_tracker::box_update::BoxUpdate;
+use crate::pair_tracker::notes::Notes;
+use crate::pair_tracker::volumes::{VolumeUpdate, VolumesChunk};
 use crate::real::Real;
 use crate::volume::Volume;
 
-/// A run of slots, counted from its first one.
+/// A range of slots, numbered from its first one.
 pub(crate) struct ProxyChunk<'a, R, const D: usize, K> {
     pub(super) first_slot: usize,
     pub(super) boxes: &'a mut [Aabb<R, D>],
@@ -30,7 +30,7 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         &self.keys[i]
     }
 
-    /// The volume of the slot at `i` in this box, if no more than the box is needed to tell.
+    /// The volume of the slot at `i` in this box, if it follows from the box.
     #[inline(always)]
     pub(crate) fn volume_by_box(&self, i: usize, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
         self.volumes.by_box(i, aabb)
@@ -44,34 +44,35 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         self.boxes[i] = aabb;
         self.notes.touched.push(slot);
         if !self.fat_boxes[i].contains(&aabb) {
-            self.notes.left.push(slot);
+            self.notes.leavers.push(slot);
         }
     }
 
-    /// Sets the volume of the proxy at `i`, whose box stays as it is, if volumes are in use. Returns false, and changes nothing, if this
-    /// takes more.
+    /// Sets the volume of the proxy at `i`, whose box stays, if volumes are in use. Returns false, and changes nothing, if the volume is of
+    /// another kind.
     #[inline(always)]
     pub(crate) fn set_volume(&mut self, i: usize, volume: &Volume<R, D>) -> bool {
         if !self.volumes.are_used() {
             return true;
         }
         let update = self.volumes.set(i, volume, false);
-        if matches!(update, VolumeUpdate::Loosen | VolumeUpdate::Renew) {
+        if update.is_some_and(VolumeUpdate::concerns_pairs) {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);
         }
-        update != VolumeUpdate::Recheck
+        update.is_some()
     }
 
-    /// Moves the proxy at `i` to the box of its collider, or keeps the box that it has. If volumes are in use, `set_volume` sets its volume,
-    /// given whether the box is renewed. Returns false, and changes nothing, if the collider needs more than a move.
+    /// Brings the proxy at `i` up to date with the box of its collider. If volumes are in use, `set_volume` sets the volume and returns the
+    /// answer of [`VolumesChunk::set`]; its second argument says whether the box is renewed. Returns false, and changes nothing, if this
+    /// is more than a move.
     #[inline(always)]
     pub(crate) fn follow(
         &mut self,
         i: usize,
         aabb: &Aabb<R, D>,
         margin: R,
-        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> VolumeUpdate,
+        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> Option<VolumeUpdate>,
     ) -> bool {
         let update = BoxUpdate::of(&self.boxes[i], aabb, margin);
         if update == BoxUpdate::Recheck {
@@ -79,14 +80,13 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         }
         if self.volumes.are_used() {
             let is_renewed = update != BoxUpdate::Keep;
-            match set_volume(&mut self.volumes, is_renewed) {
-                VolumeUpdate::Recheck => return false,
-                // The pairs of a renewed box are compared anyway.
-                VolumeUpdate::Loosen | VolumeUpdate::Renew if !is_renewed => {
-                    let slot = self.slot(i);
-                    self.notes.revolumed.push(slot);
-                }
-                _ => {}
+            let Some(update) = set_volume(&mut self.volumes, is_renewed) else {
+                return false;
+            };
+            // The pairs of a renewed box are compared anyway.
+            if update.concerns_pairs() && !is_renewed {
+                let slot = self.slot(i);
+                self.notes.revolumed.push(slot);
             }
         }
         if let BoxUpdate::Renew(renewed) = update {

@@ -1,0 +1,43 @@
+//! Notes of which slots were written since the last update.
+
+/// Slots in the order of writing; a slot may repeat. Where several threads write, each has notes of its own.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Notes {
+    /// Slots whose boxes or keys were written.
+    pub(super) touched: Vec<u32>,
+    /// Those of them whose boxes have left their fat boxes, or that must be searched for all the same.
+    pub(super) leavers: Vec<u32>,
+    /// Slots whose volumes were written and whose boxes were not.
+    pub(super) revolumed: Vec<u32>,
+}
+
+impl Notes {
+    pub(super) fn are_empty(&self) -> bool {
+        self.touched.is_empty() && self.revolumed.is_empty()
+    }
+
+    fn lists(&mut self) -> [&mut Vec<u32>; 3] {
+        [&mut self.touched, &mut self.leavers, &mut self.revolumed]
+    }
+
+    /// Moves the notes of a thread to the end of these.
+    pub(super) fn append(&mut self, other: &mut Self) {
+        for (all, more) in self.lists().into_iter().zip(other.lists()) {
+            all.append(more);
+        }
+    }
+
+    /// Removes repeats from each list that is longer than `most`.
+    pub(super) fn forget_repeats(&mut self, most: usize) {
+        for list in self.lists() {
+            if list.len() > most {
+                list.sort_unstable();
+                list.dedup();
+            }
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.lists().into_iter().for_each(Vec::clear);
+    }
+}

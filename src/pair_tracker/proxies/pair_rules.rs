@@ -1,0 +1,168 @@
+//! The rules that decide which pairs are held, from boxes, filter keys and volumes now and at the end of the last update.
+
+use super::Proxies;
+use crate::aabb::Aabb;
+use crate::bit_set::{gather, ones};
+use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::odometer::Due;
+use crate::pair_tracker::pair_state::{PairState, near_and_held};
+use crate::real::Real;
+
+/// Up to 64 candidates.
+pub(in crate::pair_tracker) struct Rows<'a> {
+    pub(in crate::pair_tracker) pairs: &'a [[u32; 2]],
+    pub(in crate::pair_tracker) states: &'a [PairState],
+    /// One for each candidate, or none.
+    pub(in crate::pair_tracker) dues: &'a mut [Due],
+}
+
+impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
+    /// Whether the boxes of a pair overlap.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn overlap(&self, pair: [u32; 2]) -> bool {
+        overlap(&self.boxes, pair)
+    }
+
+    /// Whether a pair may meet, by the present keys.
+    #[inline]
+    pub(in crate::pair_tracker) fn may_meet(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|slot| self.keys[slot as usize]);
+        a.may_meet(b)
+    }
+
+    /// Whether both proxies of a pair existed at the end of the last update, and have not been removed since.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn both_existed(&self, pair: [u32; 2]) -> bool {
+        pair.iter()
+            .all(|&slot| self.previous[slot as usize].is_valid())
+    }
+
+    /// Whether the keys have come to forbid a candidate whose proxies both existed.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn is_forbidden(&self, pair: [u32; 2]) -> bool {
+        self.are_rekeyed && self.both_existed(pair) && !self.may_meet(pair)
+    }
+
+    /// Whether the present keys let a candidate become a pair. Until a key changes, all candidates may.
+    #[inline(always)]
+    fn may_begin(&self, pair: [u32; 2]) -> bool {
+        !self.are_rekeyed || self.may_meet(pair)
+    }
+
+    /// Whether one of two boxes differs from that at the end of the last update.
+    #[inline(always)]
+    fn is_renewed(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|slot| self.renewed.contains(slot as usize));
+        a | b
+    }
+
+    /// The state of a candidate that had this state, and this due if it has one.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn state_of(
+        &self,
+        pair: [u32; 2],
+        former: PairState,
+        due: Option<&mut Due>,
+    ) -> PairState {
+        match self.overlap(pair) {
+            true => self.state_of_overlapping(pair, former.is_held(), due),
+            false => PairState::Apart,
+        }
+    }
+
+    /// The state of a pair whose boxes overlap. It begins once its keys and its volumes allow it. Its keys are not asked again, as in
+    /// Rapier: a pair that they have come to forbid stays. If volumes are in use, it ends when one of its boxes is renewed and its volumes
+    /// are farther apart than the slack.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn state_of_overlapping(
+        &self,
+        pair: [u32; 2],
+        was_held: bool,
+        due: Option<&mut Due>,
+    ) -> PairState {
+        let (volumes, are_used) = (&self.volumes, self.volumes.are_used());
+        let is_held = match was_held {
+            false => self.may_begin(pair) && (!are_used || volumes.have_met(pair, due)),
+            true => !are_used || !self.is_renewed(pair) || volumes.meet(pair, self.slack),
+        };
+        match is_held {
+            true => PairState::Held,
+            false => PairState::Near,
+        }
+    }
+
+    /// Of up to 64 pairs those whose boxes overlap.
+    #[inline(never)]
+    pub(in crate::pair_tracker) fn overlapping(&self, pairs: &[[u32; 2]]) -> u64 {
+        // In a function of its own: next to other code, the compiler makes branches of it, which are mispredicted.
+        gather(pairs, |&pair| self.overlap(pair))
+    }
+
+    /// Of up to 64 candidates those whose state changes, if their keys allow it.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn toggled(&self, rows: Rows<'_>) -> u64 {
+        let Rows {
+            pairs,
+            states,
+            dues,
+        } = rows;
+        let overlap = self.overlapping(pairs);
+        let [near, held] = near_and_held(states);
+        // Where boxes have begun or ceased to overlap, the state changes in any case.
+        let toggled = overlap ^ (near | held);
+        if !self.volumes.are_used() {
+            return toggled;
+        }
+        let asked = ones(overlap & !toggled).map(|i| (i, pairs[i], held >> i & 1 == 1));
+        let bit = |i: usize, has_toggled: bool| u64::from(has_toggled) << i;
+        match dues {
+            // In an arm of its own, so that balls are as fast as without dues.
+            [] => asked.fold(toggled, |word, (i, pair, was_held)| {
+                word | bit(i, self.has_toggled(pair, was_held, None))
+            }),
+            dues => asked.fold(toggled, |word, (i, pair, was_held)| {
+                word | bit(i, self.has_toggled(pair, was_held, Some(&mut dues[i])))
+            }),
+        }
+    }
+
+    /// Of up to 64 candidates those that are near, that are `wanted`, and whose volumes have met.
+    #[inline(always)]
+    pub(in crate::pair_tracker) fn met_of_near(
+        &self,
+        rows: Rows<'_>,
+        wanted: impl Fn([u32; 2]) -> bool,
+    ) -> u64 {
+        let Rows {
+            pairs,
+            states,
+            dues,
+        } = rows;
+        let [near, _] = near_and_held(states);
+        let mut have_met =
+            |i: usize| wanted(pairs[i]) && self.has_toggled(pairs[i], false, dues.get_mut(i));
+        ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
+    }
+
+    /// Whether volumes make a pair whose boxes overlap begin, or end if it was held.
+    #[inline(always)]
+    fn has_toggled(&self, pair: [u32; 2], was_held: bool, due: Option<&mut Due>) -> bool {
+        // Which balls meet is practically random, so there is no branch on it.
+        let slack = if was_held { self.slack } else { R::ZERO };
+        if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
+            return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
+        }
+        match was_held {
+            true => self.is_renewed(pair) && !self.volumes.meet(pair, slack),
+            false => self.volumes.have_met_beyond_balls(pair, due),
+        }
+    }
+}
+
+#[inline(always)]
+pub(in crate::pair_tracker) fn overlap<R: Real, const D: usize>(
+    boxes: &[Aabb<R, D>],
+    [a, b]: [u32; 2],
+) -> bool {
+    boxes[a as usize].intersects(&boxes[b as usize])
+}
