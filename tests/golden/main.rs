@@ -4,12 +4,7 @@
 //! A changed hash means that the events, or their order, have changed. If that is intended, the test prints the new one for
 //! `hashes.txt`.
 
-#![cfg(any(
-    feature = "rapier2d-027",
-    feature = "rapier3d-027",
-    feature = "rapier2d-f64-027",
-    feature = "rapier3d-f64-027",
-))]
+#![cfg(feature = "_adapter")]
 
 mod hash;
 mod hashes;
@@ -29,11 +24,21 @@ macro_rules! flavour {
             const FLAVOUR: &str = stringify!($name);
 
             mod suite;
+
+            #[path = "../common/crowd"]
+            mod versions {
+                use super::rapier;
+
+                #[path = $version]
+                pub(super) mod version;
+            }
+            use versions::version;
         }
     };
 }
 
 for_each_027!(flavour);
+for_each_036!(flavour);
 
 // It does not look into macros.
 #[cfg(rustfmt)]

@@ -1,6 +1,6 @@
 //! The suite: one source for every flavour, which the module that includes it names as `rapier`.
 
-use super::{FLAVOUR, Settings, Stats, UnisizeBroadPhase, rapier};
+use super::{FLAVOUR, Settings, Stats, UnisizeBroadPhase, rapier, version};
 use crate::hash::Hash;
 use crate::hashes::golden;
 use crowd::Crowd;
@@ -8,7 +8,7 @@ use oorandom::Rand32;
 use rapier::prelude::*;
 use unisize::{Diagnostics, Overrides};
 
-#[path = "../common/crowd.rs"]
+#[path = "../common/crowd/mod.rs"]
 mod crowd;
 
 /// A way in which colliders move about.
@@ -80,13 +80,14 @@ fn write(hash: &mut Hash, events: &[(bool, ColliderPair)]) {
 impl Crowd {
     /// Sets the position of the last collider to NaN.
     fn spoil_last(&mut self) {
-        self.place(self.handles.len() - 1, Vector::repeat(Real::NAN));
+        self.place(self.handles.len() - 1, [Real::NAN; DIM]);
     }
 
     /// Gives each collider a body of its own, and leaves it where it is.
     fn put_on_bodies(&mut self) {
         for &handle in &self.handles {
-            let place = *self.colliders[handle].translation();
+            let place = version::coordinates(&self.colliders[handle]);
+            let place = version::vector(place);
             let body = RigidBodyBuilder::dynamic().translation(place);
             let body = self.bodies.insert(body);
             self.colliders
@@ -141,9 +142,7 @@ impl Replay {
                 stats.push((broad_phase.stats(), broad_phase.diagnostics()));
                 crowd.advance(stride);
                 if self.is_to_and_fro {
-                    for velocity in &mut crowd.velocities {
-                        *velocity = -*velocity;
-                    }
+                    (0..crowd.handles.len()).for_each(|i| crowd.turn_back(i));
                 }
             }
         }

@@ -18,11 +18,21 @@ macro_rules! flavour {
             use $rapier as rapier;
 
             mod suite;
+
+            #[path = "../common/crowd"]
+            mod versions {
+                use super::rapier;
+
+                #[path = $version]
+                pub(super) mod version;
+            }
+            use versions::version;
         }
     };
 }
 
 for_each_027!(flavour);
+for_each_036!(flavour);
 
 // It does not look into macros.
 #[cfg(rustfmt)]

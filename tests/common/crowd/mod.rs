@@ -1,12 +1,14 @@
 //! Colliders that move about, come, go and get NaN positions, without a simulation. One source for every flavour: the module
-//! that includes it names the engine as `rapier`.
+//! that includes it names the engine `rapier`, and the differences of its version `version`.
 //!
 //! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
 
+use std::array::from_fn;
+
 use oorandom::Rand32;
 
-use super::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use super::{UnisizeBroadPhase, version};
 
 /// A collider without a body. It counts as fixed, and fixed ones meet only if they say so.
 fn ball(radius: Real) -> ColliderBuilder {
@@ -19,7 +21,7 @@ pub(super) struct Crowd {
     pub(super) colliders: ColliderSet,
     pub(super) bodies: RigidBodySet,
     pub(super) handles: Vec<ColliderHandle>,
-    pub(super) velocities: Vec<Vector<Real>>,
+    pub(super) velocities: Vec<[Real; DIM]>,
     pub(super) modified: Vec<ColliderHandle>,
     removed: Vec<ColliderHandle>,
     side: Real,
@@ -42,9 +44,9 @@ impl Crowd {
             // One in a hundred is much larger than the rest.
             let radius = if i % 100 == 50 { 4.0 } else { 0.5 };
             let place = crowd.somewhere();
-            let ball = ball(radius).translation(place);
+            let ball = ball(radius).translation(version::vector(place));
             crowd.handles.push(crowd.colliders.insert(ball));
-            let velocity = Vector::from_fn(|_, _| (crowd.share() - 0.5) * 2.0 * speed);
+            let velocity = from_fn(|_| (crowd.share() - 0.5) * 2.0 * speed);
             crowd.velocities.push(velocity);
         }
         crowd.modified = crowd.handles.clone();
@@ -56,8 +58,8 @@ impl Crowd {
         self.random.rand_float() as Real
     }
 
-    fn somewhere(&mut self) -> Vector<Real> {
-        Vector::from_fn(|_, _| self.share() * self.side)
+    fn somewhere(&mut self) -> [Real; DIM] {
+        from_fn(|_| self.share() * self.side)
     }
 
     /// Moves one collider in `stride` on, and changes a few in other ways.
@@ -66,8 +68,8 @@ impl Crowd {
         self.removed.clear();
         for i in (0..self.handles.len()).step_by(stride) {
             match self.random.rand_range(0..400) {
-                0 => self.velocities[i] = -self.velocities[i],
-                1 => self.place(i, Vector::repeat(Real::NAN)),
+                0 => self.turn_back(i),
+                1 => self.place(i, [Real::NAN; DIM]),
                 2 => self.replace(i),
                 3 => {
                     let place = self.somewhere();
@@ -78,12 +80,12 @@ impl Crowd {
                     collider.set_enabled(!collider.is_enabled());
                 }
                 _ => {
-                    let mut place =
-                        self.colliders[self.handles[i]].translation() + self.velocities[i];
+                    let before = version::coordinates(&self.colliders[self.handles[i]]);
+                    let mut place = from_fn(|k| before[k] + self.velocities[i][k]);
                     if place.iter().any(|x| x.is_nan()) {
                         place = self.somewhere();
                     }
-                    for k in 0..place.len() {
+                    for k in 0..DIM {
                         if place[k] < 0.0 || place[k] > self.side {
                             self.velocities[i][k] = -self.velocities[i][k];
                         }
@@ -95,17 +97,21 @@ impl Crowd {
         }
     }
 
-    pub(super) fn place(&mut self, i: usize, place: Vector<Real>) {
-        self.colliders[self.handles[i]].set_translation(place);
+    pub(super) fn place(&mut self, i: usize, place: [Real; DIM]) {
+        self.colliders[self.handles[i]].set_translation(version::vector(place));
+    }
+
+    pub(super) fn turn_back(&mut self, i: usize) {
+        self.velocities[i] = self.velocities[i].map(|speed| -speed);
     }
 
     /// Replaces a collider by another.
     fn replace(&mut self, i: usize) {
-        let (mut islands, handle) = (IslandManager::new(), self.handles[i]);
-        self.colliders
-            .remove(handle, &mut islands, &mut self.bodies, false);
+        let handle = self.handles[i];
+        version::remove(&mut self.colliders, &mut self.bodies, handle);
         self.removed.push(handle);
-        let ball = ball(0.5).translation(self.somewhere());
+        let place = version::vector(self.somewhere());
+        let ball = ball(0.5).translation(place);
         self.handles[i] = self.colliders.insert(ball);
     }
 
