@@ -21,7 +21,7 @@ use crate::finder::Finder;
 use crate::options::Common;
 use crate::output::Output;
 use crate::statistics::geometric_mean;
-use crate::version::{FINDERS, RAPIER};
+use crate::version::FINDERS;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
