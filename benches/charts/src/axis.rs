@@ -9,6 +9,8 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     pub(crate) title: String,
+    /// What stands in the band of zero.
+    pub(crate) zero: String,
     is_log: bool,
 }
 
@@ -42,8 +44,15 @@ impl Axis {
     pub fn log(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
+            zero: String::new(),
             is_log: true,
         }
+    }
+
+    /// With a word for zero, which stands in its band. It is for horizontal axes.
+    pub fn with_zero(mut self, word: impl Into<String>) -> Self {
+        self.zero = word.into();
+        self
     }
 
     /// Its range and ticks for these values.
@@ -151,7 +160,7 @@ impl Scale {
     /// The value at a tick, without the noise of its last bits.
     pub(crate) fn label(&self, place: f64) -> String {
         if self.zero == Some(place) {
-            return "none".to_owned();
+            return "0".to_owned();
         }
         // Logarithms are not exact: what is just below a power of ten is one.
         let value = self.value(place) * (1.0 + 1e-9);
@@ -242,7 +251,7 @@ mod tests {
         let [zero, least] = [0.0, 0.01].map(|value| scale.place(value));
         assert!(zero < scale.end_of_zero().unwrap() && scale.end_of_zero().unwrap() < least);
         assert!(scale.range.contains(&zero));
-        let expected = ["0.01", "0.1", "1", "none"];
+        let expected = ["0.01", "0.1", "1", "0"];
         assert_eq!(labels(&axis, [0.0, 0.02, 3.0]), expected);
         assert!(of(axis).place(0.0).is_infinite());
     }

@@ -1,5 +1,5 @@
-//! Colours that most people can tell apart, in pairs of a strong one and a light one, with one meaning in all charts: reds are
-//! unisize, blues are Rapier's own broad phases, and all others the rest.
+//! Colours that most people can distinguish, in pairs of a strong one and a light one, with one meaning in all charts: reds are
+//! unisize, blues are Rapier's own broad phases, and all others the rest. Each colour has its own shape of points as well.
 
 use plotters::style::RGBColor;
 

@@ -2,10 +2,10 @@
 
 /// The width of a letter and the height of a line, at the size of the labels.
 const LETTER: i32 = 7;
-const LINE: i32 = 12;
+const LINE: i32 = 14;
 
 /// How far a label is from its point.
-const GAP: i32 = 8;
+const GAP: i32 = 11;
 
 /// A rectangle on the page: left, top, right, bottom.
 type Rectangle = [i32; 4];

@@ -1,5 +1,6 @@
-//! Line charts in SVG with one look: panels in rows of two, and one legend below them. All are as wide as a page shows them, so that
-//! their text can be read there.
+//! Line charts in SVG with one look: panels in rows of two, and one legend, below them or in the place of a last panel. All are as wide as
+//! a page shows them, so that their text can be read there. The program of this package draws those of `docs/figures` from what is stored in
+//! `benches/results`.
 //!
 //! ```
 //! use unisize_charts::{Axis, Chart, Panel, Series, color};
@@ -18,6 +19,7 @@
 mod axis;
 pub mod color;
 mod labels;
+mod mark;
 mod panel;
 mod series;
 
@@ -26,21 +28,21 @@ pub use panel::Panel;
 pub use plotters::style::RGBColor;
 pub use series::Series;
 
-use anyhow::{Result, anyhow};
+use anyhow::{Context, Result, anyhow};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-const WIDTH: u32 = 860;
-const PANEL_HEIGHT: u32 = 380;
+const WIDTH: u32 = 830;
+const PANEL_HEIGHT: u32 = 360;
 
 const TITLE_HEIGHT: u32 = 40;
 /// The most that a letter of the legend takes, and the sample of a series with the gaps around it.
 const LETTER_WIDTH: u32 = 8;
 const SAMPLE_WIDTH: u32 = 56;
 const LINE_HEIGHT: u32 = 22;
-const TEXT: (&str, u32) = ("sans-serif", 15);
+const TEXT: (&str, u32) = ("sans-serif", 17);
 
 /// A title, panels in rows, and a legend.
 #[derive(Clone, Debug)]
@@ -74,13 +76,24 @@ impl Chart {
         self
     }
 
+    /// The chart in SVG, which is the same whenever the chart is.
+    ///
+    /// # Errors
+    /// If it cannot be drawn.
+    pub fn svg(&self) -> Result<String> {
+        let mut svg = String::new();
+        self.draw(&mut svg)
+            .map_err(|error| anyhow!("cannot draw {:?}: {error}", self.title))?;
+        Ok(svg)
+    }
+
     /// Writes the chart to a file.
     ///
     /// # Errors
     /// If the file cannot be written.
     pub fn write_svg(&self, file: &Path) -> Result<()> {
-        self.draw(file)
-            .map_err(|error| anyhow!("cannot draw {}: {error}", file.display()))
+        std::fs::write(file, self.svg()?)
+            .with_context(|| format!("cannot write {}", file.display()))
     }
 
     /// What the legend shows: the first series of every name.
@@ -95,19 +108,28 @@ impl Chart {
         entries
     }
 
-    fn draw(&self, file: &Path) -> Result<(), Box<dyn Error>> {
+    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
         let columns = self.panels.len().clamp(1, 2);
         let rows = self.panels.len().div_ceil(columns);
         let panels_height = PANEL_HEIGHT * rows as u32;
         let entries = self.entries();
+        // Three panels leave the place of a fourth one free.
+        let free =
+            (self.panels.len() % 2 == 1 && self.panels.len() > 1).then_some(self.panels.len());
         let lengths = entries.iter().map(|entry| entry.name.chars().count());
         let entry_width = LETTER_WIDTH * lengths.max().unwrap_or(0) as u32 + SAMPLE_WIDTH;
-        let entries_in_row = (WIDTH / entry_width).max(1);
-        let legend_rows = (entries.len() as u32).div_ceil(entries_in_row);
+        let entries_in_row = match free {
+            None => (WIDTH / entry_width).max(1),
+            Some(_) => 1,
+        };
+        let legend_rows = match free {
+            None => (entries.len() as u32).div_ceil(entries_in_row),
+            Some(_) => 0,
+        };
         let footer_height = LINE_HEIGHT * (legend_rows + self.notes.len() as u32) + 10;
         let size = (WIDTH, TITLE_HEIGHT + panels_height + footer_height);
 
-        let root = SVGBackend::new(file, size).into_drawing_area();
+        let root = SVGBackend::with_string(svg, size).into_drawing_area();
         root.fill(&WHITE)?;
         let root = root.titled(&self.title, ("sans-serif", 22))?;
         let (upper, lower) = root.split_vertically(panels_height);
@@ -115,9 +137,14 @@ impl Chart {
         for (area, panel) in areas.iter().zip(&self.panels) {
             panel.draw(area, &self.panels)?;
         }
+        let (legend, left, top) = match free {
+            None => (&lower, 16, 0),
+            Some(index) => (&areas[index], 64, 2),
+        };
         for (index, entry) in (0..).zip(entries) {
             let (row, column) = (index / entries_in_row, index % entries_in_row);
-            draw_entry(&lower, entry, row, (column * entry_width) as i32 + 16)?;
+            let x = (column * entry_width) as i32 + left;
+            draw_entry(legend, entry, row + top, x)?;
         }
         for (row, note) in (legend_rows..).zip(&self.notes) {
             lower.draw(&Text::new(note.as_str(), (16, text_top(row)), TEXT))?;
@@ -135,10 +162,8 @@ fn draw_entry<B: DrawingBackend>(
     x: i32,
 ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
     let y = (row * LINE_HEIGHT + LINE_HEIGHT / 2) as i32;
-    if entry.has_line() {
-        let sample = [(x, y), (x + 24, y)];
-        area.draw(&PathElement::new(sample, entry.line_style()))?;
-    }
+    let sample = [(x, y), (x + 24, y)];
+    area.draw(&PathElement::new(sample, entry.line_style()))?;
     if entry.has_marks() {
         area.draw(&entry.mark((x + 12, y)))?;
     }

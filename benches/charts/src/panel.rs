@@ -7,9 +7,9 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 const CAPTION: (&str, u32) = ("sans-serif", 17);
-const AXIS_TITLE: (&str, u32) = ("sans-serif", 14);
-const TICK: (&str, u32) = ("sans-serif", 13);
-const POINT_LABEL: (&str, u32) = ("sans-serif", 12);
+const AXIS_TITLE: (&str, u32) = ("sans-serif", 16);
+const TICK: (&str, u32) = ("sans-serif", 15);
+const POINT_LABEL: (&str, u32) = ("sans-serif", 15);
 
 /// How dark the band is that stands for zero.
 const ZERO_SHADE: f64 = 0.06;
@@ -49,12 +49,15 @@ impl Panel {
         let ys = all.iter().filter(|panel| panel.y == self.y);
         let x = self.x.scale(xs.flat_map(points_of).map(|(x, _)| x));
         let y = self.y.scale(ys.flat_map(points_of).map(|(_, y)| y));
-        let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, CAPTION)
+        let mut builder = ChartBuilder::on(area);
+        if !self.title.is_empty() {
+            builder.caption(&self.title, CAPTION);
+        }
+        let mut chart = builder
             .margin(8)
             .margin_right(18)
-            .x_label_area_size(42)
-            .y_label_area_size(60)
+            .x_label_area_size(46)
+            .y_label_area_size(64)
             .build_cartesian_2d(x.clone(), y.clone())?;
         chart
             .configure_mesh()
@@ -71,14 +74,15 @@ impl Panel {
             let corners = [(xs.start, ys.start), (end, ys.end)];
             let shade = BLACK.mix(ZERO_SHADE).filled();
             chart.draw_series([Rectangle::new(corners, shade)])?;
+            let word = Text::new(self.x.zero.clone(), (6, -20), POINT_LABEL);
+            let corner = EmptyElement::at((xs.start, ys.start));
+            chart.draw_series([corner + word])?;
         }
         let mut labels = Labels::default();
         let mut texts = Vec::new();
         for series in self.series.iter().rev() {
             let places: Vec<_> = places(series, &x, &y).collect();
-            if series.has_line() {
-                chart.draw_series(LineSeries::new(places.clone(), series.line_style()))?;
-            }
+            chart.draw_series(LineSeries::new(places.clone(), series.line_style()))?;
             if series.has_marks() {
                 chart.draw_series(places.iter().map(|&place| series.mark(place)))?;
             }
@@ -86,15 +90,15 @@ impl Panel {
                 let pixel = chart.backend_coord(&place);
                 labels.avoid(pixel, series.radius);
                 if series.is_labelled {
-                    texts.push((place, series.name.clone(), pixel, series.color));
+                    texts.push((place, series.name.clone(), pixel));
                 }
             }
         }
         let (xs, ys) = chart.plotting_area().get_pixel_range();
         let bounds = [xs.start, ys.start, xs.end, ys.end];
-        for (place, label, at, color) in texts {
+        for (place, label, at) in texts {
             let offset = labels.place(at, &label, bounds);
-            let text = Text::new(label, offset, POINT_LABEL.into_font().color(&color));
+            let text = Text::new(label, offset, POINT_LABEL);
             chart.draw_series([EmptyElement::at(place) + text])?;
         }
         Ok(())

@@ -1,26 +1,27 @@
 //! A named line through points.
 
+use crate::mark::{Dot, Mark};
 use plotters::prelude::*;
 
-/// Points of one colour, joined by a line.
+/// Points of one colour and shape, joined by a line.
 #[derive(Clone, Debug)]
 pub struct Series {
     pub(crate) name: String,
     pub(crate) points: Vec<(f64, f64)>,
     /// Whether its name is beside its points.
     pub(crate) is_labelled: bool,
-    pub(crate) color: RGBColor,
     /// The radius of its marks.
     pub(crate) radius: i32,
+    color: RGBColor,
+    mark: Mark,
     stroke: u32,
-    is_ringed: bool,
 }
 
 /// With more points than this, a line has no marks.
 const MARKED: usize = 40;
 
 impl Series {
-    /// A line with a dot at every point, unless there are many.
+    /// A line with a mark at every point, unless there are many. The colour decides the shape of the marks.
     pub fn new(
         name: impl Into<String>,
         color: RGBColor,
@@ -30,22 +31,22 @@ impl Series {
             name: name.into(),
             points: points.into_iter().collect(),
             is_labelled: false,
+            radius: 5,
             color,
-            radius: 3,
+            mark: Mark::of(color),
             stroke: 2,
-            is_ringed: false,
         }
     }
 
-    /// With a thicker line and larger dots.
+    /// With a thicker line and larger marks.
     pub fn bold(mut self) -> Self {
-        (self.stroke, self.radius) = (4, 5);
+        (self.stroke, self.radius) = (4, 7);
         self
     }
 
-    /// With rings in place of dots, and without a line.
-    pub fn ringed(mut self) -> Self {
-        (self.radius, self.is_ringed) = (8, true);
+    /// With outlines as marks.
+    pub fn hollow(mut self) -> Self {
+        self.mark = self.mark.hollow();
         self
     }
 
@@ -59,35 +60,17 @@ impl Series {
         self.points.len() <= MARKED
     }
 
-    pub(crate) fn has_line(&self) -> bool {
-        !self.is_ringed
-    }
-
     pub(crate) fn line_style(&self) -> ShapeStyle {
         self.color.stroke_width(self.stroke)
     }
 
     /// The mark of a point.
-    pub(crate) fn mark<C>(&self, center: C) -> Circle<C, i32> {
-        let style = match self.is_ringed {
-            true => self.color.stroke_width(2),
-            false => self.color.filled(),
-        };
-        Circle::new(center, self.radius, style)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Series;
-    use crate::color;
-
-    #[test]
-    fn rings_are_not_joined() {
-        let series = |count: i32| Series::new("x", color::RED, (0..count).map(|x| (x.into(), 1.0)));
-        let has = |series: Series| (series.has_line(), series.has_marks());
-        assert_eq!(has(series(2)), (true, true));
-        assert_eq!(has(series(2).ringed()), (false, true));
-        assert_eq!(has(series(50)), (true, false));
+    pub(crate) fn mark<C>(&self, center: C) -> Dot<C> {
+        Dot {
+            center,
+            mark: self.mark,
+            radius: self.radius,
+            color: self.color,
+        }
     }
 }

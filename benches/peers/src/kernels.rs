@@ -68,10 +68,9 @@ const fn effort(count: usize, trial_frames: usize, rounds: usize, frames_a_round
 }
 
 /// Measures every library in two and three dimensions.
-pub(crate) fn measure(quick: bool, report: &mut Report) -> Result<Vec<Row>> {
-    let mut rows = measure_in(&families_2d(), [0.8, 0.2], quick, report)?;
-    rows.extend(measure_in(&families_3d(), [0.4, 0.1], quick, report)?);
-    Ok(rows)
+pub(crate) fn measure(quick: bool, report: &mut Report) -> Result<()> {
+    measure_in(&families_2d(), [0.8, 0.2], quick, report)?;
+    measure_in(&families_3d(), [0.4, 0.1], quick, report)
 }
 
 fn measure_in<const D: usize>(
@@ -79,7 +78,7 @@ fn measure_in<const D: usize>(
     [dense, sparse]: [f64; 2],
     quick: bool,
     report: &mut Report,
-) -> Result<Vec<Row>> {
+) -> Result<()> {
     let efforts = if quick { &QUICK_EFFORTS[..] } else { &EFFORTS };
     let mut cases: Vec<_> = efforts.iter().map(|effort| (dense, effort)).collect();
     if !quick {
@@ -88,17 +87,15 @@ fn measure_in<const D: usize>(
         cases.extend(sparse_efforts.map(|effort| (sparse, effort)));
     }
     let bar = progress_bar(cases.len() as u64);
-    let mut rows = Vec::new();
     for (density, effort) in cases {
         let case = format!("kernels, {D}D, density {density}, n = {}", effort.count);
         bar.set_message(case.clone());
         for row in contend(families, density, effort).context(case)? {
             bar.suspend(|| row.report(report))?;
-            rows.push(row);
         }
         bar.inc(1);
     }
-    Ok(rows)
+    Ok(())
 }
 
 /// Every library in two dimensions, that of this repository first.

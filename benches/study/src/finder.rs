@@ -1,6 +1,5 @@
 //! What finds the pairs: unisize by its settings, Rapier's own broad phase, and methods that miss pairs in exchange for speed.
 
-use unisize_charts::{RGBColor, color};
 
 /// What finds the pairs. Margins are in typical sizes; none is the default.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,19 +51,6 @@ impl Finder {
             Self::Grid(Cell::Largest) => "hash grid, cells of the largest".to_owned(),
             Self::Grid(Cell::Median) => "hash grid, one size too small".to_owned(),
             Self::Lossy => format!("one pair in {LOST_ONE_IN} lost"),
-        }
-    }
-
-    /// Its colour in charts.
-    pub(crate) fn color(self) -> RGBColor {
-        match self {
-            Self::DEFAULT => color::RED,
-            Self::Unisize(..) => color::SALMON,
-            Self::Rapier => color::BLUE,
-            Self::Seldom(..) => color::PURPLE,
-            Self::Grid(Cell::Largest) => color::GREEN,
-            Self::Grid(Cell::Median) => color::OCHRE,
-            Self::Lossy => color::GREY,
         }
     }
 }

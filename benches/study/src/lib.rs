@@ -11,9 +11,9 @@
 //! | `stability` | where small worlds fail, does unisize fail alone? |
 //! | `soak` | does unisize run forever in the same memory? |
 //!
-//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, append a line of JSON for each row to
-//! `--json FILE`, and draw charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
-//! or cannot write. What is timed runs on one thread, by the processor time of that thread.
+//! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, and append a line of JSON for each row to
+//! `--json FILE`, from which `.ci/chart` draws. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly or
+//! cannot write. What is timed runs on one thread, by the processor time of that thread.
 //!
 //! With the feature `rapier-036` they are of Rapier 0.36, on a patched copy, and there are `accuracy` and `stability`:
 //! `benches/patched/study` is that program.

@@ -24,9 +24,6 @@ pub(crate) struct Common {
     /// Append what is found to this file as well, a line of JSON for each row
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
-    /// Draw the charts of studies that have some into this folder
-    #[arg(long, value_name = "FOLDER")]
-    pub(crate) chart: Option<PathBuf>,
 }
 
 impl Common {

@@ -1,54 +1,27 @@
-//! What a study puts out: rows as tables in Markdown and as lines of JSON, and charts in SVG.
+//! What a study puts out: rows, as tables in Markdown and as lines of JSON.
 
 use crate::options::Common;
 use crate::version::RAPIER;
 use anyhow::{Context, Result};
 use serde_json::Value;
-use std::fs::create_dir_all;
-use std::path::PathBuf;
 use std::process::ExitCode;
-use unisize_charts::Chart;
 use unisize_report::Report;
 
-/// Where the rows and charts of a study go.
-pub(crate) struct Output {
-    study: &'static str,
-    report: Report,
-    charts: Option<PathBuf>,
-}
+/// Where the rows of a study go.
+pub(crate) struct Output(Report);
 
 impl Output {
     /// Opens what was asked for, before a long run, which a failure would waste.
-    pub(crate) fn create(study: &'static str, common: &Common) -> Result<Self> {
-        if let Some(folder) = &common.chart {
-            create_dir_all(folder)
-                .with_context(|| format!("cannot create {}", folder.display()))?;
-        }
-        Ok(Self {
-            study,
-            report: Report::new(common.json.as_deref()).context("cannot write the rows")?,
-            charts: common.chart.clone(),
-        })
+    pub(crate) fn create(common: &Common) -> Result<Self> {
+        let report = Report::new(common.json.as_deref());
+        Ok(Self(report.context("cannot write the rows")?))
     }
 
     /// Prints and writes a row of this kind.
     pub(crate) fn row(&mut self, kind: &str, row: &[(&str, Value)]) -> Result<()> {
         let mut all = vec![("rapier", RAPIER.into()), ("kind", kind.into())];
         all.extend_from_slice(row);
-        Ok(self.report.row(&all)?)
-    }
-
-    /// Draws the chart of the study, or of one dimension.
-    pub(crate) fn chart(&self, dim: Option<u8>, chart: impl FnOnce() -> Chart) -> Result<()> {
-        let Some(folder) = &self.charts else {
-            return Ok(());
-        };
-        let dim = dim.map_or_else(String::new, |dim| format!("-{dim}d"));
-        let rapier = RAPIER.replace('.', "-");
-        let file = folder.join(format!("{}{dim}-{rapier}.svg", self.study));
-        chart().write_svg(&file)?;
-        println!("\nDrawn: {}", file.display());
-        Ok(())
+        Ok(self.0.row(&all)?)
     }
 }
 

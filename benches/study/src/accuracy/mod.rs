@@ -21,14 +21,13 @@ use crate::finder::Finder;
 use crate::options::Common;
 use crate::output::Output;
 use crate::statistics::geometric_mean;
-use crate::version::{FINDERS, RAPIER};
+use crate::version::FINDERS;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
 use ensembles::{DEEPEST, Ensembles, LOST, STRAYED, STRETCH};
 use indicatif::ProgressBar;
 use std::ops::Range;
-use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
 use verdict::Verdict;
@@ -73,7 +72,7 @@ pub(crate) struct Arguments {
 impl Arguments {
     /// Runs the study; whether unisize has passed.
     pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create("accuracy", &self.common)?;
+        let mut output = Output::create(&self.common)?;
         let seeds = self.common.seeds([2, 20]);
         let scenes = self.common.scenes(&SCENES, &self.only);
         let runs = FINDERS.len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
@@ -90,9 +89,6 @@ impl Arguments {
         bar.finish_and_clear();
         let verdict = Verdict::of(&studies);
         report(&studies, &verdict, &mut output)?;
-        for &dim in self.common.dims() {
-            output.chart(Some(dim), || chart(dim, &studies))?;
-        }
         Ok(self.conclude(&studies, &verdict, seeds))
     }
 
@@ -210,6 +206,9 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
             ],
         )?;
     }
+    for study in studies {
+        report_curves(study, output)?;
+    }
     for comparison in &verdict.0 {
         let study = &studies[comparison.scene];
         let median = |finder| study.error(finder, SHOWN, comparison.error).into();
@@ -232,35 +231,30 @@ fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Resu
     Ok(())
 }
 
-/// The chart of one dimension: error against computing time, a panel for each scene, a curve for each method, and a point for each time
-/// step.
-fn chart(dim: u8, studies: &[Ensembles]) -> Chart {
-    let title = format!(
-        "Error against computing time, {dim}D, Rapier {RAPIER}: low is accurate, left is fast"
-    );
-    let of_dim = studies.iter().filter(|study| study.dim == dim);
-    Chart::new(title, of_dim.map(panel))
-        .note("The points of a curve: time steps of 1/30, 1/60, 1/120 and 1/240 s, from the left to the right; medians of the starts.")
-}
-
-/// All methods in one scene, by the first of its errors.
-fn panel(study: &Ensembles) -> Panel {
-    let mut finders = FINDERS.to_vec();
-    // The first one is drawn above all others.
-    finders.sort_by_key(|&finder| (!finder.is_exact(), finder != Finder::DEFAULT));
-    let points = |finder: Finder| {
-        FREQUENCIES.map(|frequency| {
-            let ms = study.milliseconds(finder, frequency);
-            (ms, study.error(finder, frequency, 0))
-        })
-    };
-    let series = finders
-        .into_iter()
-        .map(|finder| Series::new(finder.name(), finder.color(), points(finder)));
-    Panel::new(
-        format!("{}, {} bodies", study.title(), study.case.bodies),
-        Axis::log("ms of computing for one simulated second"),
-        Axis::log(study.errors().first().copied().unwrap_or_default()),
-        series,
-    )
+/// Writes a row for each method and time step of a scene, from which the chart of errors against computing time is drawn.
+fn report_curves(study: &Ensembles, output: &mut Output) -> Result<()> {
+    let errors = study.errors();
+    let frequencies = |&finder: &Finder| FREQUENCIES.map(|frequency| (finder, frequency));
+    for (finder, frequency) in FINDERS.iter().flat_map(frequencies) {
+        let error = |name: &str| {
+            let index = errors.iter().position(|error| *error == name);
+            index.map(|index| study.error(finder, frequency, index))
+        };
+        output.row(
+            "curve",
+            &[
+                ("dimension", study.dim.into()),
+                ("scene", study.case.kind.name().into()),
+                ("bodies", study.case.bodies.into()),
+                ("method", finder.name().into()),
+                ("cannot_miss", finder.is_exact().into()),
+                ("steps_a_second", frequency.into()),
+                ("ms", study.milliseconds(finder, frequency).into()),
+                ("stretch", error(STRETCH).into()),
+                ("strayed", error(STRAYED).into()),
+                ("penetration", error(DEEPEST).into()),
+            ],
+        )?;
+    }
+    Ok(())
 }

@@ -14,7 +14,6 @@ use crate::statistics::{geometric_mean, median, rarer_than};
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
-use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
 
@@ -126,7 +125,7 @@ struct Study {
 impl Arguments {
     /// Runs the study; whether unisize has passed.
     pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create("missed", &self.common)?;
+        let mut output = Output::create(&self.common)?;
         let studies = self.studies();
         let methods = Method::all(&studies);
         for method in &methods {
@@ -135,7 +134,6 @@ impl Arguments {
         for study in &studies {
             study.report(&mut output)?;
         }
-        output.chart(None, || chart(&methods))?;
         Ok(is_sound(&studies))
     }
 
@@ -236,11 +234,6 @@ impl Method {
         FINDERS.into_iter().enumerate().map(of).collect()
     }
 
-    /// Whether it has missed nothing, but could.
-    fn happened_not_to_miss(&self) -> bool {
-        self.frames_with_misses == 0 && !self.finder.is_exact()
-    }
-
     /// How many frames have misses, or may have where none had.
     fn misses(&self) -> String {
         let frames = self.frames;
@@ -262,35 +255,6 @@ impl Method {
                 ("misses", self.misses().into()),
             ],
         )
-    }
-}
-
-/// Each method as a labelled point: the mean time against what is missed at worst. What happened not to miss is hollow.
-fn chart(methods: &[Method]) -> Chart {
-    let series = methods.iter().map(|method| {
-        let name = method.finder.name();
-        let point = (method.missed, method.both);
-        let series = Series::new(name, method.finder.color(), [point]).labelled();
-        match method.happened_not_to_miss() {
-            true => series.ringed(),
-            false if method.finder == Finder::DEFAULT => series.bold(),
-            false => series,
-        }
-    });
-    let panel = Panel::new(
-        "",
-        Axis::log("share of touching pairs that is missed, at worst"),
-        Axis::log("broad and narrow phase, over unisize, mean"),
-        series,
-    );
-    let title = "Contacts missed against time: left is exact, low is fast";
-    let chart = Chart::new(title, [panel]).without_legend();
-    match methods.iter().find(|method| method.happened_not_to_miss()) {
-        None => chart,
-        Some(Method { frames, .. }) => chart.note(format!(
-            "A ring: nothing was missed in {frames} frames, but could be, in up to {:.2} % of all.",
-            100.0 * rarer_than(*frames)
-        )),
     }
 }
 

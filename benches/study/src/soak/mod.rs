@@ -54,7 +54,7 @@ macro_rules! soaked {
 impl Arguments {
     /// Runs the study; whether unisize has passed.
     pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create("soak", &self.common)?;
+        let mut output = Output::create(&self.common)?;
         let usual = self.common.usual(UPDATES);
         let updates = self.common.steps.unwrap_or(usual) as u64;
         let mut is_flat = true;

@@ -59,7 +59,7 @@ struct Outcome {
 impl Arguments {
     /// Runs the study, on all processors, as no time counts; whether unisize has passed.
     pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create("stability", &self.common)?;
+        let mut output = Output::create(&self.common)?;
         let pool = ThreadPoolBuilder::new().build()?;
         let outcomes = pool.install(|| self.outcomes());
         for outcome in &outcomes {
