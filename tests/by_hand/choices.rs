@@ -1,8 +1,8 @@
-//! What the broad phase chooses by itself shows in its statistics, and its settings can fix it.
+//! The choices of the broad phase appear in its statistics, and settings override them.
 
 use super::*;
 
-/// Balls on a lattice in the plane of the first two axes that all move on, or some of them.
+/// Balls on a lattice in the xy plane, of which all or some move.
 struct Plane {
     desk: Desk,
     handles: Vec<ColliderHandle>,
@@ -23,7 +23,7 @@ impl Plane {
         plane
     }
 
-    /// Moves one ball in `stride`, and lists it. Returns the full searches so far.
+    /// Moves every `stride`-th ball, and lists it. Returns the number of full searches so far.
     fn advance(&mut self, stride: usize) -> u64 {
         let mut listed = Vec::new();
         for (i, &handle) in self.handles.iter().enumerate().step_by(stride) {
@@ -39,7 +39,7 @@ impl Plane {
 }
 
 #[test]
-fn classes_follow_sizes() {
+fn large_boxes_get_a_class_of_their_own() {
     let mut plane = Plane::new(Settings::default());
     let stats = plane.desk.broad_phase.stats();
     assert_eq!(stats.classes, 1);
@@ -51,7 +51,7 @@ fn classes_follow_sizes() {
 }
 
 #[test]
-fn looking_ahead_spares_searches_and_can_be_fixed() {
+fn foresight_saves_searches_and_can_be_fixed() {
     let runs_with = |foresight| {
         let mut plane = Plane::new(Settings::default().with_foresight(foresight));
         (0..20).for_each(|_| _ = plane.advance(1));
@@ -66,7 +66,7 @@ fn looking_ahead_spares_searches_and_can_be_fixed() {
 }
 
 #[test]
-fn few_movers_are_a_layer_unless_there_are_to_be_none() {
+fn a_few_moving_boxes_are_a_layer_if_layers_are_on() {
     for (layers, expected) in [(true, (1, 25)), (false, (2, 0))] {
         let mut plane = Plane::new(Settings::default().with_foresight(0).with_layers(layers));
         let runs = plane.advance(100);

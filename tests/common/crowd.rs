@@ -1,5 +1,5 @@
-//! Colliders that move about, come, go and get NaN positions, without a simulation. One source for every flavour: the module
-//! that includes it names the engine as `rapier`.
+//! Colliders that move, appear, disappear and get NaN positions, without a simulation. One source for all flavours: the module that includes
+//! it imports the engine as `rapier`.
 //!
 //! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
 
@@ -8,12 +8,12 @@ use oorandom::Rand32;
 use super::UnisizeBroadPhase;
 use super::rapier::prelude::*;
 
-/// A collider without a body. It counts as fixed, and fixed ones meet only if they say so.
+/// A collider without a body. It counts as fixed, and fixed colliders form pairs only if their collision types allow it.
 fn ball(radius: Real) -> ColliderBuilder {
     ColliderBuilder::ball(radius).active_collision_types(ActiveCollisionTypes::all())
 }
 
-/// The colliders, and which of them are to be listed.
+/// The colliders, and the lists of the next update.
 #[derive(Clone)]
 pub(super) struct Crowd {
     pub(super) colliders: ColliderSet,
@@ -60,7 +60,7 @@ impl Crowd {
         Vector::from_fn(|_, _| self.share() * self.side)
     }
 
-    /// Moves one collider in `stride` on, and changes a few in other ways.
+    /// Moves every `stride`-th collider, and changes a few in other ways.
     pub(super) fn advance(&mut self, stride: usize) {
         self.modified.clear();
         self.removed.clear();
@@ -99,7 +99,7 @@ impl Crowd {
         self.colliders[self.handles[i]].set_translation(place);
     }
 
-    /// Replaces a collider by another.
+    /// Removes a collider and inserts another one.
     fn replace(&mut self, i: usize) {
         let (mut islands, handle) = (IslandManager::new(), self.handles[i]);
         self.colliders
@@ -109,7 +109,7 @@ impl Crowd {
         self.handles[i] = self.colliders.insert(ball);
     }
 
-    /// The pairs of the update that is due, and whether each begins.
+    /// Updates the broad phase. Returns the pairs of the events, and whether each begins.
     pub(super) fn update(&self, broad_phase: &mut UnisizeBroadPhase) -> Vec<(bool, ColliderPair)> {
         let mut events = Vec::new();
         broad_phase.update(
