@@ -4,8 +4,7 @@
 //! cargo run --release --example boxes
 //! ```
 //!
-//! Prints how many pairs there are, and how long the search takes on one thread. Fails if the pairs of a part of the boxes are not those of
-//! comparing each with each.
+//! Prints the number of pairs, and the time of a search on one thread. Fails if brute force finds other pairs among a part of the boxes.
 
 use std::time::Instant;
 
@@ -15,18 +14,18 @@ const BOXES: usize = 1_000_000;
 const ROUNDS: usize = 10;
 
 fn main() -> Result<(), InvalidInput> {
-    // Cubes of side 1, one in each ten units of volume.
+    // Cubes of side 1 that fill a tenth of space.
     let half = (10.0 * BOXES as f32).cbrt() / 2.0;
     let mut random = oorandom::Rand32::new(1);
-    let mut vector = |most: f32| [(); 3].map(|()| most * (2.0 * random.rand_float() - 1.0));
+    let mut vector = |limit: f32| [(); 3].map(|()| limit * (2.0 * random.rand_float() - 1.0));
     let mut centers: Vec<_> = (0..BOXES).map(|_| vector(half)).collect();
     let velocities: Vec<_> = (0..BOXES).map(|_| vector(0.1)).collect();
 
-    // It keeps its memory from call to call, and so does the list of pairs.
+    // The kernel and the list of pairs keep their memory from call to call.
     let mut sweep = GridSweep::default();
     let mut pairs = Vec::new();
     let mut boxes = Vec::new();
-    let mut least = f64::INFINITY;
+    let mut fastest = f64::INFINITY;
     for _ in 0..ROUNDS {
         for (center, velocity) in centers.iter_mut().zip(&velocities) {
             for axis in 0..3 {
@@ -39,13 +38,13 @@ fn main() -> Result<(), InvalidInput> {
 
         let start = Instant::now();
         sweep.find_pairs(&boxes, &mut pairs)?;
-        least = least.min(start.elapsed().as_secs_f64());
+        fastest = fastest.min(start.elapsed().as_secs_f64());
     }
-    // Indices of boxes, the smaller one first.
+    // Each pair has the indices of two boxes, the smaller one first.
     println!(
         "{BOXES} boxes, {} pairs in {:.1} ms",
         pairs.len(),
-        least * 1e3
+        fastest * 1e3
     );
 
     let part = &boxes[..5000];
@@ -56,9 +55,10 @@ fn main() -> Result<(), InvalidInput> {
     expected.sort_unstable();
     assert!(pairs == expected, "the pairs differ");
 
-    // A box that is inverted or has a NaN is an error that names it.
+    // An inverted box, or one with a NaN, is an error that has its index.
     boxes[7].mins[0] = f32::NAN;
     let error = sweep.find_pairs(&boxes, &mut pairs).unwrap_err();
-    println!("with a NaN in the eighth box: {error}");
+    println!("with a NaN in box 7: {error}");
+    assert_eq!(error.index, 7);
     Ok(())
 }

@@ -1,10 +1,11 @@
-//! The smallest program: a pile of balls on a floor, on unisize in place of Rapier's own broad phase. Copy the one marked line.
+//! The smallest program for Rapier 0.27: a thousand balls fall onto a floor. One line differs from a program without unisize.
 //!
 //! ```text
 //! cargo run --release --features rapier3d-027 --example drop_in
 //! ```
 //!
-//! This is Rapier 0.27, whose pipeline takes any broad phase. For 0.36 see `examples/patched`.
+//! For Rapier 0.36 see `examples/patched`. Prints the number of pairs and contacts. Fails if a collider was refused, or if no ball touches
+//! the floor or another ball.
 
 use rapier3d::prelude::*;
 use unisize::rapier3d_027::UnisizeBroadPhase;
@@ -47,13 +48,13 @@ fn main() {
     }
 
     let pairs = narrow_phase.contact_pairs();
-    let touching = pairs.filter(|pair| pair.has_any_active_contact).count();
+    let contacts = pairs.filter(|pair| pair.has_any_active_contact).count();
     let stats = broad_phase.stats();
     println!(
-        "{} colliders, {} pairs, {touching} of them touch",
+        "{} colliders, {} pairs, {contacts} of them in contact",
         stats.proxies, stats.pairs
     );
-    // A collider whose box has a NaN or is inverted is refused, and the first one is logged.
+    // unisize refuses a collider whose box is inverted or has a NaN, and logs the first one.
     assert_eq!(stats.refused, 0, "some colliders have no valid box");
-    assert!(touching > 0, "the balls lie on the floor");
+    assert!(contacts > 0, "the balls do not touch anything");
 }

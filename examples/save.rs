@@ -1,11 +1,11 @@
-//! Saving a world and going on from it, bit for bit, with unisize.
+//! Saving a world and continuing from the save, bit for bit.
 //!
 //! ```text
 //! cargo run --release --features rapier3d-027,serde-serialize --example save
 //! ```
 //!
-//! This is Rapier 0.27: the broad phase is saved beside the sets. The guide says what is different in 0.36. Fails if the world that was
-//! loaded moves differently from the one that was saved.
+//! This is Rapier 0.27: the broad phase is saved with the sets. For 0.36 see `examples/patched/src/bin/save.rs`. Prints the size of the save.
+//! Fails if the loaded world moves differently from the saved one.
 
 use rapier3d::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -24,14 +24,14 @@ struct World {
 
 impl World {
     fn new() -> Self {
-        let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
+        let mut bodies = RigidBodySet::new();
+        let mut colliders = ColliderSet::new();
         colliders.insert(ColliderBuilder::cuboid(20.0, 0.5, 20.0));
         for i in 0..500 {
-            let (x, y, z) = (i % 8, i / 64, i / 8 % 8);
-            let place = vector![x as f32 * 1.1, 1.2 + y as f32 * 1.1, z as f32 * 1.1];
-            let body =
-                RigidBodyBuilder::dynamic().translation(place + vector![0.1, 0.0, 0.0] * y as f32);
-            let body = bodies.insert(body);
+            // A leaning tower, so that it collapses.
+            let (x, y, z) = ((i % 8) as f32, (i / 64) as f32, (i / 8 % 8) as f32);
+            let position = vector![x * 1.1 + y * 0.1, 1.2 + y * 1.1, z * 1.1];
+            let body = bodies.insert(RigidBodyBuilder::dynamic().translation(position));
             colliders.insert_with_parent(ColliderBuilder::cuboid(0.5, 0.5, 0.5), body, &mut bodies);
         }
         Self {
@@ -46,7 +46,7 @@ impl World {
     }
 
     fn run(&mut self, steps: usize) {
-        // These have nothing to save.
+        // These have no state to save.
         let (mut pipeline, mut ccd_solver) = (PhysicsPipeline::new(), CCDSolver::new());
         for _ in 0..steps {
             pipeline.step(
@@ -66,28 +66,27 @@ impl World {
         }
     }
 
-    fn poses(&self) -> Vec<Isometry<f32>> {
-        self.bodies
-            .iter()
-            .map(|(_, body)| *body.position())
-            .collect()
+    fn positions(&self) -> Vec<Isometry<f32>> {
+        let bodies = self.bodies.iter();
+        bodies.map(|(_, body)| *body.position()).collect()
     }
 }
 
 fn main() {
     let mut world = World::new();
     world.run(100);
-    let saved = postcard::to_stdvec(&world).expect("all parts can be serialized");
-    let mut loaded: World = postcard::from_bytes(&saved).expect("it was written by this program");
+    let saved = postcard::to_stdvec(&world).expect("a world can be serialized");
+    let mut loaded: World = postcard::from_bytes(&saved).expect("the save is complete");
     world.run(100);
     loaded.run(100);
     assert!(
-        world.poses() == loaded.poses(),
-        "the world that was loaded moves differently"
+        world.positions() == loaded.positions(),
+        "the loaded world moves differently"
     );
-    let broad_phase = postcard::to_stdvec(&world.broad_phase).expect("it can be serialized");
+    let broad_phase =
+        postcard::to_stdvec(&world.broad_phase).expect("a broad phase can be serialized");
     println!(
-        "saved {} kB, {} kB of them the broad phase; 100 steps later both worlds are equal to the bit",
+        "saved {} kB, {} kB of them the broad phase; 100 steps later both worlds are equal bit for bit",
         saved.len() / 1000,
         broad_phase.len() / 1000
     );

@@ -1,11 +1,11 @@
-//! Would unisize help your scene? `Trial` takes the place of the broad phase in your program, and reports.
+//! Would unisize speed up your scene? `Trial` replaces the broad phase of your program for some hundred steps, and reports.
 //!
 //! ```text
 //! cargo run --release --features rapier3d-027 --example trial
 //! ```
 //!
-//! The world stays on Rapier's own broad phase and moves as before, to the last bit. unisize gets the same input at each filter level. Fails
-//! if its pairs were not Rapier's own.
+//! This is Rapier 0.27; for 0.36 see `examples/patched/src/bin/trial.rs`. Rapier's own broad phase still drives the world, which moves as
+//! before, bit for bit. unisize receives the same input at each filter level. Prints the report. Fails if unisize's pairs are not Rapier's.
 
 use std::time::Instant;
 
@@ -16,12 +16,13 @@ const STEPS: usize = 300;
 
 fn main() {
     // Your scene instead.
-    let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
+    let mut bodies = RigidBodySet::new();
+    let mut colliders = ColliderSet::new();
     colliders.insert(ColliderBuilder::cuboid(30.0, 0.5, 30.0));
     for i in 0..3000 {
         let (x, y, z) = (i % 15, i / 225, i / 15 % 15);
-        let place = vector![x as f32 * 1.1, 1.5 + y as f32 * 1.1, z as f32 * 1.1];
-        let body = bodies.insert(RigidBodyBuilder::dynamic().translation(place));
+        let position = vector![x as f32 * 1.1, 1.5 + y as f32 * 1.1, z as f32 * 1.1];
+        let body = bodies.insert(RigidBodyBuilder::dynamic().translation(position));
         colliders.insert_with_parent(ColliderBuilder::ball(0.5), body, &mut bodies);
     }
 
@@ -55,11 +56,11 @@ fn main() {
 
     let report = broad_phase.report();
     println!("{report}");
-    assert!(report.pairs_match(), "the pairs were not Rapier's own");
-    if let Some(level) = report.recommended_filter() {
-        // The trial itself takes time: it is no part of your steps.
+    assert!(report.pairs_match(), "the pairs are not Rapier's own");
+    if let Some(filter) = report.recommended_filter() {
+        // Without the time that the trial itself adds.
         let steps = elapsed.saturating_sub(report.overhead);
-        let gain = report.min_speedup(steps, level);
-        println!("Whole steps would be at least {gain:.2} times as fast on unisize.");
+        let speedup = report.min_speedup(steps, filter);
+        println!("With {filter:?}, whole steps would be at least {speedup:.2} times as fast.");
     }
 }

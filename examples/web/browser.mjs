@@ -1,4 +1,4 @@
-// Tries the page in Chromium without a display, or records a film of it: .ci/browser says how.
+// Tests the page in a headless Chromium, or records a film of it: see .ci/browser.
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
@@ -12,7 +12,7 @@ const BROWSER = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader",
 BROWSER.push("--disable-background-networking", "--disable-component-update", "--disable-sync");
 const STEPS = 60;
 const BODIES = 240;
-/** The machine may be slow, and draws on its processor. */
+/** Timeout in milliseconds. The machine may be slow, and draws on its processor. */
 const PATIENCE = 120_000;
 
 const server = spawn("python3", ["-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", join(here, "site")]);
@@ -26,7 +26,7 @@ const address = await new Promise((resolve) => {
   });
 });
 
-/** Opens the page in a new profile, does something with it, and finds no error in its console, unless there has to be one. */
+/** Opens the page in a new profile, runs an action on it, and checks that there is no error in its console, unless one is expected. */
 async function withPage(options, action) {
   const { args = [], query = "", prepare = () => {}, mayFail = false, ...context } = options;
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...BROWSER, ...args] });
@@ -45,8 +45,8 @@ async function withPage(options, action) {
   }
 }
 
-/** What the page tells of its worlds. */
-const told = (page) =>
+/** Reads the numbers of the page. */
+const readNumbers = (page) =>
   page.evaluate(() => {
     const number = (text) => Number(text.replaceAll(",", ""));
     const both = (part) => ["rapier", "unisize"].map((name) => number(document.querySelector(`[data-${part}=${name}]`).textContent));
@@ -61,13 +61,13 @@ const told = (page) =>
 
 async function afterSteps(page, steps) {
   for (const start = Date.now(); Date.now() - start < PATIENCE; await page.waitForTimeout(50)) {
-    const found = await told(page);
+    const found = await readNumbers(page);
     if (found.steps >= steps || found.trouble !== "") return found;
   }
   throw new Error(`fewer than ${steps} steps in ${PATIENCE} ms`);
 }
 
-/** Every scene on both sides, in all flavours. */
+/** Tests every scene on all engines. */
 async function scenes() {
   await withPage({ query: `bodies=${BODIES}` }, async (page) => {
     await afterSteps(page, 1);
@@ -96,7 +96,7 @@ async function scenes() {
   });
 }
 
-/** Buttons, keys, boxes, pairs and fat boxes. */
+/** Tests buttons, keys, boxes, pairs and fat boxes. */
 async function switches() {
   await withPage({ query: "scene=hopper&bodies=300" }, async (page) => {
     await afterSteps(page, 40);
@@ -104,14 +104,14 @@ async function switches() {
     assert.equal(await page.evaluate(() => document.activeElement.name), "scene", "the form is reached by keyboard");
     await page.click("#pause");
     await page.waitForTimeout(600);
-    const { steps } = await told(page);
+    const { steps } = await readNumbers(page);
     await page.waitForTimeout(600);
-    assert.equal((await told(page)).steps, steps, "paused");
+    assert.equal((await readNumbers(page)).steps, steps, "paused");
     await page.click("#step");
-    assert.equal((await told(page)).steps, steps + 1, "one step");
+    assert.equal((await readNumbers(page)).steps, steps + 1, "one step");
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press("n");
-    assert.equal((await told(page)).steps, steps + 2, "one step by a key");
+    assert.equal((await readNumbers(page)).steps, steps + 2, "one step by a key");
     const shots = [await page.locator("#unisize").screenshot()];
     for (const overlay of ["boxes", "pairs", "search"]) {
       await page.focus(`[name=${overlay}]`);
@@ -122,7 +122,7 @@ async function switches() {
     }
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press("r");
-    assert.equal((await told(page)).steps, 0, "again");
+    assert.equal((await readNumbers(page)).steps, 0, "again");
     await page.keyboard.press("Space");
     await afterSteps(page, 5);
   });
@@ -130,11 +130,11 @@ async function switches() {
     await afterSteps(page, 12);
     const start = Date.now();
     await page.click("#pause");
-    console.log(`20,000 bodies: the page pauses ${Date.now() - start} ms after it was asked to`);
+    console.log(`20,000 bodies: the page pauses ${Date.now() - start} ms after the click`);
   });
 }
 
-/** How long a picture of 10,000 bodies takes, both views together. */
+/** Measures pictures of 10,000 bodies, in both views together. */
 async function drawing() {
   for (const [scene, space] of [["gas", "3d"], ["gas", "2d"], ["ropes", "3d"], ["stacks", "3d"]]) {
     await withPage({ query: `film=${scene}&space=${space}&bodies=10000` }, async (page) => {
@@ -145,16 +145,16 @@ async function drawing() {
   }
 }
 
-/** What a browser lacks, and what fails, is a sentence on the page. */
+/** Tests the messages on the page: missing features of the browser, and failures. */
 async function troubles() {
   const sentence = async (name, options, pattern, action = () => {}) => {
     await withPage({ query: "bodies=100", mayFail: true, ...options }, async (page) => {
       await action(page);
       await page.waitForFunction(() => !document.querySelector("#trouble").hidden);
-      const { trouble } = await told(page);
+      const { trouble } = await readNumbers(page);
       assert.match(trouble, pattern, name);
       console.log(`${name}: ${trouble}`);
-      // Without pictures, the numbers go on.
+      // Without WebGL, the worlds are still simulated.
       if (name === "no WebGL") await page.waitForFunction(() => /step [2-9]\d/.test(document.querySelector("#agreement").textContent));
     });
   };
@@ -165,7 +165,7 @@ async function troubles() {
   await sentence("a panic", {}, /index out of bounds/, async (page) => {
     await afterSteps(page, 2);
     await page.evaluate(async () => {
-      const { Side } = await import("./simd-036/engine.js");
+      const { Side } = await import("./simd-rapier3d-036/engine.js");
       Side.prototype.step = function () {
         this.batch_shape(1_000_000);
       };
@@ -178,7 +178,7 @@ async function troubles() {
   });
 }
 
-/** Pictures to look at. */
+/** Takes screenshots. */
 async function pictures() {
   const folder = join(here, "pictures");
   mkdirSync(folder, { recursive: true });
@@ -207,7 +207,7 @@ async function pictures() {
   }
 }
 
-/** A film of 6 seconds, in which the worlds move as fast as they would. */
+/** Records a film of 6 seconds, in which the worlds move in real time. */
 async function film() {
   const [seconds, rate, stepsPerFrame] = [6, 10, 6];
   const frames = mkdtempSync(join(tmpdir(), "film-"));

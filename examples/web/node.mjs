@@ -1,8 +1,8 @@
-// unisize in WebAssembly without a page, in Node: both broad phases, scalar and with vectors. .ci/browser says how.
+// unisize in WebAssembly without a page, in Node: both broad phases, scalar and with vectors. See .ci/browser.
 //
-//   node node.mjs check                     contacts of all scenes, as the example `compare` compares them (build --check)
+//   node node.mjs check                     contacts of all scenes, as `compare` checks them (build --check)
 //   node node.mjs golden                    hashes of all events (build --check)
-//   node node.mjs times [steps [bodies]]    milliseconds a step (build)
+//   node node.mjs times [steps [bodies]]    milliseconds per step (build)
 
 import { readFileSync } from "node:fs";
 
@@ -11,21 +11,21 @@ const ENGINES = ["rapier2d-027", "rapier3d-027", "rapier2d-036", "rapier3d-036"]
 const [part, ...options] = process.argv.slice(2);
 await { check, golden, times }[part](...options);
 
-async function loadChecks(build) {
-  const folder = new URL(`check/${build}/`, import.meta.url);
-  const engine = await import(new URL("engine.js", folder));
-  await engine.default({ module_or_path: readFileSync(new URL("engine_bg.wasm", folder)) });
-  return engine;
+async function loadChecks(build, engine) {
+  const folder = new URL(`check/${build}-${engine}/`, import.meta.url);
+  const checks = await import(new URL("engine.js", folder));
+  await checks.default({ module_or_path: readFileSync(new URL("engine_bg.wasm", folder)) });
+  return checks;
 }
 
-/** In each step, pairs are the same, and two narrow phases find the same contacts and intersections in those of each side. */
+/** Both broad phases have the same pairs in each step, and narrow phases find the same contacts and intersections among them. */
 async function check(bodies = 200, steps = 60) {
   for (const build of BUILDS) {
-    const checks = await loadChecks(build);
     for (const engine of ENGINES) {
+      const checks = await loadChecks(build, engine);
       const scenes = checks.scenes();
       for (const scene of scenes) {
-        const difference = checks.first_difference(engine, scene, Number(bodies), Number(steps));
+        const difference = checks.first_difference(scene, Number(bodies), Number(steps));
         if (difference !== undefined) throw new Error(`${build}, ${engine}, ${scene}: ${difference}`);
       }
       console.log(`${build}, ${engine}: no difference in ${steps} steps of ${scenes.length} scenes`);
@@ -33,12 +33,12 @@ async function check(bodies = 200, steps = 60) {
   }
 }
 
-/** One line for each scene, the same in both builds. */
+/** Prints the hash of each scene, which must be the same in both builds. */
 async function golden() {
-  const [scalar, simd] = await Promise.all(BUILDS.map(loadChecks));
   for (const engine of ENGINES) {
+    const [scalar, simd] = await Promise.all(BUILDS.map((build) => loadChecks(build, engine)));
     for (const scene of scalar.scenes()) {
-      const hashes = [scalar, simd].map((checks) => checks.golden(engine, scene));
+      const hashes = [scalar, simd].map((checks) => checks.golden(scene));
       if (hashes[0] !== hashes[1]) throw new Error(`${engine}, ${scene}: ${hashes.join(" without vectors, with them ")}`);
       console.log(engine, scene, hashes[0]);
     }
@@ -53,10 +53,10 @@ async function times(steps = 120, bodies = 2000) {
   row(["scene", "space", "Rapier", "build", "Rapier's own", "broad", "unisize", "broad", "ratio", "contacts"]);
   for (const build of BUILDS) {
     for (const version of ["027", "036"]) {
-      const engine = await page.loadEngine(build, version, readFileSync);
       for (const scene of scenes) {
         for (const space of ["2d", "3d"]) {
-          const sides = page.buildSides(engine, { scene, space, version, bodies: Number(bodies), seed: 1 });
+          const engine = await page.loadEngine(build, page.engineName({ space, version }), readFileSync);
+          const sides = page.buildSides(engine, { scene, bodies: Number(bodies), seed: 1 });
           row([scene, space, version, build, ...clock(page, sides, Number(steps))]);
           for (const side of Object.values(sides)) side.free();
         }
@@ -65,7 +65,7 @@ async function times(steps = 120, bodies = 2000) {
   }
 }
 
-/** Means of all steps but the first, which compile. */
+/** Means over all steps except the first, in which the code is compiled. */
 function clock(page, sides, steps) {
   const warm = Math.min(10, Math.floor(steps / 4));
   const means = { rapier: { step: 0, broad: 0 }, unisize: { step: 0, broad: 0 } };

@@ -1,4 +1,4 @@
-//! A broad phase of the user's, in the place of the tree.
+//! Custom broad phases, which replace the tree of [`BroadPhaseBvh`].
 
 use super::BroadPhaseBvh;
 use crate::alloc_prelude::*;
@@ -9,7 +9,7 @@ use crate::geometry::{
 use core::any::Any;
 use parry::partitioning::Bvh;
 
-/// What a pipeline knows when it updates its broad phase.
+/// The input of an update in a pipeline.
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub struct PipelineInput<'a> {
@@ -21,21 +21,21 @@ pub struct PipelineInput<'a> {
     pub bodies: &'a RigidBodySet,
     /// The narrow phase as the last step left it; `None` if the broad phase is updated by hand.
     pub narrow_phase: Option<&'a NarrowPhase>,
-    /// Colliders that Rapier's own broad phase would look at.
+    /// The colliders that Rapier's own broad phase would read.
     pub modified: &'a [ColliderHandle],
-    /// Those of them that get new boxes, without a margin, because their groups, body, or its type or dominance have changed.
+    /// The modified colliders whose groups or body have changed, or the type or dominance of the body. They get new boxes, without a margin.
     pub reinserted: &'a [ColliderHandle],
-    /// Colliders that were changed and are not among the modified ones. Their boxes stay, whatever their contact skin is now.
+    /// Changed colliders that are not among the modified ones. Their boxes stay, even if their contact skin has changed.
     pub unmoved: &'a [ColliderHandle],
-    /// Colliders on bodies that were changed and have soft CCD. Their boxes stay.
+    /// The colliders of changed bodies that have soft CCD. Their boxes stay.
     pub swept: &'a [ColliderHandle],
-    /// The modified and unmoved colliders whose change the narrow phase feels: it wakes them and what they have pairs with.
+    /// The modified and unmoved colliders to whose change the narrow phase reacts: it wakes them and the colliders that they form pairs with.
     pub felt: &'a [ColliderHandle],
-    /// Colliders that are gone or disabled.
+    /// Removed and disabled colliders.
     pub removed: &'a [ColliderHandle],
 }
 
-/// A broad phase that takes the place of Rapier's own: see [`BroadPhaseBvh::custom`].
+/// A broad phase that replaces Rapier's own: see [`BroadPhaseBvh::custom`].
 pub trait CustomBroadPhase: Any + Send + Sync {
     /// Appends the changes of the pair set to `events`: the contract of [`BroadPhaseBvh::update`].
     fn update(
@@ -64,8 +64,8 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         );
     }
 
-    /// Whether it has never been updated, and so knows no colliders. A pipeline then hands over the boxes of all that are there, and ends
-    /// the pairs of its narrow phase that the update does not report.
+    /// Whether it has never been updated, and so has no colliders. A pipeline then passes it the boxes of all colliders, and ends the pairs of
+    /// its narrow phase that the update does not report.
     fn is_new(&self) -> bool {
         false
     }
@@ -85,19 +85,20 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         }
     }
 
-    /// What the narrow phase would have woken in the last update, if all pairs whose boxes overlap had been reported to it: calls `visit`
-    /// with each felt collider that has ever had a pair, and with each felt or removed one and what else it has a pair with.
+    /// Visits the colliders that the narrow phase would have woken in the last update if all pairs of overlapping boxes had been reported.
+    /// Calls `visit` with each collider of [`PipelineInput::felt`] that has ever had a pair, and with each felt or removed collider and
+    /// each collider that it forms a pair with.
     fn visit_unreported(&self, _visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {}
 
-    /// A tree over the boxes as they are now, for queries and CCD. Its leaves are the indices of handles.
+    /// A tree over the current boxes, for queries and CCD. Its leaves are the indices of handles.
     fn bvh(&self) -> &Bvh;
 
-    /// The same broad phase again, for `BroadPhaseBvh::clone`.
+    /// A copy of the broad phase, for `BroadPhaseBvh::clone`.
     fn clone_box(&self) -> Box<dyn CustomBroadPhase>;
 }
 
 impl BroadPhaseBvh {
-    /// A broad phase that leaves everything to `broad_phase`. The settings of Rapier's own have no effect on it.
+    /// Replaces Rapier's own broad phase by `broad_phase`, on which the settings of Rapier's own have no effect.
     pub fn custom(broad_phase: impl CustomBroadPhase) -> Self {
         Self {
             custom: Custom::with(Some(Box::new(broad_phase))),
@@ -117,7 +118,7 @@ impl BroadPhaseBvh {
         custom.downcast_mut()
     }
 
-    /// [`Self::set_aabb`] for many.
+    /// [`Self::set_aabb`] for many colliders.
     pub(crate) fn set_aabbs(
         &mut self,
         params: &IntegrationParameters,
@@ -132,8 +133,8 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// [`Self::update`] in a pipeline. A broad phase that is new in a running world, because it was exchanged or read from a save, learns of
-    /// the colliders that have not changed, and pairs that only the one before it has reported end.
+    /// [`Self::update`] in a pipeline. A broad phase may be new in a running world, because it was assigned or read from a save. It then
+    /// receives also the colliders that have not changed, and pairs that only its predecessor has reported end.
     pub(crate) fn update_in_pipeline(
         &mut self,
         narrow_phase: &NarrowPhase,
@@ -186,7 +187,7 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Takes note of the bodies that were changed since the last step.
+    /// Keeps the colliders of changed bodies that have soft CCD for the next update.
     pub(crate) fn note_modified_bodies(
         &mut self,
         bodies: &RigidBodySet,
@@ -200,7 +201,7 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Wakes what is unreported, as the narrow phase wakes the pairs it knows.
+    /// Wakes the bodies of unreported pairs, as the narrow phase does for its pairs.
     pub(crate) fn wake_unreported(
         &self,
         islands: &mut IslandManager,
@@ -233,9 +234,9 @@ impl BroadPhaseBvh {
 #[derive(Default)]
 pub(super) struct Custom {
     pub(super) broad_phase: Option<Box<dyn CustomBroadPhase>>,
-    /// As in [`PipelineInput`], for the next update.
+    /// The list of the next update: see [`PipelineInput`].
     swept: Vec<ColliderHandle>,
-    /// Scratch: the lists of an update; see [`PipelineInput`].
+    /// Scratch: the other lists of an update.
     modified: Vec<ColliderHandle>,
     reinserted: Vec<ColliderHandle>,
     unmoved: Vec<ColliderHandle>,
@@ -261,7 +262,7 @@ impl Custom {
         }
     }
 
-    /// Updates the custom broad phase with the colliders that Rapier's own would look at, and says whether there is one.
+    /// Updates the custom broad phase with the colliders that Rapier's own would read. Returns whether there is one.
     pub(super) fn update(
         &mut self,
         narrow_phase: Option<&NarrowPhase>,
@@ -325,7 +326,7 @@ impl Custom {
     }
 }
 
-/// Ends the pairs of a narrow phase that are not among `events`.
+/// Ends the pairs of a narrow phase that `events` do not add.
 fn end_unreported(
     narrow_phase: &NarrowPhase,
     colliders: &ColliderSet,

@@ -1,10 +1,10 @@
-//! Opens Rapier 0.36.1 for other broad phases than its own: copies the sources that Cargo has fetched, edits the copies, and has
-//! the project take them.
+//! Patches Rapier 0.36.1 so that it accepts other broad phases than its own: copies the sources that Cargo has fetched, edits the copies,
+//! and makes the project use them.
 
+mod manifest;
 mod members;
 mod note;
-mod opened_copy;
-mod patch;
+mod patched_copy;
 mod project;
 mod seam;
 
@@ -13,15 +13,15 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, ensure};
 use clap::Parser;
 
-use opened_copy::OpenedCopy;
+use patched_copy::PatchedCopy;
 use project::Project;
 use seam::VERSION;
 
-/// Opens Rapier 0.36.1 for other broad phases than its own.
+/// Patches Rapier 0.36.1 so that it accepts other broad phases than its own.
 ///
-/// Copies the sources of rapier2d, rapier3d, rapier2d-f64 and rapier3d-f64 that a project uses, as Cargo has fetched them, gives
-/// the copies a trait `CustomBroadPhase` and a constructor `BroadPhaseBvh::custom`, and prints the lines by which the project
-/// takes the copies. A copy that this program has made before is made anew.
+/// Copies the sources of rapier2d, rapier3d, rapier2d-f64 and rapier3d-f64 that a project uses, as Cargo has fetched them. Adds a trait
+/// `CustomBroadPhase` and a constructor `BroadPhaseBvh::custom` to the copies, and prints the lines by which the project uses them. A
+/// copy that an earlier run has made is replaced if it differs.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
@@ -37,32 +37,27 @@ struct Options {
     #[arg(long)]
     write: bool,
 
-    /// Write nothing, and fail if a copy is not exactly as it would be made
+    /// Write nothing, and fail if a copy is not exactly as this program would make it
     #[arg(long, conflicts_with = "write")]
     check: bool,
-
-    /// For tests: have `BroadPhaseBvh::new()` and `default()` ask `BROAD_PHASE_FACTORY`
-    #[arg(long)]
-    factory: bool,
 }
 
 fn main() -> Result<()> {
     let options = Options::parse();
-    let out = patch::normal(&options.out);
+    let out = manifest::normal(&options.out);
     let project = Project::find(&options.manifest_path, &out)?;
-    let mut copies = vec![];
-    for (&package, sources) in &project.sources {
-        copies.push(OpenedCopy::new(package, sources, options.factory)?);
-    }
+    let copies = project.sources.iter();
+    let copies = copies.map(|(package, sources)| PatchedCopy::new(package, sources));
+    let copies: Vec<_> = copies.collect::<Result<_>>()?;
     if options.check {
         check(&copies, &out)
     } else {
-        open(project, &copies, &out, options.write)
+        patch(project, &copies, &out, options.write)
     }
 }
 
-/// Tells what is not as it would be made.
-fn check(copies: &[OpenedCopy], out: &Path) -> Result<()> {
+/// Fails if a copy on disk differs, and lists the differences.
+fn check(copies: &[PatchedCopy], out: &Path) -> Result<()> {
     let mut differences = vec![];
     for copy in copies {
         differences.extend(copy.differences(&out.join(copy.package))?);
@@ -72,26 +67,25 @@ fn check(copies: &[OpenedCopy], out: &Path) -> Result<()> {
         "not as open-rapier would make it:\n{}",
         differences.join("\n")
     );
-    tell(copies, out);
+    print_places(copies, out);
     Ok(())
 }
 
-/// Tells where the copies are.
-fn tell(copies: &[OpenedCopy], out: &Path) {
-    for OpenedCopy { package, .. } in copies {
+fn print_places(copies: &[PatchedCopy], out: &Path) {
+    for PatchedCopy { package, .. } in copies {
         let place = out.join(package);
-        eprintln!("{package} {VERSION} is open in {}", place.display());
+        eprintln!("{package} {VERSION} is patched in {}", place.display());
     }
 }
 
-/// Makes the copies that are not as they should be, after everything that may fail has been looked at.
-fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) -> Result<()> {
+/// Writes the copies that differ, and the manifest, once nothing is left that may be refused.
+fn patch(mut project: Project, copies: &[PatchedCopy], out: &Path, write: bool) -> Result<()> {
     let packages: Vec<_> = copies.iter().map(|copy| copy.package).collect();
     let mut outdated = vec![];
     for copy in copies {
         let place = out.join(copy.package);
-        opened_copy::ensure_free(&place)?;
-        // What is right is left alone, so that Cargo does not compile it again.
+        patched_copy::ensure_free(&place)?;
+        // A copy that is up to date keeps its dates, so that Cargo does not compile it again.
         if !copy.differences(&place)?.is_empty() {
             outdated.push(copy);
         }
@@ -101,11 +95,11 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
     elsewhere.retain(|entry| packages.contains(&entry.package) && !entry.leads_to(out));
     let changed = write && project.manifest.set(&packages, out)?;
 
-    opened_copy::place(&outdated, out)?;
-    tell(copies, out);
+    patched_copy::place(&outdated, out)?;
+    print_places(copies, out);
     if changed {
         project.manifest.write()?;
-        eprintln!("the manifest takes it from there");
+        eprintln!("the manifest now uses these copies");
     } else if !write {
         print!("{lines}");
     }
@@ -113,11 +107,9 @@ fn open(mut project: Project, copies: &[OpenedCopy], out: &Path, write: bool) ->
         let (package, old) = (entry.package, entry.folder.unwrap_or_default());
         let old = old.display();
         if write {
-            eprintln!("{old} is left as it is, and not used any more");
+            eprintln!("{old} is no longer used, and can be deleted");
         } else {
-            eprintln!(
-                "the manifest takes {package} from {old}: put the line in the place of that one"
-            );
+            eprintln!("the manifest uses {package} from {old}: replace that line by the new one");
         }
     }
     Ok(())

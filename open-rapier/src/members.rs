@@ -1,22 +1,22 @@
-//! Keeps copies out of the workspace: as a member, a copy brings what its own tests need into the lock file, and hides the
-//! sources that it was made from.
+//! Keeps copies out of the workspace. A copy that is a member adds the dependencies of its own tests to the lock file, and hides the sources
+//! that it was made from.
 
 use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Result, bail};
 use glob::{MatchOptions, Pattern};
 
+use crate::manifest::{Manifest, normal};
 use crate::note;
-use crate::patch::{Manifest, normal};
 
-/// A wildcard is for one name, as it is for Cargo.
+/// Cargo's rules: a wildcard matches within one name of a path.
 const OPTIONS: MatchOptions = MatchOptions {
     case_sensitive: true,
     require_literal_separator: true,
     require_literal_leading_dot: false,
 };
 
-/// Fails if Cargo would take a copy, or a folder that is made for it, for a member.
+/// Fails if Cargo would regard a copy, or a folder that is created for it, as a member.
 pub(crate) fn ensure_none<'a>(
     manifest: &Manifest,
     packages: impl Iterator<Item = &'a str>,
@@ -27,7 +27,7 @@ pub(crate) fn ensure_none<'a>(
         let folders = place
             .ancestors()
             .take_while(|folder| !root.starts_with(folder));
-        // Whatever else has a manifest is not made by us, and is what it was.
+        // A folder that has a manifest already, and is no copy, does not change.
         for folder in folders.filter(|at| note::is_ours(at) || !at.join("Cargo.toml").exists()) {
             ensure_no_member(manifest, &root, folder)?;
         }
@@ -39,7 +39,7 @@ fn ensure_no_member(manifest: &Manifest, root: &Path, folder: &Path) -> Result<(
     let members = manifest.workspace("members");
     let default_members = manifest.workspace("default-members");
     let below = |entry: &&str| folder.starts_with(joined(root, entry));
-    // Cargo's rule: what is below an entry of `members` is not excluded.
+    // Cargo's rule: a folder below an entry of `members` is not excluded.
     let excludable = !members.iter().any(below);
     let excluded = excludable && manifest.workspace("exclude").iter().any(below);
     let escaped = PathBuf::from(Pattern::escape(&root.to_string_lossy()));
@@ -52,7 +52,7 @@ fn ensure_no_member(manifest: &Manifest, root: &Path, folder: &Path) -> Result<(
         default_members.iter().find(matches),
     ) {
         (Some(entry), _) if !excluded => ("members", entry, excludable),
-        // Cargo wants members there, so that it does not help to exclude a folder.
+        // Excluding does not help: Cargo demands that default members are members.
         (None, Some(entry)) => ("default-members", entry, false),
         _ => return Ok(()),
     };
@@ -68,7 +68,7 @@ fn ensure_no_member(manifest: &Manifest, root: &Path, folder: &Path) -> Result<(
     )
 }
 
-/// An entry from the root, without `.` and `..`.
+/// The path of an entry below the root, without `.` and `..`.
 fn joined(root: &Path, entry: &str) -> PathBuf {
     let mut joined = PathBuf::new();
     for component in root.join(entry).components() {

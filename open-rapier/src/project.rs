@@ -1,7 +1,7 @@
-//! Which of Rapier's packages a project uses, and where Cargo has put their sources.
+//! The packages of Rapier that a project uses, and the folders in which Cargo has put their sources.
 //!
-//! Cargo is asked for both. A project whose patch leads to the copies hides the sources, or cannot be loaded at all while a
-//! copy is missing. So the sources are then found with a manifest of ours, and put into the place of the copies while the project is asked.
+//! `cargo metadata` knows both, except in a project that uses copies already: there the copies hide the sources, and a missing copy is an
+//! error. So the sources of those packages are looked up through a temporary project, and replace the copies in the call for the project.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +12,7 @@ use anyhow::{Context, Result, ensure};
 use cargo_metadata::semver::Version;
 use cargo_metadata::{CargoOpt, MetadataCommand, Package};
 
-use crate::patch::{Manifest, normal};
+use crate::manifest::{Manifest, normal};
 use crate::seam::{PACKAGES, VERSION};
 use crate::{members, note};
 
@@ -20,16 +20,16 @@ use crate::{members, note};
 pub(crate) struct Project {
     /// The manifest of its workspace.
     pub(crate) manifest: Manifest,
-    /// The packages to open, each with the folder of its sources.
+    /// The packages to patch, each with the folder of its sources.
     pub(crate) sources: BTreeMap<&'static str, PathBuf>,
 }
 
 impl Project {
-    /// Asks Cargo about the project of a manifest whose copies are, or are to be, in `out`.
+    /// Finds the project of a manifest, whose copies are in `out` or will be.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
         let manifest_path = &found_anywhere(manifest_path)?;
         let manifest = Manifest::read(&workspace_manifest(manifest_path)?)?;
-        // A copy that is a member already keeps Cargo from answering.
+        // If a copy is a member already, Cargo may fail with a message that does not help.
         let made = |package: &&str| note::is_ours(&out.join(package));
         members::ensure_none(&manifest, PACKAGES.into_iter().filter(made), out)?;
         let entries = manifest.entries(out);
@@ -62,7 +62,7 @@ impl Project {
             if right && is_published(package) {
                 sources.insert(name, folder);
             } else if right && (folder == out.join(name) || note::is_copy(&folder, name)) {
-                // Patched somewhere else than in the manifest.
+                // The patch is not in the manifest, but in Cargo's configuration or in a dependency by path.
                 ensure!(
                     !metadata.workspace_members.contains(&package.id),
                     "{} is a member of the workspace, because a package depends on it by its path: have it depend on {name} {VERSION}, or add the folder to `exclude`; nothing was written",
@@ -74,7 +74,7 @@ impl Project {
             } else {
                 ensure!(
                     sources.get(name) == Some(&folder),
-                    "{name} {} is {}, not the one of crates.io: only that can be opened",
+                    "{name} {} is {}, not the one of crates.io: only that can be patched",
                     package.version,
                     package.id
                 );
@@ -87,18 +87,18 @@ impl Project {
     }
 }
 
-/// Whether it is the version that is opened, but for the last number.
+/// Whether a version is a patch release of the one that can be patched.
 fn is_close(version: &Version) -> bool {
-    let opened = Version::parse(VERSION);
-    opened.is_ok_and(|opened| (opened.major, opened.minor) == (version.major, version.minor))
+    let ours = Version::parse(VERSION);
+    ours.is_ok_and(|ours| (ours.major, ours.minor) == (version.major, version.minor))
 }
 
-/// Another patch release is a mistake; other versions may be there besides, if there is one to open.
+/// Fails if there is another patch release, or if there are only other versions.
 fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<()> {
     for package in packages {
         ensure!(
             !is_close(&package.version),
-            "the project uses {name} {}; only {VERSION} can be opened: `cargo update --package {name}@{} --precise {VERSION}`",
+            "the project uses {name} {}; only {VERSION} can be patched: `cargo update --package {name}@{} --precise {VERSION}`",
             package.version,
             package.version,
             name = package.name
@@ -112,13 +112,13 @@ fn refuse_other_versions(packages: &[&Package], nothing_found: bool) -> Result<(
     };
     ensure!(
         !nothing_found,
-        "nothing to open: the project uses {found}, and only version {VERSION} of {} can be opened",
+        "nothing to patch: the project uses {found}, and only version {VERSION} of {} can be patched",
         PACKAGES.join(", ")
     );
     Ok(())
 }
 
-/// The path of a manifest from any folder, for Cargo is run in another one. It must have its name, so a link of that name is kept.
+/// The absolute path of a manifest, for Cargo runs in another folder. Cargo demands the name `Cargo.toml`, so a link of that name is kept.
 fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
     let path = std::path::absolute(manifest_path)?;
     Ok(match path.parent() {
@@ -127,7 +127,7 @@ fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
     })
 }
 
-/// The manifest of the workspace, which Cargo finds without a look at dependencies.
+/// The manifest of the workspace. Cargo finds it without reading any dependencies.
 fn workspace_manifest(manifest_path: &Path) -> Result<PathBuf> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
@@ -144,7 +144,7 @@ fn workspace_manifest(manifest_path: &Path) -> Result<PathBuf> {
     Ok(String::from_utf8(output.stdout)?.trim_end().into())
 }
 
-/// The sources of packages, whatever the project makes of them.
+/// The folders of the sources of packages, whatever the project replaces them by.
 fn fetched(
     packages: impl Iterator<Item = &'static str>,
     project: &Manifest,
@@ -161,14 +161,14 @@ fn fetched(
     );
     fs::write(site.path().join("Cargo.toml"), manifest)?;
     fs::write(site.path().join("lib.rs"), "")?;
-    // So that Cargo need not fetch other versions of what Rapier depends on.
+    // So that Cargo need not fetch other versions of Rapier's dependencies.
     let lock = project.folder().join("Cargo.lock");
     if lock.exists() {
         fs::copy(lock, site.path().join("Cargo.lock"))?;
     }
     let metadata = MetadataCommand::new()
         .manifest_path(site.path().join("Cargo.toml"))
-        // The project's folder, for Cargo's configuration is found from there.
+        // Cargo looks for its configuration from the project's folder.
         .current_dir(project.folder())
         .exec()?;
     let mut sources = BTreeMap::new();

@@ -1,30 +1,30 @@
-//! The seam: what a copy of Rapier gets, as data.
+//! The edits that turn a copy of Rapier into a patched one, as data.
 //!
-//! [`BroadPhaseBvh`] gets one private field, an optional broad phase of the user's. Where it is set, `update`, `set_aabb` and
-//! the tree for queries go to it. No signature changes, so whatever compiles with Rapier compiles with the copy.
+//! [`BroadPhaseBvh`] gets one private field, an optional broad phase of the user's. If it is set, `update`, `set_aabb` and the tree for
+//! queries use it. No signature changes, so a program that compiles with Rapier compiles with the copy.
 //!
 //! [`BroadPhaseBvh`]: https://docs.rs/rapier3d/0.36.1/rapier3d/geometry/struct.BroadPhaseBvh.html
 
 use anyhow::{Result, ensure};
 
-/// What becomes of the text that was found.
+/// How an edit changes the text that it finds.
 pub(crate) enum Change {
     Replace(&'static str),
     Before(&'static str),
     After(&'static str),
 }
 
-/// An edit of a text, which must be there as often as it was where the edit was written for.
+/// An edit of a text that must occur as often as it does in the version that the edit was written for.
 pub(crate) struct Edit {
-    /// The file, from the folder of the package.
+    /// The file, relative to the folder of the package.
     pub(crate) file: &'static str,
-    /// What the edit is for, as the note in the copy tells it.
+    /// The purpose, for the note in the copy.
     pub(crate) purpose: &'static str,
-    /// The text that is looked for.
+    /// The text to look for.
     pub(crate) find: &'static str,
-    /// How often it must occur.
+    /// The number of times that the text must occur.
     pub(crate) times: usize,
-    /// What becomes of it. `{package}` stands for the package's name.
+    /// The change. `{package}` stands for the package's name.
     pub(crate) change: Change,
 }
 
@@ -34,7 +34,7 @@ impl Edit {
         let found = text.matches(self.find).count();
         ensure!(
             found == self.times,
-            "{}: expected {} of the text below, found {found}; nothing was written\n{}",
+            "{}: expected the text below {} times, found {found}; nothing was written\n{}",
             self.file,
             self.times,
             self.find,
@@ -48,18 +48,18 @@ impl Edit {
     }
 }
 
-/// The packages that can be opened.
+/// The packages that can be patched.
 pub(crate) const PACKAGES: [&str; 4] = ["rapier2d", "rapier3d", "rapier2d-f64", "rapier3d-f64"];
 
-/// The version whose texts the edits were written for.
+/// The version that the edits were written for.
 pub(crate) const VERSION: &str = "0.36.1";
 
-/// New files: name, contents, and what they are for.
+/// New files: name, contents and purpose.
 pub(crate) const FILES: &[(&str, &str, &str)] = &[
     (
         "build.rs",
         include_str!("../seam/build.rs"),
-        "tells dependents that the copy is open",
+        "tells dependents that this copy is patched",
     ),
     (
         "src/geometry/broad_phase_bvh/custom.rs",
@@ -72,14 +72,14 @@ pub(crate) const FILES: &[(&str, &str, &str)] = &[
 pub(crate) const EDITS: &[Edit] = &[
     Edit {
         file: "Cargo.toml",
-        purpose: "a build script, and `links`, by which it reaches dependents",
+        purpose: "a build script, and `links`, which passes its message to dependents",
         find: "\nbuild = false\n",
         times: 1,
         change: Change::Replace("\nbuild = \"build.rs\"\nlinks = \"opened-{package}\"\n"),
     },
     Edit {
         file: "src/geometry/mod.rs",
-        purpose: "exports `CustomBroadPhase` and what belongs to it",
+        purpose: "exports `CustomBroadPhase` and `PipelineInput`",
         find: "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};",
         times: 1,
         change: Change::Replace(
@@ -103,11 +103,11 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/geometry/broad_phase_bvh/mod.rs",
-        purpose: "the field `custom`, which is not written: what is read begins as a new broad phase of Rapier's own",
+        purpose: "the field `custom`; serde skips it, so a loaded broad phase is Rapier's own",
         find: "    deferred_optimize_pending: bool,\n",
         times: 1,
         change: Change::After(
-            r#"    /// If set, everything is left to it.
+            r#"    /// If set, it replaces the tree.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     custom: Custom,
 "#,
@@ -115,7 +115,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/geometry/broad_phase_bvh/mod.rs",
-        purpose: "`set_aabb` goes to it",
+        purpose: "`set_aabb` calls the custom broad phase",
         find: "        let change_detection_skin = self.change_detection_skin(params, &aabb);\n",
         times: 1,
         change: Change::Before(
@@ -127,7 +127,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/geometry/broad_phase_bvh/update.rs",
-        purpose: "`update` goes to it",
+        purpose: "`update` calls the custom broad phase",
         find: "        self.frame_index = self.frame_index.overflowing_add(1).0;\n",
         times: 1,
         change: Change::Before(
@@ -140,7 +140,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "the boxes of what a step has moved are handed over at once",
+        purpose: "passes the boxes of all colliders that a step has moved in one call",
         find: "        for (handle, aabb) in &self.end_step_collider_aabbs {
             broad_phase.set_aabb(integration_parameters, *handle, *aabb);
         }
@@ -153,7 +153,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "and the colliders with them",
+        purpose: "passes the colliders as well",
         find: "    fn update_moved_collider_aabbs(
         &mut self,
         integration_parameters: &IntegrationParameters,
@@ -164,35 +164,35 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "between passes of CCD",
+        purpose: "the same between passes of CCD",
         find: "self.update_moved_collider_aabbs(&integration_parameters, broad_phase)",
         times: 1,
         change: Change::Replace("self.update_moved_collider_aabbs(&integration_parameters, colliders, broad_phase)"),
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "and at the end of the step",
+        purpose: "the same at the end of a step",
         find: "self.update_moved_collider_aabbs(&step_parameters, broad_phase)",
         times: 1,
         change: Change::Replace("self.update_moved_collider_aabbs(&step_parameters, colliders, broad_phase)"),
     },
     Edit {
         file: "src/pipeline/physics_pipeline/solve.rs",
-        purpose: "a broad phase that is new in a running world learns of all colliders",
+        purpose: "a broad phase that is new in a running world receives all colliders",
         find: "        broad_phase.update(\n",
         times: 1,
         change: Change::Replace("        broad_phase.update_in_pipeline(\n            narrow_phase,\n"),
     },
     Edit {
         file: "src/pipeline/collision_pipeline.rs",
-        purpose: "a broad phase that is new in a running world learns of all colliders",
+        purpose: "a broad phase that is new in a running world receives all colliders",
         find: "        broad_phase.update(\n",
         times: 1,
         change: Change::Replace("        broad_phase.update_in_pipeline(\n            narrow_phase,\n"),
     },
     Edit {
         file: "src/pipeline/physics_pipeline/solve.rs",
-        purpose: "a changed collider wakes what is near it, reported as its pair or not",
+        purpose: "a changed collider wakes its neighbors, whether the pairs were reported or not",
         find: "        if handle_user_changes {
 ",
         times: 1,
@@ -201,7 +201,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "a broad phase hears of bodies that were given soft CCD",
+        purpose: "passes the colliders of changed bodies that have soft CCD",
         find: "        // Disabled colliders are treated as if they were removed.
 ",
         times: 1,
@@ -211,14 +211,14 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/query_pipeline.rs",
-        purpose: "queries, and with them CCD, go through its tree",
+        purpose: "queries, and with them CCD, use the tree of the custom broad phase",
         find: "            bvh: &self.tree,\n",
         times: 2,
         change: Change::Replace("            bvh: self.bvh(),\n"),
     },
     Edit {
         file: "src/dynamics/ccd/ccd_solver.rs",
-        purpose: "fast bodies that sweep against a list of fixed colliders do not ask for the tree",
+        purpose: "CCD against a list of fixed colliders does not ask for the tree",
         find: "        {
             let query_pipeline = broad_phase.as_query_pipeline(
                 narrow_phase.query_dispatcher(),
@@ -237,7 +237,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/dynamics/ccd/ccd_solver.rs",
-        purpose: "and those that sweep against everything ask for it then",
+        purpose: "CCD against all colliders asks for the tree when it needs it",
         find: "                None => CcdTargets::FullBvh(bvh),\n",
         times: 1,
         change: Change::Replace(
@@ -246,54 +246,9 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_world.rs",
-        purpose: "queries go through its tree",
+        purpose: "queries use the tree of the custom broad phase",
         find: "        let bvh = &self.broad_phase.tree;\n",
         times: 4,
         change: Change::Replace("        let bvh = self.broad_phase.bvh();\n"),
-    },
-];
-
-/// `--factory`: new files.
-pub(crate) const FACTORY_FILES: &[(&str, &str, &str)] = &[(
-    "src/geometry/broad_phase_bvh/factory.rs",
-    include_str!("../seam/factory.rs"),
-    "`BROAD_PHASE_FACTORY`, for tests",
-)];
-
-/// `--factory`: edits of what [`FILES`] and [`EDITS`] have made.
-pub(crate) const FACTORY_EDITS: &[Edit] = &[
-    Edit {
-        file: "src/geometry/mod.rs",
-        purpose: "exports `BROAD_PHASE_FACTORY`",
-        find: "pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
-        times: 1,
-        change: Change::After(
-            "
-#[cfg(feature = \"std\")]
-pub use self::broad_phase_bvh::BROAD_PHASE_FACTORY;",
-        ),
-    },
-    Edit {
-        file: "src/geometry/broad_phase_bvh/mod.rs",
-        purpose: "the module of the factory",
-        find: "mod custom;\n",
-        times: 1,
-        change: Change::After("mod factory;\n"),
-    },
-    Edit {
-        file: "src/geometry/broad_phase_bvh/mod.rs",
-        purpose: "exports `BROAD_PHASE_FACTORY`",
-        find: "pub use self::custom::{CustomBroadPhase, PipelineInput};\n",
-        times: 1,
-        change: Change::After(
-            "#[cfg(feature = \"std\")]\npub use self::factory::BROAD_PHASE_FACTORY;\n",
-        ),
-    },
-    Edit {
-        file: "src/geometry/broad_phase_bvh/custom.rs",
-        purpose: "the default comes from the factory",
-        find: "#[derive(Default)]\npub(super) struct Custom",
-        times: 1,
-        change: Change::Replace("pub(super) struct Custom"),
     },
 ];

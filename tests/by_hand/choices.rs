@@ -1,9 +1,9 @@
-//! What the broad phase chooses by itself shows in its diagnostics, and overrides can fix it.
+//! The choices of the broad phase appear in its diagnostics, and overrides fix them.
 
 use super::*;
 use unisize::{Diagnostics, Overrides};
 
-/// Balls on a lattice in the plane of the first two axes that all move on, or some of them.
+/// Balls on a lattice in the xy plane, of which all or some move.
 struct Plane {
     desk: Desk,
     handles: Vec<ColliderHandle>,
@@ -25,7 +25,7 @@ impl Plane {
         plane
     }
 
-    /// Moves one ball in `stride`, and lists it. Returns the full searches so far.
+    /// Moves every `stride`-th ball, and lists it. Returns the number of full searches so far.
     fn advance(&mut self, stride: usize) -> u64 {
         let mut listed = Vec::new();
         for (i, &handle) in self.handles.iter().enumerate().step_by(stride) {
@@ -45,7 +45,7 @@ impl Plane {
 }
 
 #[test]
-fn classes_follow_sizes() {
+fn large_boxes_get_a_class_of_their_own() {
     let mut plane = Plane::new(Overrides::default());
     assert_eq!(plane.diagnostics().classes, 1);
     for &handle in plane.handles.iter().step_by(10) {
@@ -56,7 +56,7 @@ fn classes_follow_sizes() {
 }
 
 #[test]
-fn looking_ahead_spares_searches_and_can_be_fixed() {
+fn foresight_saves_searches_and_can_be_fixed() {
     let runs_with = |foresight| {
         let mut plane = Plane::new(Overrides {
             foresight,
@@ -73,7 +73,7 @@ fn looking_ahead_spares_searches_and_can_be_fixed() {
 }
 
 #[test]
-fn few_movers_are_a_layer_unless_there_are_to_be_none() {
+fn a_few_moving_boxes_are_a_layer_unless_every_search_is_full() {
     for (full_searches_only, expected) in [(false, (1, 25)), (true, (2, 0))] {
         let mut plane = Plane::new(Overrides {
             foresight: Some(0),

@@ -1,8 +1,8 @@
-//! Numbers that no sound program has, and what must happen for each kind. `tests/sequences` has lists that make no sense, and poses of NaN.
+//! Unusual numbers: inverted and infinite boxes, denormals, invalid lengths. `tests/sequences` has invalid lists, and poses with NaN.
 
 use super::*;
 
-/// Two balls in reach of each other.
+/// Two balls that overlap.
 fn two_balls() -> (Desk, [ColliderHandle; 2]) {
     let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
     let balls = [0.0, 0.9].map(|x| desk.ball(0.5, [x, 0.0]));
@@ -10,7 +10,7 @@ fn two_balls() -> (Desk, [ColliderHandle; 2]) {
 }
 
 #[test]
-fn inverted_boxes_are_refused_until_they_are_sound() {
+fn inverted_boxes_are_refused_until_they_are_valid() {
     let (mut desk, [a, b]) = two_balls();
     desk.colliders[b].set_shape(SharedShape::ball(-0.5));
     assert_eq!(desk.update(&[a, b], &[]), []);
@@ -24,7 +24,7 @@ fn inverted_boxes_are_refused_until_they_are_sound() {
 }
 
 #[test]
-fn infinite_boxes_are_boxes() {
+fn infinite_boxes_form_pairs() {
     let (mut desk, [small, all]) = two_balls();
     desk.colliders[all].set_shape(SharedShape::ball(Real::INFINITY));
     let [far, beside] = [[Real::INFINITY, 0.0]; 2].map(|centre| desk.ball(0.5, centre));
@@ -41,9 +41,9 @@ fn infinite_boxes_are_boxes() {
 }
 
 #[test]
-fn denormals_and_negative_zeros_are_numbers() {
+fn denormals_and_negative_zeros_compare_as_numbers() {
     let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
-    // No prediction and no margin, so that boxes are those of the shapes.
+    // Without prediction and margin, the boxes are those of the shapes.
     desk.params.length_unit = 0.0;
     let least = Real::from_bits(1);
     let points = [-0.0, 0.0, least, -least, 2.0 * least].map(|x| desk.ball(0.0, [x, 0.0]));
@@ -54,16 +54,16 @@ fn denormals_and_negative_zeros_are_numbers() {
     met.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
     let expected = [0, 1, 2, 3].map(|i| (true, [points[i], ball]));
     assert_eq!(met, expected);
-    // From one zero to the other is no move.
+    // A change from -0 to 0 is no motion.
     desk.place(points[0], [0.0, 0.0]);
     assert_eq!(desk.update(&[points[0]], &[]), []);
     assert_eq!(desk.broad_phase.diagnostics().moved, 0);
 }
 
 #[test]
-fn lengths_that_are_none_make_no_margin() {
+fn invalid_length_units_give_no_margin() {
     let units = [Real::NAN, -1.0, 0.0].map(|unit| (unit, 1));
-    // Boxes so large that all overlap.
+    // The margin is so large that all boxes overlap.
     let large = [Real::INFINITY, Real::MAX].map(|unit| (unit, 0));
     for (unit, ended) in units.into_iter().chain(large) {
         let (mut desk, [a, b]) = two_balls();
@@ -75,12 +75,12 @@ fn lengths_that_are_none_make_no_margin() {
 }
 
 #[test]
-fn an_infinite_margin_makes_infinite_boxes() {
+fn an_infinite_margin_gives_infinite_boxes() {
     let (mut desk, [a, b]) = two_balls();
     let settings = desk.broad_phase.settings().with_margin(Real::INFINITY);
     desk.broad_phase = UnisizeBroadPhase::with_settings(settings);
     assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
-    // An infinite side minus an infinite margin would be NaN, so it gets no margin.
+    // An infinite bound gets no margin, because infinity minus infinity is NaN.
     desk.place(a, [Real::INFINITY, 0.0]);
     assert_eq!(desk.update(&[a], &[]), [(false, [a, b])]);
     desk.place(b, [1.9, 0.0]);
@@ -88,9 +88,9 @@ fn an_infinite_margin_makes_infinite_boxes() {
     assert_eq!(desk.counts(), [2, 0, 1]);
 }
 
-/// Rapier would panic.
+/// With such skins, Rapier panics on a compound shape.
 #[test]
-fn skins_that_are_none_do_not_loosen() {
+fn invalid_contact_skins_do_not_loosen_boxes() {
     for skin in [-1.0, Real::NAN, 0.0] {
         let (mut desk, [a, b]) = two_balls();
         let pair = [(Default::default(), SharedShape::ball(0.5))];

@@ -1,5 +1,5 @@
-//! Single updates with lists made by hand, in every version of Rapier; and Rapier 0.36 as it is published, whose pipelines take no other
-//! broad phase.
+//! Single updates with handwritten lists, in every version of Rapier; and updates with the published Rapier 0.36, whose pipelines accept no
+//! custom broad phase.
 #![cfg(feature = "_adapter")]
 
 #[path = "../common/flavours.rs"]
@@ -35,7 +35,7 @@ macro_rules! published {
 for_each_027!(flavour);
 for_each_036!(published);
 
-// It does not look into macros.
+// rustfmt does not look into macros.
 #[cfg(rustfmt)]
 mod choices;
 #[cfg(rustfmt)]

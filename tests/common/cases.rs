@@ -1,7 +1,7 @@
-//! How many cases a random test tries.
+//! The number of cases of a random test.
 
-/// This many, unless `PROPTEST_CASES` says otherwise.
+/// `PROPTEST_CASES` if it is set, else `usual`.
 pub(crate) fn cases(usual: u32) -> u32 {
     let cases = std::env::var("PROPTEST_CASES").map(|cases| cases.parse());
-    cases.map_or(usual, |cases| cases.expect("PROPTEST_CASES is a number"))
+    cases.map_or(usual, |cases| cases.expect("PROPTEST_CASES must be a number"))
 }

@@ -1,12 +1,13 @@
-//! A broad phase that is given lists made by hand, in any version of Rapier. The module that includes it names the engine as `rapier`.
+//! Colliders and a broad phase that is updated with handwritten lists, in any version of Rapier. The module that includes it imports the engine
+//! as `rapier`.
 
 use super::rapier::prelude::*;
 use super::{Settings, UnisizeBroadPhase};
 
-/// Whether a pair begins, and its colliders.
+/// Whether a pair begins, and its two colliders.
 pub(crate) type Event = (bool, [ColliderHandle; 2]);
 
-/// Colliders, and a broad phase that is given lists of them.
+/// Colliders, and a broad phase that receives lists of them.
 #[derive(Default)]
 pub(crate) struct Desk {
     pub(crate) colliders: ColliderSet,
@@ -23,7 +24,7 @@ impl Desk {
         }
     }
 
-    /// A ball whose centre is there, in the plane of the first two axes. Without a body it counts as fixed, and meets all.
+    /// Inserts a ball with its centre in the xy plane. It has no body, so it counts as fixed; its collision types allow all pairs.
     pub(crate) fn ball(&mut self, radius: Real, centre: [Real; 2]) -> ColliderHandle {
         let types = ActiveCollisionTypes::all();
         let ball = ColliderBuilder::ball(radius).active_collision_types(types);
@@ -60,7 +61,7 @@ impl Desk {
         events.collect()
     }
 
-    /// How many colliders have a proxy, how many are refused, and how many pairs are held.
+    /// The numbers of proxies, of refused colliders, and of pairs.
     pub(crate) fn counts(&self) -> [usize; 3] {
         let stats = self.broad_phase.stats();
         [stats.proxies, stats.refused, stats.pairs]

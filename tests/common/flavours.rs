@@ -1,5 +1,5 @@
-//! The flavours of Rapier whose features are on, each handed to a macro of the test crate: by the name of its module, its crate, its
-//! module in unisize, and the files with what depends on its dimension and on its version.
+//! Calls a macro of the test crate for each flavour of Rapier whose feature is on. Arguments are the name of a module, the crate, its module in
+//! unisize, and the files with the code for its dimension and for its version.
 
 #[allow(unused_macros)]
 macro_rules! for_each_027 {

@@ -5,11 +5,11 @@ use proptest::test_runner::{Config, TestRunner};
 
 use crate::cases::cases;
 
-/// Checks this many random values, unless `PROPTEST_CASES` says otherwise, and shows the simplest one found that fails.
+/// Checks `usual` random values, or as many as `PROPTEST_CASES` says. Panics with the simplest value that fails.
 pub(crate) fn check<S: Strategy>(usual: u32, values: &S, check: impl Fn(&S::Value)) {
     let config = Config {
         failure_persistence: None,
-        // By default as few as four a case.
+        // The default is four per case.
         max_shrink_iters: 2_000,
         ..Config::with_cases(cases(usual))
     };

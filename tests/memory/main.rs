@@ -1,9 +1,9 @@
-//! How much memory the broad phase holds, counted by this program's own allocator.
+//! The memory of the broad phase, counted by the allocator of this program.
 //!
-//! The allocator counts the memory of all threads, so the tests take turns.
+//! The allocator counts the memory of all threads, so the tests run one at a time.
 #![cfg(feature = "_adapter")]
 
-#[allow(dead_code)] // Without an engine there is nothing to count.
+#[allow(dead_code)] // Without an engine no test uses it.
 #[path = "../common/allocations.rs"]
 mod allocations;
 
@@ -31,13 +31,13 @@ for_each_036!(flavour);
 
 mod slabs;
 
-/// Waits until no other test of this program is running.
-#[allow(dead_code)] // Without an engine there is nothing to wait for.
+/// Waits until no other test of this program runs.
+#[allow(dead_code)] // Without an engine no test uses it.
 fn turn() -> MutexGuard<'static, ()> {
     static TURN: Mutex<()> = Mutex::new(());
     TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-// It does not look into macros.
+// rustfmt does not look into macros.
 #[cfg(rustfmt)]
 mod suite;

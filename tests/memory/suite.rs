@@ -1,5 +1,5 @@
-//! Handles may have any index, and memory must not grow with indices that were never given out. The query tree exists from the first query
-//! on, serves all that follow, and is given up when nobody asks any more.
+//! Memory must not grow with indices of handles that do not exist. The tree for queries is built by the first query, kept for the following
+//! ones, and freed when queries stop.
 
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
@@ -9,18 +9,18 @@ use crate::turn;
 use desk::Desk;
 
 #[path = "../common/desk.rs"]
-#[allow(dead_code)] // Settings stay as they are.
+#[allow(dead_code)] // Some methods are for other tests.
 mod desk;
 
 const COLLIDERS: usize = 500;
 
-/// Less than any tree of this many colliders takes.
+/// Fewer bytes than any tree of this many colliders takes.
 const LEAST: usize = 16 * COLLIDERS;
 
-/// The most that one collider and a list of a few hundred handles may take. An array of all indices would take gigabytes.
+/// The limit in bytes for one collider and a list of a few hundred handles. An array over all indices would take gigabytes.
 const BOUND: usize = 64 << 10;
 
-/// Balls that do not meet, and their handles.
+/// Balls that are apart, and their handles.
 fn balls(count: usize) -> (Desk, Vec<ColliderHandle>) {
     let mut desk = Desk::default();
     let balls = (0..count).map(|i| desk.ball(0.5, [2.0 * i as Real, 0.0]));
@@ -37,7 +37,7 @@ fn query(desk: &Desk) {
 }
 
 #[test]
-fn memory_does_not_follow_bogus_indices() {
+fn memory_does_not_grow_with_invalid_indices() {
     let _turn = turn();
     let (mut desk, mut listed) = balls(1);
     let bogus = [1 << 16, 1 << 24, u32::MAX - 1, u32::MAX];
@@ -45,7 +45,7 @@ fn memory_does_not_follow_bogus_indices() {
         .iter()
         .flat_map(|&index| [(index, 0), (index, u32::MAX)]);
     let bogus = bogus.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
-    // Long enough that colliders are no longer read in the order of the list.
+    // The list is so long that colliders are not read in its order.
     let bogus: Vec<_> = bogus.cycle().take(400).collect();
     listed.extend(&bogus);
     let before = live_bytes();
@@ -58,7 +58,7 @@ fn memory_does_not_follow_bogus_indices() {
 }
 
 #[test]
-fn a_tree_is_kept_while_it_is_asked_for() {
+fn the_tree_is_kept_while_there_are_queries() {
     let _turn = turn();
     let (mut desk, balls) = balls(COLLIDERS);
     desk.update(&balls, &[]);
@@ -74,7 +74,7 @@ fn a_tree_is_kept_while_it_is_asked_for() {
         let with_tree = live_bytes();
         assert!(with_tree > bare + LEAST, "{with_tree} after {bare} bytes");
 
-        // Nothing has left its margin. The harness's other threads may free a name meanwhile, but not every time.
+        // No collider leaves its margin. Other threads of the harness may free memory meanwhile, but not every time.
         let is_steady = (0..8).any(|_| {
             let before = live_bytes();
             for _ in 0..100 {
@@ -85,7 +85,7 @@ fn a_tree_is_kept_while_it_is_asked_for() {
         });
         assert!(is_steady, "{with_tree} bytes at first");
 
-        // It is kept when boxes change, and takes no more room but for Parry's scratch memory.
+        // The tree is kept when boxes change. It grows only by the scratch memory of Parry.
         let most = with_tree + 2 * (with_tree - bare);
         for _ in 0..1000 {
             advance_last(&mut desk);
@@ -93,7 +93,7 @@ fn a_tree_is_kept_while_it_is_asked_for() {
             assert!((bare + LEAST..most).contains(&live_bytes()));
         }
 
-        // It is not kept for nobody.
+        // Without queries the tree is freed.
         for _ in 0..100 {
             advance_last(&mut desk);
         }
@@ -101,7 +101,7 @@ fn a_tree_is_kept_while_it_is_asked_for() {
     }
 }
 
-/// The kinds of shapes that a world is built of: cuboids, capsules, and both with balls between them.
+/// The shapes of three worlds: cuboids; capsules; both with balls in between.
 fn kinds() -> [Vec<SharedShape>; 3] {
     let cuboid = SharedShape::new(rapier::parry::shape::Cuboid::new([0.4; DIM].into()));
     let capsule = SharedShape::capsule_y(0.3, 0.1);
@@ -110,7 +110,7 @@ fn kinds() -> [Vec<SharedShape>; 3] {
     [vec![cuboid], vec![capsule], mixed]
 }
 
-/// An update without the checks of a desk, which take memory as well.
+/// An update without the checks of `Desk::update`, which allocate memory.
 fn update_unchecked(desk: &mut Desk, listed: &[ColliderHandle]) {
     let (colliders, bodies) = (&desk.colliders, &desk.bodies);
     let events = &mut Vec::new();
@@ -118,8 +118,8 @@ fn update_unchecked(desk: &mut Desk, listed: &[ColliderHandle]) {
         .update(&desk.params, colliders, bodies, listed, &[], events);
 }
 
-/// How many times lists are reallocated while this many colliders are added that do not meet, in updates of `step` each, and while their
-/// broad phase is read from a snapshot.
+/// The numbers of reallocations while `count` colliders that are apart are added, `step` in each update, and while their broad phase is read
+/// from a snapshot.
 fn reallocated(kinds: &[SharedShape], count: usize, step: usize) -> [usize; 2] {
     let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Shapes));
     let types = ActiveCollisionTypes::all();
@@ -154,12 +154,12 @@ fn reallocated_by_reading(_: &UnisizeBroadPhase) -> usize {
     0
 }
 
-/// Beside balls, which have no half axes, other shapes take one reallocation for each doubling of the number of colliders.
+/// Balls have no half axes. Compared with them, other shapes need one more reallocation per doubling of the number of colliders.
 #[test]
 fn reallocations_of_volumes_grow_with_the_logarithm_of_colliders() {
     const COUNT: usize = 1 << 12;
     let _turn = turn();
-    // And some by the harness's other threads.
+    // The factor is for other threads of the harness.
     let most = 3 * COUNT.ilog2() as usize;
     let balls = [SharedShape::ball(0.4)];
     for step in [COUNT, 1] {
@@ -167,18 +167,18 @@ fn reallocations_of_volumes_grow_with_the_logarithm_of_colliders() {
         for kinds in kinds() {
             let found = reallocated(&kinds, COUNT, step);
             for (found, of_balls) in found.into_iter().zip(of_balls) {
-                assert!(found <= of_balls + most, "{found} beside {of_balls}");
+                assert!(found <= of_balls + most, "{found} instead of {of_balls}");
             }
         }
     }
 }
 
-/// Tall columns sink towards a stack of long bars, and stop before they touch one: each is about to meet all bars.
+/// Tall columns sink towards a stack of long bars, and stop before they touch one. Ahead of its motion, each column meets all bars.
 #[test]
-fn memory_does_not_follow_pairs_that_may_never_meet() {
+fn memory_does_not_grow_with_pairs_that_may_never_meet() {
     const COUNT: usize = 3000;
     const STEP: Real = 2.0;
-    /// 4 kB a collider, with all that lists take while they grow. The pairs ahead would take four times that.
+    /// 4 kB per collider, which includes growing lists. The pairs ahead of the motion would take four times as much.
     const MOST: usize = COUNT << 12;
     let _turn = turn();
     let mut desk = Desk::default();

@@ -1,4 +1,4 @@
-//! Lists of boxes, from which families of inputs are made.
+//! Lists of boxes, which the families of inputs consist of.
 
 use core::array::from_fn;
 
@@ -6,18 +6,18 @@ use crate::numbers::Number;
 use crate::random::Random;
 use unisize::Aabb;
 
-/// The box at `mins` with these sides. The far corner is rounded as an engine would round it.
+/// The box at `mins` with these sides. Its `maxs` are rounded as in an engine.
 pub(crate) fn sized<R: Number, const D: usize>(mins: [f64; D], sides: [f64; D]) -> Aabb<R, D> {
     let mins = mins.map(R::from_f64);
     Aabb::new(mins, from_fn(|k| mins[k] + R::from_f64(sides[k])))
 }
 
-/// The box that begins and ends there on each axis.
+/// The box with these bounds on each axis.
 pub(crate) fn between<R: Number, const D: usize>(ends: [(R, R); D]) -> Aabb<R, D> {
     Aabb::new(ends.map(|(low, _)| low), ends.map(|(_, high)| high))
 }
 
-/// `n` boxes in random order; `each` says where one begins, and its sides.
+/// `n` boxes in random order. `each` returns the mins and the sides of a box.
 pub(crate) fn list<R: Number, const D: usize>(
     seed: u64,
     n: usize,
@@ -30,7 +30,7 @@ pub(crate) fn list<R: Number, const D: usize>(
     boxes
 }
 
-/// Boxes with the given sides, uniform in a cube around the origin whose volume makes the sum of theirs `density` times as large.
+/// Boxes with the given sides, uniform in a cube around the origin. The sum of their volumes is `density` times that of the cube.
 pub(crate) fn scattered<R: Number, const D: usize>(
     seed: u64,
     density: f64,
@@ -45,7 +45,7 @@ pub(crate) fn scattered<R: Number, const D: usize>(
     sides.into_iter().map(place).collect()
 }
 
-/// `n` unit boxes, uniform in a cube `n / density` in volume.
+/// `n` unit boxes, uniform in a cube of volume `n / density`.
 pub(crate) fn uniform<R: Number, const D: usize>(
     seed: u64,
     n: usize,
@@ -54,13 +54,13 @@ pub(crate) fn uniform<R: Number, const D: usize>(
     scattered(seed, density, n, |_, _| [1.0; D])
 }
 
-/// `n` copies of a unit box in each of `stacks` places, the places far from one another, copies alternating.
+/// `n` copies of a unit box in each of `stacks` places that are far apart. The list alternates between the places.
 pub(crate) fn coincident<R: Number, const D: usize>(n: usize, stacks: usize) -> Vec<Aabb<R, D>> {
     let at = |i: usize| [10.0 * (i % stacks) as f64; D];
     (0..n * stacks).map(|i| sized(at(i), [1.0; D])).collect()
 }
 
-/// `n` boxes whose sides are 1 to `ratio`.
+/// `n` boxes with sides between 1 and `ratio`.
 pub(crate) fn mixed_sizes<R: Number, const D: usize>(
     seed: u64,
     n: usize,
@@ -69,8 +69,8 @@ pub(crate) fn mixed_sizes<R: Number, const D: usize>(
     scattered(seed, 0.5, n, |random, _| random.place(1.0, ratio))
 }
 
-/// [`uniform`] boxes of density 0.8, side `scale`, moved by `offset` on every axis, loosened by `margin`. Where `offset` is large the sides
-/// round, to 0 in the end, and so does the margin.
+/// [`uniform`] boxes of density 0.8 and side `scale`, moved by `offset` on every axis, and loosened by `margin`. If `offset` is large, the
+/// sides and the margin round, possibly to 0.
 pub(crate) fn scaled<R: Number, const D: usize>(
     seed: u64,
     n: usize,
@@ -84,7 +84,7 @@ pub(crate) fn scaled<R: Number, const D: usize>(
     boxes.collect()
 }
 
-/// What a box does on one axis: it is 1 long, reaches to negative infinity, to infinity, to both, or has both its sides at one of them.
+/// The bounds of a box on one axis: it is 1 long, reaches to either infinity or to both, or has both bounds at the same infinity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Side {
     Finite,
@@ -95,7 +95,7 @@ pub(crate) enum Side {
     AtPositive,
 }
 
-/// `n` unit boxes among which are `infinite` that do, on each axis, what `sides` says.
+/// `n` unit boxes, of which `infinite` have the bounds of `sides` on each axis.
 pub(crate) fn with_infinite<R: Number, const D: usize>(
     n: usize,
     infinite: usize,
@@ -121,12 +121,12 @@ pub(crate) fn with_infinite<R: Number, const D: usize>(
     boxes
 }
 
-/// The boxes by where they begin on `axis`, least first.
+/// Sorts the boxes by their `mins` on `axis`.
 pub(crate) fn sorted<R: Number, const D: usize>(
     mut boxes: Vec<Aabb<R, D>>,
     axis: usize,
 ) -> Vec<Aabb<R, D>> {
-    let compare = |a: R, b: R| a.partial_cmp(&b).expect("the coordinates are numbers");
+    let compare = |a: R, b: R| a.partial_cmp(&b).expect("no coordinate is NaN");
     boxes.sort_by(|a, b| compare(a.mins[axis], b.mins[axis]));
     boxes
 }

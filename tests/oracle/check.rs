@@ -1,4 +1,4 @@
-//! What must hold for every valid input.
+//! The checks of every valid input.
 
 use std::any::type_name;
 
@@ -8,10 +8,9 @@ use crate::numbers::Number;
 use crate::random::Random;
 use unisize::{Aabb, PairFinder};
 
-/// Every overlapping pair, in ascending order, by a definition of its own: boxes overlap unless, on some
-/// axis, one ends before the other begins.
+/// Returns all overlapping pairs in ascending order: boxes overlap unless, on some axis, one ends before the other begins.
 ///
-/// It shares no code with the library, so that `BruteForce` can be tested like every other kernel.
+/// The oracle shares no code with the library, so it can test `BruteForce` like every other kernel.
 fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 2]> {
     let apart = |a: &Aabb<R, D>, b: &Aabb<R, D>| {
         (0..D).any(|k| a.maxs[k] < b.mins[k] || b.maxs[k] < a.mins[k])
@@ -28,16 +27,16 @@ fn expected_pairs<R: Number, const D: usize>(boxes: &[Aabb<R, D>]) -> Vec<[u32; 
     pairs
 }
 
-/// Checks every input, and that a finder that has seen all earlier ones answers as a new one does.
+/// Checks every input, and that a finder used for all earlier inputs returns the same as a new one.
 pub(crate) fn every<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     inputs: &[Input<R, D>],
 ) {
-    let mut veteran = F::default();
+    let mut used = F::default();
     for Input { name, boxes } in inputs {
         let outcome =
-            holds::<F, R, D>(boxes).and_then(|first| match find(&mut veteran, boxes)? == first {
+            holds::<F, R, D>(boxes).and_then(|first| match find(&mut used, boxes)? == first {
                 true => Ok(()),
-                false => Err("after other inputs it answers otherwise".to_owned()),
+                false => Err("after other inputs, the pairs or their order differ".to_owned()),
             });
         if let Err(what) = outcome {
             let kernel = type_name::<F>();
@@ -46,7 +45,7 @@ pub(crate) fn every<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     }
 }
 
-/// The pairs of these boxes, or an error that says what does not hold.
+/// Returns the pairs of these boxes, or an error with the first check that fails.
 fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
 ) -> Result<Vec<[u32; 2]>, String> {
@@ -56,10 +55,10 @@ fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
 
     let same = |when: &str, pairs: Vec<[u32; 2]>| match pairs == first {
         true => Ok(()),
-        false => Err(format!("{when}, the pairs or their order are others")),
+        false => Err(format!("{when}, the pairs or their order differ")),
     };
     same("called again", find(&mut finder, boxes)?)?;
-    same("by a new finder", find(&mut F::default(), boxes)?)?;
+    same("with a new finder", find(&mut F::default(), boxes)?)?;
     find(&mut finder, &uniform(1, boxes.len() + 65, 0.8))?;
     same("after a larger input", find(&mut finder, boxes)?)?;
     find(&mut finder, &boxes[boxes.len() / 2..])?;
@@ -72,7 +71,7 @@ fn holds<F: PairFinder<R, D> + Default, R: Number, const D: usize>(
     Ok(first)
 }
 
-/// An error that says how pairs differ from those of the oracle, if they do: each once, the smaller index first.
+/// Returns an error if the pairs are not those of the oracle, each once, with the smaller index first.
 fn compare<R: Number, const D: usize>(
     boxes: &[Aabb<R, D>],
     pairs: &[[u32; 2]],
@@ -92,11 +91,11 @@ fn compare<R: Number, const D: usize>(
     let wrong = first_lacking(&expected, &sorted);
     let counts = format!("{} pairs expected, {} found", expected.len(), pairs.len());
     Err(format!(
-        "{counts}; missing {missing:?}, wrong {wrong:?}, or some are found twice"
+        "{counts}; missing {missing:?}, wrong {wrong:?}, or found twice"
     ))
 }
 
-/// The finder's answer, into a list that already holds something; or the error.
+/// Returns the pairs or the error of the finder. The list that it fills is not empty before.
 pub(crate) fn find<F: PairFinder<R, D>, R: Number, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],
@@ -107,5 +106,5 @@ pub(crate) fn find<F: PairFinder<R, D>, R: Number, const D: usize>(
     Ok(pairs)
 }
 
-/// What a list of pairs holds before a finder replaces it.
+/// The contents of a list before a finder replaces them.
 pub(crate) const JUNK: [[u32; 2]; 5] = [[7, 7], [u32::MAX, 0], [1, 0], [0, 1], [3, 5]];

@@ -1,17 +1,17 @@
-//! What `GridSweep` does for what it finds: it counts what it compares, and no clock is needed to see that its time grows with boxes and pairs.
+//! The effort of `GridSweep` grows with boxes and pairs. It is counted in comparisons, so the tests need no clock.
 
 use crate::arrangements::{HardBoxes, Mixture};
 use unisize::{Aabb, GridSweep, PairFinder};
 
-/// The most comparisons, and visits of tubes, for each box and pair: of arrangements that somebody has thought of, and of the worst that a
-/// search has found, plates and needles in all directions.
+/// The limit of comparisons and visited tubes per box and pair, for `HardBoxes`.
 const BOUND: f64 = 400.0;
+/// The same for the worst boxes that a search has found: plates and needles in all directions.
 const MOST: f64 = 6000.0;
 
-/// How much more for each of four times as many boxes: tubes that were not crowded may be, and a tree of grids may be one level deeper.
+/// The limit of growth per box and pair with four times as many boxes: more tubes may be crowded, and a tree of grids may be one level deeper.
 const GROWTH: f64 = 3.0;
 
-/// Comparisons for each box and pair, with axes exchanged in turn so many times.
+/// Comparisons per box and pair, with the axes rotated `turns` times.
 fn effort<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> f64 {
     let turned = |corner: &[f32; D]| std::array::from_fn(|k| corner[(k + turns) % D]);
     let boxes: Vec<Aabb<f32, D>> = boxes
@@ -34,9 +34,9 @@ fn check<const D: usize>(name: &str, bound: f64, boxes: impl Fn(usize) -> Vec<[[
 }
 
 #[test]
-fn no_arrangement_takes_much_more_than_what_is_found() {
+fn effort_grows_with_boxes_and_pairs() {
     for kind in HardBoxes::ALL {
-        // They have a quadratic number of pairs.
+        // Coincident boxes have a quadratic number of pairs.
         if kind != HardBoxes::Coincident {
             check::<2>(kind.name(), BOUND, |count| kind.boxes(count, 7));
             check::<3>(kind.name(), BOUND, |count| kind.boxes(count, 7));
@@ -44,7 +44,7 @@ fn no_arrangement_takes_much_more_than_what_is_found() {
     }
 }
 
-/// What the search for hard boxes has found to be worst, at the times when it did.
+/// The worst mixtures of several searches for hard boxes, by the numbers of their populations.
 const FOUND: [[[f32; 9]; 3]; 5] = [
     [
         [
@@ -104,7 +104,7 @@ const FOUND: [[[f32; 9]; 3]; 5] = [
 ];
 
 #[test]
-fn the_worst_that_was_found_takes_no_more_for_each_of_many() {
+fn effort_grows_linearly_for_the_worst_known_mixtures() {
     for (i, populations) in FOUND.into_iter().enumerate() {
         let mixture = Mixture::new(populations);
         let name = format!("mixture {i}");

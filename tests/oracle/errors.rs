@@ -1,4 +1,4 @@
-//! What must hold for inputs that must be refused.
+//! The checks of invalid inputs.
 
 use unisize::InvalidInputReason::{Inverted, NotANumber};
 use unisize::{Aabb, InvalidInputReason, PairFinder};
@@ -7,7 +7,7 @@ use crate::boxes::uniform;
 use crate::check::{JUNK, find};
 use crate::numbers::{Number, stepped};
 
-/// Checks that one invalid box anywhere is named, that no pair is given, and that the finder then goes on.
+/// Checks that the error has the index of the invalid box, that there are no pairs, and that the finder works afterwards.
 pub(crate) fn check<F: PairFinder<R, D> + Default, R: Number, const D: usize>() {
     for n in [1, 9, 200] {
         let valid = uniform(n as u64, n, 0.8);
@@ -26,12 +26,12 @@ pub(crate) fn check<F: PairFinder<R, D> + Default, R: Number, const D: usize>() 
                 refuses(&mut F::default(), &boxes, index, reason);
             }
             let after = find(&mut finder, &valid).expect("the boxes are valid");
-            assert!(after == pairs, "after an error the answer is another");
+            assert!(after == pairs, "after an error the pairs differ");
         }
     }
 }
 
-/// Checks that the finder refuses the boxes for what is wrong with the one at `index`.
+/// Checks that the error is for the box at `index`, with this reason.
 fn refuses<F: PairFinder<R, D>, R: Number, const D: usize>(
     finder: &mut F,
     boxes: &[Aabb<R, D>],
@@ -47,7 +47,7 @@ fn refuses<F: PairFinder<R, D>, R: Number, const D: usize>(
     assert!(pairs.is_empty(), "pairs were left after an error: {bad:?}");
 }
 
-/// Everything that can be wrong with a box, on each axis, and why.
+/// All kinds of invalid boxes, on each axis, with the reasons.
 fn invalid_versions<R: Number, const D: usize>(
     valid: Aabb<R, D>,
 ) -> Vec<(Aabb<R, D>, InvalidInputReason)> {
@@ -79,7 +79,7 @@ fn invalid_versions<R: Number, const D: usize>(
             let mut version = valid;
             (version.mins[axis], version.maxs[axis]) = sides;
             versions.push((version, reason));
-            // Being flat on the others is valid.
+            // A box that is flat on the other axes would be valid.
             for other in (0..D).filter(|&other| other != axis) {
                 version.maxs[other] = version.mins[other];
             }

@@ -1,8 +1,8 @@
-//! What the fuzzer runs: bytes encode boxes, and every kernel must find the pairs of the oracle.
+//! The test that the fuzzer runs: bytes encode boxes, and every kernel must find the pairs of the oracle.
 //!
-//! Two lists are read, and each kernel is given the first, the second and the first again, since what it keeps of one
-//! must not affect the next. A few bytes are enough for many boxes, most of them on a lattice, where about half of
-//! neighbours touch. Bytes that run out read as zeros, so every input is valid.
+//! Bytes encode two lists. Each kernel gets the first, the second and the first again, because the state that it keeps must not affect later
+//! calls. A few bytes encode many boxes, most of them on a lattice, where about half of the neighbours touch. After the end of the bytes,
+//! zeros are read, so every input is valid.
 
 use std::array::from_fn;
 use std::num::NonZero;
@@ -13,22 +13,22 @@ use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
 
 use crate::numbers::{alphabet, stepped};
 
-/// How many boxes a list may have.
+/// The largest number of boxes in a list.
 const MOST: usize = 300;
 
-/// The side of the lattice's boxes, in quarters of its pitch.
+/// The side of boxes on the lattice, in quarters of the pitch.
 const SIDES: [i32; 8] = [4, 4, 4, 4, 0, 1, 8, 40];
 
 /// The pitch of the lattice.
 const PITCHES: [f64; 8] = [1.0, 1.0, 0.1, 1e-45, 1e-38, 1e7, 1e30, 1e37];
 
-/// Where the lattice begins.
+/// The origin of the lattice.
 const ORIGINS: [f64; 4] = [0.0, -2.0, 1e7, -1e30];
 
 /// Checks all kernels on the boxes that the bytes encode.
 pub(crate) fn check(bytes: &[u8]) {
     let mut bytes = Unstructured::new(bytes);
-    // Nothing here can fail, but `Unstructured`'s types do not know that.
+    // Reading never fails, although it returns a `Result`.
     let _ = match bytes.int_in_range(0..=7).unwrap_or(0) {
         0 => check_in::<f32, 1>(&mut bytes),
         1 => check_in::<f32, 2>(&mut bytes),
@@ -67,21 +67,21 @@ fn check_in<R: Number, const D: usize>(bytes: &mut Unstructured) -> Result<()> {
     Ok(())
 }
 
-/// Kernels with their names.
+/// Kernels and their names.
 type Kernels<R, const D: usize> = Vec<(&'static str, Box<dyn PairFinder<R, D>>)>;
 
-/// The kernels of which only the pairs are compared.
+/// The kernels whose pairs are compared, but not their order.
 fn others<R: Number, const D: usize>() -> Kernels<R, D> {
     vec![("RankSweep", Box::new(RankSweep::default()))]
 }
 
-/// The boxes of one list, and what they are made from.
+/// The boxes of one list, and the parameters of the next ones.
 struct List<R, const D: usize> {
     boxes: Vec<Aabb<R, D>>,
     alphabet: Vec<R>,
     pitch: f64,
     origin: f64,
-    /// Whether invalid boxes are left as they are.
+    /// Whether invalid boxes are kept.
     is_raw: bool,
 }
 
@@ -105,7 +105,7 @@ fn read_list<R: Number, const D: usize>(bytes: &mut Unstructured) -> Result<Vec<
 }
 
 impl<R: Number, const D: usize> List<R, D> {
-    /// Reads one box, or a row of them.
+    /// Reads one box, or a row of boxes.
     fn read_entry(&mut self, bytes: &mut Unstructured) -> Result<()> {
         match bytes.int_in_range(0..=7)? {
             0..=2 => {
@@ -156,7 +156,7 @@ impl<R: Number, const D: usize> List<R, D> {
         Ok(())
     }
 
-    /// Adds the box that begins at these quarters of the pitch and has these sides.
+    /// Adds a box with this corner and these sides, in quarters of the pitch.
     fn push_on_lattice(&mut self, corner: [(i32, i32); D]) {
         let at = |quarters: i32| R::from_f64(self.origin + f64::from(quarters) * 0.25 * self.pitch);
         self.push(corner.map(|(low, side)| (at(low), at(low + side))));
@@ -173,7 +173,7 @@ impl<R: Number, const D: usize> List<R, D> {
     }
 }
 
-/// Reads where a box of the lattice begins, and its sides, all in quarters of the pitch.
+/// Reads the corner and the sides of a box on the lattice, in quarters of the pitch.
 fn read_corner<const D: usize>(bytes: &mut Unstructured) -> Result<[(i32, i32); D]> {
     let mut corner = [(0, 0); D];
     for (low, side) in &mut corner {
@@ -184,7 +184,7 @@ fn read_corner<const D: usize>(bytes: &mut Unstructured) -> Result<[(i32, i32); 
     Ok(corner)
 }
 
-/// Reads a number of any kind.
+/// Reads any number, including NaN.
 fn read_bits<R: Number>(bytes: &mut Unstructured) -> Result<R> {
     Ok(R::from_f64(if size_of::<R>() == 4 {
         f64::from(f32::from_bits(bytes.arbitrary()?))

@@ -1,6 +1,6 @@
-//! The named inputs, in families, those at the limits of numbers in `limits`.
+//! Named inputs, in families. `limits` has those at the limits of floating point.
 //!
-//! Lists are a few hundred boxes long, since the oracle looks at every pair.
+//! Lists have a few hundred boxes, because the oracle compares all pairs.
 
 use core::array::from_fn;
 
@@ -11,16 +11,16 @@ use crate::numbers::{Number, stepped};
 use crate::random::Random;
 use unisize::Aabb;
 
-/// A list of boxes with its name in a report.
+/// A list of boxes, and its name for messages.
 pub(crate) struct Input<R, const D: usize> {
     pub(crate) name: String,
     pub(crate) boxes: Vec<Aabb<R, D>>,
 }
 
-/// All the inputs of one kind.
+/// The inputs of one kind.
 pub(crate) type Family<R, const D: usize> = Vec<Input<R, D>>;
 
-/// Every input of every family.
+/// All inputs of all families.
 pub(crate) fn all<R: Number, const D: usize>() -> Family<R, D> {
     let families: [fn() -> Family<R, D>; 14] = [
         uniform_boxes,
@@ -55,7 +55,7 @@ pub(crate) fn input<R, const D: usize>(
     Input { name, boxes }
 }
 
-/// An input of each of these.
+/// One input for each value.
 pub(crate) fn each<T: Copy, R, const D: usize>(
     of: impl IntoIterator<Item = T>,
     name: impl Fn(T) -> String,
@@ -73,7 +73,7 @@ fn per_axis<R, const D: usize>(
     each(0..D, |axis| format!("{name}, axis {axis}"), boxes)
 }
 
-/// Unit boxes anywhere, from lonely to crowded.
+/// Uniformly distributed unit boxes, from sparse to dense.
 pub(crate) fn uniform_boxes<R: Number, const D: usize>() -> Family<R, D> {
     let densities = [0.01, 0.1, 0.3, 0.8, 1.5, 3.0];
     let pairs = densities.into_iter().flat_map(|it| [(100, it), (1000, it)]);
@@ -84,7 +84,7 @@ pub(crate) fn uniform_boxes<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// The arrangements on which methods are measured, with each axis in the place of the first, and the odd ones mirrored.
+/// The arrangements of `HardBoxes`, with the axes rotated, and every second one mirrored.
 pub(crate) fn hard_boxes<R: Number, const D: usize>() -> Family<R, D> {
     let kinds = HardBoxes::ALL.into_iter();
     each(
@@ -107,7 +107,7 @@ pub(crate) fn hard_boxes<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// The same box many times.
+/// Many copies of the same box.
 pub(crate) fn coincident<R: Number, const D: usize>() -> Family<R, D> {
     each(
         [(300, 1), (150, 2), (3, 100)],
@@ -116,8 +116,8 @@ pub(crate) fn coincident<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// Boxes side by side that share faces, edges and corners, or miss or overlap by one unit in the last place, or by random ones. Both sides
-/// of a face are computed in the same way, so that they are equal for any pitch.
+/// Adjacent boxes that share faces, edges and corners, or that miss or overlap by one or several units in the last place. Both sides of a face
+/// are computed in the same way, so that they are equal for any pitch.
 pub(crate) fn touching<R: Number, const D: usize>() -> Family<R, D> {
     let count = if D == 2 { 24_usize } else { 8 };
     let lattice = |(pitch, ulps): (f64, Option<i32>)| {
@@ -143,7 +143,7 @@ pub(crate) fn touching<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// Boxes without extent on all axes, many of them in one place, or on one axis.
+/// Boxes without extent on all axes, many of them in one place, or without extent on one axis.
 pub(crate) fn points_and_flat<R: Number, const D: usize>() -> Family<R, D> {
     let mut family = per_axis("flat", |axis| {
         list(8, 400, |random, _| {
@@ -185,7 +185,7 @@ pub(crate) fn mixed_sizes<R: Number, const D: usize>() -> Family<R, D> {
         [10_f64.powf(random.between(-15.0, 15.0)); D]
     });
     family.push(input("cubes of sides over 30 decades", decades));
-    // A sample that takes one box in every few sees only the large ones, or none.
+    // A sample of every n-th box has only large boxes, or none.
     family.extend(each(
         [2, 3, 4],
         |period| format!("one box in {period} 50 times as large, by turns"),
@@ -201,7 +201,7 @@ pub(crate) fn mixed_sizes<R: Number, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Wide plates piled along each axis: apart, touching, and in one another.
+/// Wide plates stacked along each axis: apart, touching and overlapping.
 pub(crate) fn plates<R: Number, const D: usize>() -> Family<R, D> {
     each(
         (0..D).flat_map(|axis| [1.25, 1.0, 0.25].map(|pitch| (axis, pitch))),
@@ -216,7 +216,7 @@ pub(crate) fn plates<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// List lengths around every power of two, where blocks, lanes and words end.
+/// Lists with lengths around the powers of two, at which blocks, lanes and words end.
 pub(crate) fn counts<R: Number, const D: usize>() -> Family<R, D> {
     let around = |bits: u32| (1 << bits) - 1..=(1 << bits) + 1;
     let counts = || (0..7).chain((3..=12).flat_map(around));
@@ -227,7 +227,7 @@ pub(crate) fn counts<R: Number, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Lists that are already sorted, in the worst order, or sorted but for a few neighbours, as happens from one frame to the next.
+/// Lists that are sorted, reversed, or sorted except for a few neighbours, as from one frame to the next.
 pub(crate) fn sorted<R: Number, const D: usize>() -> Family<R, D> {
     let sorted = |axis| boxes::sorted(uniform(28, 500, 0.8), axis);
     let mut family = per_axis("sorted", sorted);
@@ -244,7 +244,7 @@ pub(crate) fn sorted<R: Number, const D: usize>() -> Family<R, D> {
     family
 }
 
-/// Boxes with whole corners and sides of 0, 1 or 2: ties everywhere.
+/// Boxes with integer corners and sides of 0, 1 or 2, so that most bounds are equal to others.
 pub(crate) fn ties<R: Number, const D: usize>() -> Family<R, D> {
     each(
         [(200, 3), (600, 10), (600, 30), (600, 200)],

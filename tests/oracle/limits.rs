@@ -1,5 +1,5 @@
-//! Inputs at the limits of floating point, where a difference overflows or a margin rounds away. Those of single numbers, zeros of either
-//! sign, denormals, extremes and close neighbours, are in the alphabet of random ones.
+//! Inputs at the limits of floating point, where differences overflow or margins round to 0. `numbers::alphabet` has the limits of single
+//! numbers.
 
 use core::array::from_fn;
 
@@ -8,7 +8,7 @@ use crate::boxes::{self, Side, uniform};
 use crate::inputs::{Family, each, input};
 use crate::numbers::Number;
 
-/// Scenes of every magnitude, as they are and with a margin that is wide, narrow or nothing beside it.
+/// Scenes of all magnitudes, without a margin, and with a wide, a narrow and a negligible one.
 pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
     let max = R::LARGEST.to_f64();
     let scales = [4.0 / max, 1e-38, 1e-6, 1e-3, 1e3, 1e7, 1e30, 1e-8 * max].into_iter();
@@ -19,7 +19,7 @@ pub(crate) fn scales<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// Unit boxes so far out that coordinates have few digits left for them, or none.
+/// Unit boxes so far from the origin that their sides have few digits or none.
 pub(crate) fn far_from_origin<R: Number, const D: usize>() -> Family<R, D> {
     let offsets = [1e5, -1e6, 1e7, -1e8, 1e15, 1e16, -1e30].into_iter();
     each(
@@ -29,7 +29,7 @@ pub(crate) fn far_from_origin<R: Number, const D: usize>() -> Family<R, D> {
     )
 }
 
-/// One stray box far from the others, or much larger, in the middle of the list.
+/// One box far from the others, or much larger, in the middle of the list.
 pub(crate) fn strays<R: Number, const D: usize>() -> Family<R, D> {
     let stray = |(_, at, side): (&str, [f64; D], f64)| {
         let mut boxes = uniform(12, 500, 0.8);
@@ -50,7 +50,7 @@ pub(crate) fn strays<R: Number, const D: usize>() -> Family<R, D> {
     each(strays, |(name, at, _)| format!("one {name}, {at:?}"), stray)
 }
 
-/// Boxes with sides at infinity, among unit boxes and alone.
+/// Boxes with infinite bounds, among unit boxes and alone.
 pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
     let some_of: [(&str, &[Side]); 10] = [
         ("whole spaces", &[Everywhere]),

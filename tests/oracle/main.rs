@@ -1,8 +1,8 @@
-//! Every kernel against the oracle: one suite, written once, one line per kernel, scalar and dimension.
+//! Compares every kernel with the oracle. The suite is written once, and instantiated in one line per kernel, scalar and dimension.
 //!
-//! Inputs have names (`inputs`, and `limits`, made of the lists of `boxes`), so a failure says which kind of scene went wrong.
-//! `check` lists what must hold for every input, and `errors` for inputs that must be refused. `fuzzed` is what the fuzzer runs, and
-//! `replay` runs it on random bytes, for more of which raise `PROPTEST_CASES`, and on the inputs that the fuzzer has kept.
+//! `inputs` and `limits` have named inputs, which consist of the lists of `boxes`. `check` has the checks of valid inputs, and `errors` those of
+//! invalid ones. `fuzzed` is the test of the fuzzer; `replay` runs it on random bytes (`PROPTEST_CASES` sets their number) and on the inputs that
+//! the fuzzer has kept.
 
 mod boxes;
 mod check;
@@ -17,7 +17,7 @@ mod replay;
 mod slabs;
 mod timed;
 
-#[allow(dead_code, unreachable_pub)] // The laboratory's crate of scenes publishes all of it.
+#[allow(dead_code, unreachable_pub)] // The laboratory uses all of it.
 #[path = "../common/boxes/mod.rs"]
 mod arrangements;
 #[path = "../common/cases.rs"]
@@ -28,14 +28,14 @@ mod random_values;
 use slabs::InSlabs;
 use unisize::{BruteForce, GridSweep, RankSweep};
 
-/// Instantiates the suite for one kernel: the module's name, the kernel, its scalar and its dimension.
+/// Instantiates the suite with the name of a module, a kernel, its scalar and its dimension.
 macro_rules! oracle_suite {
     ($name:ident, $finder:ty, $real:ty, $dim:literal) => {
         mod $name {
             use super::*;
 
             #[test]
-            fn named_inputs() {
+            fn named_inputs_have_the_pairs_of_the_oracle() {
                 check::every::<$finder, $real, $dim>(&inputs::all());
             }
 
@@ -47,7 +47,7 @@ macro_rules! oracle_suite {
     };
 }
 
-/// The suite for a kernel in two and three dimensions and both scalars, and for whatever else is named.
+/// Instantiates the suites of a kernel in 2D and 3D with both scalars, and any others that are named.
 macro_rules! suites {
     ($name:ident, $finder:ident $(, $more:ident $real:ty, $dim:literal)*) => {
         mod $name {
@@ -71,7 +71,7 @@ mod brute_force {
     oracle_suite!(f64_3, BruteForce, f64, 3);
 }
 
-// One dimension and four are unusual, but allowed.
+// 1D and 4D are unusual, but allowed.
 suites!(grid_sweep, GridSweep, f32_1 f32, 1, f64_4 f64, 4);
 suites!(grid_sweep_in_slabs, InSlabs);
 suites!(rank_sweep, RankSweep, f32_1 f32, 1, f64_4 f64, 4);

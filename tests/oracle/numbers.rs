@@ -1,13 +1,13 @@
-//! Boundary numbers: zeros, the least and the greatest ones, infinities, close neighbours.
+//! Boundary numbers: zeros, the smallest and largest numbers, infinities, close neighbours.
 
 use unisize::Real;
 
-/// What the inputs need to know of a scalar.
+/// The properties of a scalar that the inputs use.
 pub(crate) trait Number: Real {
-    /// The greatest finite number.
+    /// The largest finite number.
     const LARGEST: Self;
 
-    /// The least number greater than this one.
+    /// The smallest number above this one.
     fn successor(self) -> Self;
 }
 
@@ -26,7 +26,7 @@ macro_rules! impl_number {
 impl_number!(f32);
 impl_number!(f64);
 
-/// A few boundary numbers: ties, both zeros, infinities, extremes whose differences overflow, close neighbours.
+/// Some boundary numbers: both zeros, denormals, infinities, extremes whose differences overflow, close neighbours.
 pub(crate) fn alphabet<R: Number>() -> Vec<R> {
     let numbers = [-1.0, -0.0, 0.0, 1.0, 2.0, 3.0, 0.1, -0.1];
     let mut numbers = numbers.map(R::from_f64).to_vec();
@@ -45,7 +45,7 @@ pub(crate) fn alphabet<R: Number>() -> Vec<R> {
     numbers
 }
 
-/// The number `ulps` representable numbers above `x`, or below.
+/// The number that is `ulps` representable numbers above `x`, or below if negative.
 pub(crate) fn stepped<R: Number>(mut x: R, ulps: i32) -> R {
     for _ in 0..ulps {
         x = x.successor();

@@ -1,12 +1,12 @@
-//! Random numbers from a seed, the same on every machine.
+//! Pseudorandom numbers, which are the same on every machine.
 
 use oorandom::Rand64;
 
-/// A seeded source of the few kinds of random numbers that the generators need.
+/// A seeded generator with the methods that the inputs use.
 pub(crate) struct Random(Rand64);
 
 impl Random {
-    /// The source that belongs to `seed`.
+    /// A generator with this seed.
     pub(crate) fn new(seed: u64) -> Self {
         Self(Rand64::new(u128::from(seed)))
     }
@@ -16,17 +16,17 @@ impl Random {
         low + (high - low) * self.0.rand_float()
     }
 
-    /// Numbers in `low..high`.
+    /// A point with coordinates in `low..high`.
     pub(crate) fn place<const D: usize>(&mut self, low: f64, high: f64) -> [f64; D] {
         [(); D].map(|()| self.between(low, high))
     }
 
-    /// A whole number in `0..count`.
+    /// An integer in `0..count`.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         self.0.rand_range(0..count as u64) as usize
     }
 
-    /// A whole number in `low..=high`, as a coordinate.
+    /// An integer in `low..=high`, as a coordinate.
     pub(crate) fn whole(&mut self, low: i32, high: i32) -> f64 {
         f64::from(low) + self.below((high - low) as usize + 1) as f64
     }
@@ -36,7 +36,7 @@ impl Random {
         choices[self.below(choices.len())]
     }
 
-    /// Whether an event of this probability happens.
+    /// True with this probability.
     pub(crate) fn chance(&mut self, probability: f64) -> bool {
         self.0.rand_float() < probability
     }

@@ -1,11 +1,11 @@
-//! The fast kernel cut into slabs, as it is on several threads.
+//! `GridSweep` with several slabs, as it runs on several threads.
 
 use std::num::NonZero;
 
 use crate::numbers::Number;
 use unisize::{Aabb, GridSweep, InvalidInput, PairFinder};
 
-/// [`GridSweep`] in three slabs, which must give the same pairs in the same order as one slab.
+/// [`GridSweep`] with three slabs, which must find the same pairs in the same order as with one.
 pub(crate) struct InSlabs<R, const D: usize> {
     one: GridSweep<R, D>,
     three: GridSweep<R, D>,
@@ -15,7 +15,7 @@ pub(crate) struct InSlabs<R, const D: usize> {
 impl<R: Number, const D: usize> Default for InSlabs<R, D> {
     fn default() -> Self {
         let [one, three] = [1, 3].map(|count| {
-            GridSweep::with_slabs(NonZero::new(count).expect("a number of slabs is not 0"))
+            GridSweep::with_slabs(NonZero::new(count).expect("the number is not 0"))
         });
         Self {
             one,
@@ -34,7 +34,7 @@ impl<R: Number, const D: usize> PairFinder<R, D> for InSlabs<R, D> {
         let expected = self.one.find_pairs(boxes, &mut self.expected);
         let found = self.three.find_pairs(boxes, pairs);
         assert_eq!(found, expected);
-        assert!(*pairs == self.expected, "another answer, or another order");
+        assert!(*pairs == self.expected, "the pairs or their order differ");
         found
     }
 }

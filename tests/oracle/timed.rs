@@ -1,11 +1,11 @@
-//! Kernels that take the times of their phases.
+//! Kernels that measure the times of their phases.
 
 use unisize::{GridSweep, PairFinder, PhaseTimes, RankSweep};
 
 use crate::boxes::uniform;
 
 #[test]
-fn only_timed_kernels_take_times() {
+fn only_timed_kernels_measure_times() {
     let boxes = uniform::<f32, 3>(1, 3000, 0.8);
     let pairs = &mut Vec::new();
     for is_timed in [false, true] {
@@ -19,7 +19,7 @@ fn only_timed_kernels_take_times() {
             for times in [grid_sweep.phase_times(), rank_sweep.phase_times()] {
                 let PhaseTimes { sort, sweep, .. } = times;
                 assert!([sort, sweep].iter().all(|time| time.is_zero() != is_timed));
-                // Nothing of what belongs to updates.
+                // The phases of updates stay 0.
                 assert_eq!(times.total(), times.read + sort + sweep);
             }
         }

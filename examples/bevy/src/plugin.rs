@@ -1,4 +1,4 @@
-//! All that a game needs.
+//! The plugin that a game needs.
 
 use bevy::prelude::*;
 use bevy_rapier3d::prelude::RapierContextSimulation;

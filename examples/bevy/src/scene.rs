@@ -3,9 +3,11 @@
 use bevy::prelude::*;
 use bevy_rapier3d::prelude::*;
 
-/// Spawns the box and this many balls, in layers that are shifted, so that they do not come to rest on top of each other.
-pub(crate) fn spawn(mut commands: Commands, balls: u32) {
-    let side = (f64::from(balls).cbrt().ceil() as u32).max(1);
+use crate::BALLS;
+
+/// Spawns the box and the balls, in layers that are shifted, so that they do not come to rest on top of each other.
+pub(crate) fn spawn(mut commands: Commands) {
+    let side = f64::from(BALLS).cbrt().ceil() as u32;
     let half = 0.6 * side as f32 + 1.0;
     let walls = [
         (Vec3::NEG_Y, Vec3::new(half, 0.5, half)),
@@ -14,21 +16,21 @@ pub(crate) fn spawn(mut commands: Commands, balls: u32) {
         (Vec3::Z * half, Vec3::new(half, 2.0 * half, 0.5)),
         (Vec3::NEG_Z * half, Vec3::new(half, 2.0 * half, 0.5)),
     ];
-    for (center, size) in walls {
+    for (center, half) in walls {
         commands.spawn((
             RigidBody::Fixed,
-            Collider::cuboid(size.x, size.y, size.z),
+            Collider::cuboid(half.x, half.y, half.z),
             Transform::from_translation(center),
         ));
     }
-    for ball in 0..balls {
-        let place =
-            [ball % side, ball / side % side, ball / (side * side)].map(|place| place as f32);
-        let shift = 0.25 * (place[2] % 3.0) - 0.25;
+    let middle = 0.5 * side as f32;
+    for i in 0..BALLS {
+        let [x, y, z] = [i % side, i / (side * side), i / side % side].map(|x| x as f32);
+        let shift = 0.25 * (y % 3.0) - 0.25;
         let position = Vec3::new(
-            1.15 * (place[0] - 0.5 * side as f32) + shift,
-            1.0 + 1.15 * place[2],
-            1.15 * (place[1] - 0.5 * side as f32) - 0.5 * shift,
+            1.15 * (x - middle) + shift,
+            1.0 + 1.15 * y,
+            1.15 * (z - middle) - 0.5 * shift,
         );
         commands.spawn((
             RigidBody::Dynamic,

@@ -6,63 +6,64 @@ use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder, Real};
 
-/// Regions are cut by so many centres a process. With fewer, loads differ by more: by some 2 % at the last cut.
+/// The number of centres per process in the sample that regions are cut by. With 2048, loads differ by some 2 % at the last cut; with fewer,
+/// by more.
 const SAMPLES: usize = 2048;
 
-/// Boxes up to so many times as long as the median are the unisize class. With more, one long box makes all processes send more; with
-/// less, fewer boxes have all their partners on their own process.
+/// The unisize class has the boxes up to this many times as long as the median. If larger, one long box makes all processes send more. If
+/// smaller, fewer boxes have all of their partners on their own process.
 const CLASS: f64 = 4.0;
 
-/// What is dealt to processes: a box, its number, and what travels with it.
+/// A box with its number and its payload, which the processes send to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(bound = "[R; D]: Sent, T: Sent")]
 pub struct Body<R, const D: usize, T = ()> {
-    /// Its number, the same wherever it is. No two bodies have one number.
+    /// Its number, which no other body has, and which is the same on all processes.
     pub number: u64,
     /// Its box.
     pub aabb: Aabb<R, D>,
-    /// What else it is.
-    pub rest: T,
+    /// Data of the caller's.
+    pub payload: T,
 }
 
-/// What the last frame has cost this process.
+/// The cost of the last frame on this process.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Stats {
-    /// Milliseconds of everything but the sweep: agreeing, handing over, copying, waiting for others.
+    /// Milliseconds of everything but the sweep, which includes waiting for other processes.
     pub exchange_ms: f64,
     /// Milliseconds of finding pairs.
     pub sweep_ms: f64,
-    /// Bytes of bodies that it sent to others.
+    /// Bytes of bodies sent to other processes.
     pub bytes: u64,
-    /// Bodies that it received for good.
+    /// Received bodies that this process now owns.
     pub migrated: usize,
-    /// Bodies that it has a copy of.
+    /// Copies of bodies of other processes.
     pub copies: usize,
-    /// Whether regions were cut anew.
+    /// Whether the regions were cut again.
     pub bisected: bool,
 }
 
-/// The bodies that a process owns, and the pairs it finds, on the threads of the current Rayon pool. All processes must call the same
+/// The bodies that a process owns, and the pairs that it finds on the threads of the current Rayon pool. All processes must call the same
 /// methods in the same order.
 pub struct Domains<'a, R, const D: usize, T = ()> {
     /// All processes.
     pub world: &'a World,
     bisection: Bisection<D>,
-    /// What of space is this process's own.
+    /// The region of this process.
     region: Aabb<f64, D>,
-    /// What a side of the unisize class is at most.
+    /// The longest side in the unisize class.
     class: f64,
-    /// By how much loads may differ before regions are cut anew; nothing until they have been cut.
+    /// The difference between loads above which the regions are cut again. `None` before the first cut.
     tolerated: Option<usize>,
-    /// The bodies of this process, which the caller moves, then the copies of others. Numbers must stay.
+    /// The bodies of this process, which the caller may move, and then the copies. Numbers must not change.
     pub bodies: Vec<Body<R, D, T>>,
-    /// How many of the bodies are its own.
+    /// The number of bodies of this process.
     pub own: usize,
     boxes: Vec<Aabb<R, D>>,
-    /// The pairs of indices of `bodies`: all those of each own body of the unisize class, and others.
+    /// Pairs of indices of `bodies`: all pairs of each own body of the unisize class, and other pairs.
     pub pairs: Vec<[u32; 2]>,
     kernel: GridSweep<R, D>,
-    /// What the last frame has cost.
+    /// The cost of the last frame.
     pub stats: Stats,
 }
 
@@ -70,7 +71,7 @@ impl<'a, R: Real, const D: usize, T: Copy + Sent> Domains<'a, R, D, T>
 where
     [R; D]: Sent,
 {
-    /// With these bodies on this process: any, for they are dealt when pairs are first searched for.
+    /// Starts with any bodies on this process. The first search sends them to the processes of their regions.
     pub fn new(world: &'a World, bodies: Vec<Body<R, D, T>>) -> Self {
         Self {
             world,
@@ -92,16 +93,16 @@ where
         &self.bodies[..self.own]
     }
 
-    /// Whether a box is of the unisize class: not much longer than most.
+    /// Whether a box belongs to the unisize class: it is not much longer than most.
     pub fn is_unisize(&self, aabb: &Aabb<R, D>) -> bool {
         longest_side(aabb) <= self.class
     }
 
-    /// The numbers of the pairs that this process reports, smaller first. Over all processes, each overlapping pair is reported once.
+    /// The pairs that this process reports, as numbers of bodies, the smaller one first. Exactly one process reports each overlapping pair.
     ///
-    /// A pair is reported by the process in whose region the corner max(mins) of the two lies, axis by axis. Proof: both boxes contain
-    /// this point (`mins <= max(mins) <= maxs`, compared and not computed), so both reach the region of its owner; and a process has each
-    /// body that reaches its region, once, as its own or as a copy. Regions partition space, so no other process owns the point.
+    /// The owner of the point max(mins) of both boxes, axis by axis, reports the pair. Proof: both boxes contain this point
+    /// (`mins <= max(mins) <= maxs`, without rounding), so both reach the region of its owner. A process has each body that reaches its
+    /// region once, as its own or as a copy. Regions partition space, so no other process owns the point.
     pub fn reported(&self) -> impl Iterator<Item = [u64; 2]> {
         let is_mine = |[a, b]: &[u32; 2]| {
             let [a, b] = [a, b].map(|&i| &self.boxes[i as usize].mins);
@@ -113,11 +114,11 @@ where
         mine.map(move |pair| sorted(pair.map(number)))
     }
 
-    /// Finds the pairs of this frame. Regions are cut the first time, and when loads have come to differ by a fifth of their mean.
+    /// Finds the pairs of this frame. Cuts the regions in the first frame, and when loads differ by a fifth of their mean.
     ///
     /// # Errors
-    /// [`InvalidInput`], the same on every process, if a box has a NaN or is inverted: it names the body with the smallest number. Any
-    /// other error is of one process only, and the rest wait for it: end the run.
+    /// [`InvalidInput`], the same on every process, if a box has a NaN or is inverted: it has the smallest number of such a body. Any other
+    /// error occurs on one process only, while the others wait for it: end the run.
     pub fn find_pairs(&mut self) -> Result<()> {
         let began = Instant::now();
         self.stats = Stats::default();
@@ -128,9 +129,9 @@ where
         if self.tolerated.is_none_or(|most| spread > most) {
             self.bisect(mean)?;
         }
-        self.deal()?;
+        self.distribute()?;
         if self.stats.bisected {
-            // Where bodies coincide no cut helps, and another one is not tried in every frame.
+            // If bodies coincide, no cut evens out the loads. So do not cut again in every frame.
             self.tolerated = Some((mean / 5).max(2 * self.loads().1));
         }
         self.boxes.clear();
@@ -143,7 +144,7 @@ where
         Ok(())
     }
 
-    /// Tells all processes of the invalid body with the smallest number.
+    /// Returns the same error on all processes: that of the invalid body with the smallest number.
     fn check(&self) -> Result<()> {
         let invalid = self.own().iter().filter(|body| !body.aabb.is_valid());
         let mine = invalid.min_by_key(|body| body.number).copied();
@@ -156,7 +157,7 @@ where
         Ok(())
     }
 
-    /// The mean number of bodies of a process, and the difference between the most and the least.
+    /// The mean number of bodies per process, and the difference between the largest and the smallest number.
     pub fn loads(&self) -> (usize, usize) {
         let mut loads = self.world.each(self.own);
         loads.sort_unstable();
@@ -164,10 +165,10 @@ where
         (mean, loads[loads.len() - 1] - loads[0])
     }
 
-    /// Cuts regions anew, by a sample of all bodies that every process is given.
+    /// Cuts the regions by a sample of all bodies, which every process receives.
     fn bisect(&mut self, mean: usize) -> Result<()> {
         let stride = mean.div_ceil(SAMPLES).max(1);
-        // Any one of each `stride`, so that a pattern in the order of bodies is not seen.
+        // A pseudorandom one of each `stride` bodies, so that a pattern in their order does not matter.
         let any = |(i, chunk): (usize, &[Body<R, D, T>])| {
             chunk[i.wrapping_mul(0x9E37_79B9) / 8 % chunk.len()].aabb
         };
@@ -175,7 +176,7 @@ where
         let sample = self.world.gather(sample)?;
         let mut sides: Vec<_> = sample.iter().map(longest_side).collect();
         sides.sort_unstable_by(f64::total_cmp);
-        // Finite, whatever the boxes are: infinity less infinity would be nowhere.
+        // Finite for any boxes: an infinite box loosened by infinity has no centre.
         self.class = (CLASS * sides.get(sides.len() / 2).unwrap_or(&0.0)).min(f64::MAX);
         let finite = |x: f64| x.clamp(f64::MIN, f64::MAX);
         let centres = sample.iter().map(|aabb| centre(aabb).mins.map(finite));
@@ -191,15 +192,14 @@ where
         Ok(())
     }
 
-    /// Sends each own body to all processes whose region its box reaches, loosened by the longest side of the unisize class: those near a
-    /// border to who is behind it, longer ones to all they reach, and what has left the region to its new owner. That is where its centre
-    /// lies, and the loosened box contains the centre. All others have copies.
+    /// Sends each own body to all processes whose region its box reaches, loosened by the longest side of the unisize class. The process
+    /// whose region has the centre becomes the owner (the loosened box contains the centre); the others receive copies.
     ///
-    /// So a process has all partners of its own bodies of the class. Proof: let `b` overlap such a body `a`. Then `b.mins <= a.maxs`, and
-    /// rounding is monotone, so `b.mins - longest <= a.maxs - longest`, which is not above the centre of `a`: if `longest` is
-    /// less than the true side, by half a unit in its last place, then the side has so many units that its half makes up for it. The
-    /// same holds above. So `b`, loosened, contains the centre, which is in the region.
-    fn deal(&mut self) -> Result<()> {
+    /// So a process has all partners of its own bodies of the class. Proof: let `b` overlap such a body `a`. Then `b.mins <= a.maxs`.
+    /// Rounding is monotone, so `b.mins - longest <= a.maxs - longest`, which is not above the centre of `a`: rounding may make `longest`
+    /// shorter than the true side by half a unit in the last place, which is less than half of the side. The same holds above. So the
+    /// loosened `b` contains the centre, which is in the region.
+    fn distribute(&mut self) -> Result<()> {
         let sides = self.bodies.iter().map(|body| longest_side(&body.aabb));
         let own = sides.filter(|&side| side <= self.class).fold(0.0, f64::max);
         let longest = self.world.each(own).into_iter().fold(0.0, f64::max);
@@ -232,7 +232,7 @@ fn everywhere<const D: usize>() -> Aabb<f64, D> {
     Aabb::new([f64::NEG_INFINITY; D], [f64::INFINITY; D])
 }
 
-/// Whether all points of a box are in a region, which does not contain its finite `maxs`.
+/// Whether all points of a box are in a region. Finite `maxs` do not belong to the region.
 fn contains<const D: usize>(region: &Aabb<f64, D>, aabb: &Aabb<f64, D>) -> bool {
     (0..D).all(|k| {
         let end = region.maxs[k];
@@ -245,7 +245,7 @@ fn widened<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> Aabb<f64, D> {
     Aabb::new(aabb.mins.map(R::to_f64), aabb.maxs.map(R::to_f64))
 }
 
-/// The centre, rounded, a point of the box: 0 from one infinity to the other. It decides who owns a body.
+/// The rounded centre, which is a point of the box, and decides which process owns a body. 0 between two infinities.
 fn centre<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> Aabb<f64, D> {
     let centre = std::array::from_fn(|k| {
         let middle = f64::midpoint(aabb.mins[k].to_f64(), aabb.maxs[k].to_f64());
@@ -254,13 +254,13 @@ fn centre<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> Aabb<f64, D> {
     Aabb::new(centre, centre)
 }
 
-/// The longest side: infinite or NaN if a side is at infinity.
+/// The length of the longest side: infinite or NaN if a bound is infinite.
 fn longest_side<R: Real, const D: usize>(aabb: &Aabb<R, D>) -> f64 {
     let sides = (0..D).map(|k| aabb.maxs[k].to_f64() - aabb.mins[k].to_f64());
     sides.max_by(f64::total_cmp).unwrap_or(0.0)
 }
 
-/// A pair, smaller first.
+/// The pair with the smaller one first.
 pub fn sorted<T: Ord>([a, b]: [T; 2]) -> [T; 2] {
     if a <= b { [a, b] } else { [b, a] }
 }

@@ -1,4 +1,4 @@
-//! All processes, and all that is sent from one to another.
+//! The processes, and the messages between them.
 
 use anyhow::{Context, Result};
 use mpi::datatype::{Partition, PartitionMut};
@@ -6,17 +6,20 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives, Equivalence};
 use serde::{Serialize, de::DeserializeOwned};
 
-/// What can be sent, in the format of postcard.
+/// Types that processes can send to each other, in the format of postcard.
 pub trait Sent: Serialize + DeserializeOwned {}
 impl<T: Serialize + DeserializeOwned> Sent for T {}
 
-/// The processes that mpirun has started. Every one must call the same methods in the same order.
+/// The processes that mpirun has started. All of them must call the same methods in the same order.
 pub struct World(SimpleCommunicator);
 
 impl World {
-    /// Starts MPI, and does a job on each process. If one fails or panics, all end, and the code is not 0. Fails if MPI runs already.
+    /// Starts MPI, and runs a job on each process. If one fails or panics, all end with an exit code other than 0.
+    ///
+    /// # Errors
+    /// If MPI runs already.
     pub fn run<T>(job: impl FnOnce(&Self) -> Result<T>) -> Result<T> {
-        // A process that panics must not unwind: MPI would be told that it is done, and wait for the others.
+        // A panic must not unwind: MPI would be finalized, and wait for the other processes.
         std::panic::set_hook(Box::new(|panic| {
             eprintln!("{panic}");
             std::process::exit(101);
@@ -44,27 +47,30 @@ impl World {
         self.0.barrier();
     }
 
-    /// A number of each process, on all of them.
+    /// Collects a value of each process, on all of them.
     pub fn each<T: Equivalence + Clone + Default>(&self, own: T) -> Vec<T> {
         let mut each = vec![T::default(); self.size()];
         self.0.all_gather_into(&own, &mut each[..]);
         each
     }
 
-    /// The lists of all processes, one after the other, on each of them. Errors are those of [`exchange`](Self::exchange).
+    /// Concatenates the lists of all processes, on each of them.
+    ///
+    /// # Errors
+    /// As of [`exchange`](Self::exchange).
     pub fn gather<T: Clone + Sent>(&self, own: Vec<T>) -> Result<Vec<T>> {
         let mut all = Vec::new();
         self.exchange(&vec![own; self.size()], &mut all)?;
         Ok(all)
     }
 
-    /// Sends `lists[p]` to process p, appends what was sent to this one, in the order of the senders, and returns the number of bytes
-    /// that went to others.
+    /// Sends `lists[p]` to process p, and appends the lists sent to this process, in the order of the senders. Returns the number of bytes
+    /// sent to other processes.
     ///
     /// # Errors
-    /// If a process would send or receive 2³¹ bytes at once, which MPI cannot count. The others wait until somebody ends the run.
+    /// If a process would send or receive 2³¹ bytes at once, which MPI cannot count. The others wait until the run is ended.
     pub fn exchange<T: Sent>(&self, lists: &[Vec<T>], received: &mut Vec<T>) -> Result<u64> {
-        // The pointer of a vector without memory is 1, which Open MPI takes for MPI_IN_PLACE: so there is a byte more.
+        // Both buffers have a byte of memory at least: the pointer of an empty vector is 1, which is Open MPI's MPI_IN_PLACE.
         let (mut bytes, mut sizes) = (Vec::with_capacity(1), Vec::new());
         for list in lists {
             let start = bytes.len();
@@ -91,7 +97,7 @@ impl World {
     }
 }
 
-/// The counts and the starts, for MPI, of lists of so many bytes.
+/// The sizes of lists in bytes, and where they start, in MPI's type.
 fn counted(sizes: &[usize]) -> Result<[Vec<i32>; 2]> {
     let total = i32::try_from(sizes.iter().sum::<usize>());
     total.context("2 GB are too many for a message: use more processes")?;

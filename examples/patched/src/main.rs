@@ -1,7 +1,7 @@
-//! A pile of balls and boxes in Rapier 0.36, on Rapier's own broad phase and on unisize. Copy the one marked line; README.md says how the
-//! copy of Rapier is made.
+//! A pile of balls and boxes in Rapier 0.36, on Rapier's own broad phase and on unisize. One line differs. README.md says how to make the
+//! patched copy of Rapier.
 //!
-//! Prints how long a step takes on either. Fails if unisize is not active, or if a body falls through the floor.
+//! Prints the time of a step on either broad phase. Fails if unisize is not active, or if a body falls through the floor.
 
 use std::time::{Duration, Instant};
 
@@ -17,9 +17,9 @@ fn pile() -> PhysicsWorld {
     world.colliders.insert(floor);
     for i in 0..BODIES {
         let (x, y, z) = (i % 12, i / 144, i / 12 % 12);
-        let place = Vector::new(x as f32, 1.0 + y as f32, z as f32) * 1.1;
-        let aside = Vector::new(0.05 * (y % 3) as f32, 0.0, 0.0);
-        let body = RigidBodyBuilder::dynamic().translation(place + aside);
+        let shift = 0.05 * (y % 3) as f32;
+        let position = Vector::new(x as f32 + shift, 1.0 + y as f32, z as f32) * 1.1;
+        let body = RigidBodyBuilder::dynamic().translation(position);
         let collider = match i % 2 {
             0 => ColliderBuilder::ball(0.5),
             _ => ColliderBuilder::cuboid(0.4, 0.4, 0.4),
@@ -30,14 +30,13 @@ fn pile() -> PhysicsWorld {
 }
 
 fn main() {
-    let rapiers_own = pile();
     let mut unisize = pile();
-    // The only line that differs.
+    // The only line that changes. It was `DefaultBroadPhase::new()`, which is the default.
     unisize.broad_phase = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
 
-    let mut worlds = [("Rapier's own", rapiers_own), ("unisize", unisize)];
+    let mut worlds = [("Rapier's own", pile()), ("unisize", unisize)];
     let mut times = [Duration::ZERO; 2];
-    // In turns, so that whatever else the machine does slows down both alike.
+    // The worlds take turns, so that other load on the machine slows both down alike.
     for _ in 0..STEPS {
         for ((_, world), time) in worlds.iter_mut().zip(&mut times) {
             let start = Instant::now();
@@ -50,19 +49,23 @@ fn main() {
         let ms = time.as_secs_f64() * 1e3 / STEPS as f64;
         println!("{name:>12}: {ms:.2} ms per step, {pairs} pairs in the narrow phase");
         let heights = world.bodies.iter().map(|(_, body)| body.translation().y);
-        assert!(
-            heights.fold(f32::INFINITY, f32::min) > 0.0,
-            "a body is below the floor"
-        );
+        let lowest = heights.fold(f32::INFINITY, f32::min);
+        assert!(lowest > 0.0, "a body is below the floor");
     }
 
-    // How a program sees that unisize is active.
+    // This is how a program sees that unisize is active.
     let [_, (_, world)] = &worlds;
     let active = world.broad_phase.custom_ref::<UnisizeBroadPhase>();
-    let stats = active.expect("unisize is active").stats();
+    let stats = active.expect("unisize is not active").stats();
     assert_eq!(stats.refused, 0, "some colliders have no valid box");
     println!(
         "unisize holds {} pairs of {} colliders",
         stats.pairs, stats.proxies
     );
+
+    // Queries are called as before.
+    let ray = Ray::new(Vector::new(-50.0, 5.0, 0.0), -Vector::Y);
+    let hit = world.cast_ray(&ray, 10.0, true, QueryFilter::default());
+    let (_, distance) = hit.expect("the floor is below the ray");
+    println!("a ray hits the floor at a distance of {distance:.2}");
 }

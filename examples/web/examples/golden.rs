@@ -1,17 +1,9 @@
-//! The hashes of all scenes on this machine, as `node.mjs --golden` prints those of WebAssembly.
-
-use unisize_web::{golden, scenes};
+//! Prints the hashes of all scenes on this machine, for the engine of this name, as `node.mjs golden` does for WebAssembly.
 
 fn main() {
-    for engine in [
-        "rapier2d-027",
-        "rapier3d-027",
-        "rapier2d-036",
-        "rapier3d-036",
-    ] {
-        for scene in scenes() {
-            let hash = golden(engine, &scene).unwrap_or_else(|_| unreachable!("both are known"));
-            println!("{engine} {scene} {hash}");
-        }
+    let engine = std::env::args().nth(1).expect("the name of the engine");
+    for scene in unisize_web::scenes() {
+        let hash = unisize_web::golden(&scene).unwrap_or_else(|_| unreachable!("it is listed"));
+        println!("{engine} {scene} {hash}");
     }
 }

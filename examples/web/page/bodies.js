@@ -1,15 +1,15 @@
 // The bodies of one shape, as rectangles in one list.
 //
-// A graphics card's instances would be the usual way, but where a processor draws, each of them costs as much as a picture of its own.
-// So the rectangles of all bodies are one list that never changes, and where the bodies are is in a texture, four texels to each: the
-// images of the three unit vectors, and the place with the brightness.
+// Instances would be the usual way, but on a processor each instance costs as much as a draw call. So the rectangles of all bodies are one
+// constant list. The positions of the bodies are in a texture with four texels per body: the images of the three unit vectors, and the
+// position with the brightness.
 
 import * as THREE from "three";
 
-/** So many bodies have their texels in a row of the texture. */
+/** The number of bodies in a row of the texture. */
 const IN_A_ROW = 256;
 
-/** A corner of a rectangle: where it is in it, which rectangle of the body it is, and which body. */
+/** A corner of a rectangle: its place in the rectangle, the index of the rectangle in the body, and the index of the body. */
 const HEAD = `
   precision highp float;
   precision highp sampler2D;
@@ -24,7 +24,7 @@ const HEAD = `
   vec3 toEye(vec3 direction) { return (viewMatrix * vec4(direction, 0.0)).xyz; }
   vec3 sun() { return normalize(toEye(vec3(0.45, 0.8, 0.4))); }`;
 
-/** Light from above and from everywhere. */
+/** Light from above, and ambient light. */
 const LIGHT = `
   uniform vec3 color;
   #ifdef IS_FLAT
@@ -34,8 +34,8 @@ const LIGHT = `
   #endif`;
 
 /**
- * A ball or a capsule is a rectangle turned to the eye. Each of its points knows how far it is from the axis, in radii: from that follow
- * the outline and the normal.
+ * A ball or a capsule is a rectangle that faces the eye. Each point has its distance from the axis in radii, which gives the outline and the
+ * normal.
  */
 const ROUND = {
   vertexShader: `${HEAD}
@@ -79,7 +79,7 @@ const ROUND = {
     }`,
 };
 
-/** Of a box, those three sides are drawn that are turned to the eye. */
+/** The three sides of a box that face the eye. */
 const ANGULAR = {
   vertexShader: `${HEAD}
     ${LIGHT}
@@ -107,7 +107,7 @@ const ANGULAR = {
     }`,
 };
 
-/** The rectangles of so many bodies. In the plane, a box is its third side. */
+/** The rectangles of `count` bodies. In 2D, a box is its third side. */
 function rectangles(count, sides) {
   const corners = new Float32Array(count * sides.length * 16);
   const triangles = new Uint32Array(count * sides.length * 6);
@@ -122,7 +122,7 @@ function rectangles(count, sides) {
   return geometry;
 }
 
-/** All bodies of a shape in a world, with room for at least so many. */
+/** All bodies of one shape in a world, with a given capacity. */
 export class Bodies {
   constructor({ shape, length, count, isFlat, isSmooth }) {
     const isWall = shape === "wall";
@@ -150,7 +150,7 @@ export class Bodies {
     this.mesh.frustumCulled = false;
   }
 
-  /** Takes over where they are: sixteen numbers for each. */
+  /** Sets the positions: sixteen numbers per body. */
   place(places) {
     this.texture.image.data.set(places);
     this.texture.needsUpdate = true;
@@ -161,7 +161,7 @@ export class Bodies {
     this.mesh.material.uniforms.color.value.copy(color);
   }
 
-  /** Gives back what a graphics card holds of them. */
+  /** Frees the memory of the graphics card. */
   dispose() {
     this.mesh.removeFromParent();
     this.mesh.geometry.dispose();

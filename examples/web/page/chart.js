@@ -1,11 +1,11 @@
-// The running chart: milliseconds of the last steps on both sides, and of the broad phase among them.
+// The chart: milliseconds of the last steps of both worlds, and of their broad phases.
 
 const SHOWN = 300;
 
-/** Room for rare slow steps, which are cut off: the chart is this much higher than what 19 of 20 steps take. */
+/** The height of the chart, relative to the 95th percentile of the steps. Slower steps are cut off. */
 const HEADROOM = 1.3;
 
-/** Draws the last steps of both sides; each is a list of `{ step, broad }`. */
+/** Draws the last steps of both worlds; each is a list of `{ step, broad }`. */
 export function drawChart(canvas, sides) {
   const style = getComputedStyle(canvas);
   const ratio = window.devicePixelRatio;

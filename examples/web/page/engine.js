@@ -1,29 +1,34 @@
-// Loads the worlds in WebAssembly: the build with vectors where the browser has them, else the one without.
+// Loads the worlds in WebAssembly: the build with vectors if the browser supports them, otherwise the one without.
 
 /** A module with one function that uses a vector: `i8x16.popcnt(i8x16.splat(0))`. */
 const WITH_VECTORS = Uint8Array.of(
   ...[0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11],
 );
 
-/** The build that suits: `simd` or `scalar`. */
+/** The build for this browser: `simd` or `scalar`. */
 export function bestBuild() {
   return WebAssembly.validate(WITH_VECTORS) ? "simd" : "scalar";
 }
 
-/** Loads the worlds of a version of Rapier in a build. In Node, `read` reads a file. */
-export async function loadEngine(build, version, read = () => undefined) {
-  const engine = await import(`./${build}-${version}/engine.js`);
-  await engine.default({ module_or_path: read(new URL(`${build}-${version}/engine_bg.wasm`, import.meta.url)) });
+/** The name of an engine: `rapier3d-036` and the like. */
+export function engineName({ space, version }) {
+  return `rapier${space}-${version}`;
+}
+
+/** Loads an engine in a build. In Node, `read` reads a file. */
+export async function loadEngine(build, name, read = () => undefined) {
+  const engine = await import(`./${build}-${name}/engine.js`);
+  await engine.default({ module_or_path: read(new URL(`${build}-${name}/engine_bg.wasm`, import.meta.url)) });
   return engine;
 }
 
 /** Builds a scene on both broad phases: `{ rapier, unisize }`. */
-export function buildSides(engine, { space, version, scene, bodies, seed }) {
-  const side = (withUnisize) => new engine.Side(`rapier${space}-${version}`, withUnisize, scene, bodies, seed);
+export function buildSides(engine, { scene, bodies, seed }) {
+  const side = (withUnisize) => new engine.Side(withUnisize, scene, bodies, seed);
   return { rapier: side(false), unisize: side(true) };
 }
 
-/** Steps both, the turn changing from step to step. Returns the milliseconds of each, and of the broad phase. */
+/** Steps both worlds, in an order that alternates from step to step. Returns the milliseconds of each step, and of its broad phase. */
 export function stepInTurns(sides, turn) {
   const times = {};
   for (const name of turn % 2 === 0 ? ["rapier", "unisize"] : ["unisize", "rapier"]) {
@@ -34,7 +39,7 @@ export function stepInTurns(sides, turn) {
   return times;
 }
 
-/** How far apart the two places of a body are, at most: 0 if the worlds are equal to the last bit. */
+/** The greatest difference between coordinates of the two worlds: 0 if they are equal bit for bit. */
 export function distanceApart(sides) {
   const [a, b] = [sides.rapier.positions(), sides.unisize.positions()];
   if (a.length !== b.length) return Infinity;

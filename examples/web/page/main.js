@@ -1,9 +1,9 @@
-// The page: builds the two worlds, steps them by turns, and shows how long each takes.
+// The page: builds the two worlds, steps them in turns, and shows the time of each.
 
-import { bestBuild, buildSides, distanceApart, loadEngine, stepInTurns } from "./engine.js";
+import { bestBuild, buildSides, distanceApart, engineName, loadEngine, stepInTurns } from "./engine.js";
 import { drawChart } from "./chart.js";
 
-/** The scenes: how many bodies they begin with, and what happens. */
+/** The scenes: default number of bodies, and description. */
 const SCENES = {
   ropes: [2000, "chains of capsules fall over obstacles and tangle"],
   hopper: [2000, "grains are poured through a funnel"],
@@ -18,23 +18,23 @@ const SCENES = {
 };
 
 /**
- * Times are means of so many steps. The slowest are left out: the browser did something else. So are the first, in which the browser
- * compiles, on the account of whichever world comes first to a function that both need.
+ * Times are means over a window of steps. The slowest steps are left out, because the browser did something else, and so are the first ones,
+ * in which the browser compiles functions on the time of the world that first calls them.
  */
 const WINDOW = 120;
 const LEAST = 20;
 const WARMING = 30;
 const COUNTED = 0.9;
 
-/** Worlds run at 60 steps a second, or slower: in each frame at least one step, and no more than fit into this many milliseconds. */
+/** Worlds run at 60 steps per second or less: in each frame at least one step, and no new one after this many milliseconds. */
 const STEPS_PER_MS = 60 / 1000;
 const BUDGET = 12;
 
-/** Pictures that take more milliseconds than this are slow; after so many in a row they get coarser. */
+/** A picture is slow above this many milliseconds. After this many slow ones in a row, the resolution is reduced. */
 const SLOW = 50;
 const PATIENCE = 5;
 
-/** The numbers are written, and the worlds compared, at these intervals of milliseconds. */
+/** The interval in milliseconds at which the numbers are written and the worlds compared. */
 const INTERVAL = 250;
 
 const NAMES = ["rapier", "unisize"];
@@ -42,7 +42,7 @@ const byId = (id) => document.getElementById(id);
 const form = byId("setup");
 const integer = new Intl.NumberFormat("en");
 
-/** What the address of the page asks for: fields of the form, or a scene that is filmed. */
+/** The parameters in the address of the page: fields of the form, or a scene to film. */
 const asked = new URLSearchParams(location.search);
 
 const engines = {};
@@ -66,14 +66,14 @@ function fail(sentence) {
   say(sentence);
 }
 
-/** Runs something that may panic in WebAssembly. After that, no world can be used any more. */
+/** Calls a function that may panic in WebAssembly. After a panic, no world can be used. */
 function guarded(action) {
   if (isBroken) return;
   try {
     action();
   } catch (error) {
     console.warn(error);
-    fail(`The simulation has stopped: ${error.message ?? error}. Reload the page to begin again.`);
+    fail(`The simulation has stopped: ${error.message ?? error}. Reload the page to start again.`);
   }
 }
 
@@ -86,11 +86,12 @@ function setup() {
 
 async function restart() {
   const wanted = setup();
-  if (!(await load(wanted.version))) return;
+  const engine = engineName(wanted);
+  if (!(await load(engine))) return;
   guarded(() => {
     for (const side of Object.values(sides)) side.free();
     form.elements.bodies.value = wanted.bodies;
-    sides = buildSides(engines[wanted.version], wanted);
+    sides = buildSides(engines[engine], wanted);
     times = { rapier: [], unisize: [] };
     steps = 0;
     equalUntil = 0;
@@ -98,7 +99,7 @@ async function restart() {
     for (const view of views) view.begin(camera);
     history.replaceState(null, "", `?${new URLSearchParams(wanted)}`);
     mustDraw = true;
-    tell();
+    writeNumbers();
   });
 }
 
@@ -123,7 +124,7 @@ function draw() {
   mustDraw = false;
 }
 
-/** The mean of the last steps, or nothing before there are enough. */
+/** The mean of the last steps, once there are enough. */
 function mean(name, part) {
   const recent = times[name].slice(-WINDOW).sort((a, b) => a.step - b.step);
   if (recent.length < LEAST) return undefined;
@@ -134,10 +135,10 @@ function mean(name, part) {
 const milliseconds = (ms) => (ms === undefined ? "…" : ms.toFixed(ms < 9.995 ? 2 : 1));
 
 /** Writes the numbers. */
-function tell() {
+function writeNumbers() {
   const write = (part, name, text) => (document.querySelector(`[data-${part}=${name}]`).textContent = text);
   for (const name of NAMES) {
-    write("time", name, `${milliseconds(mean(name, "step"))} ms a step`);
+    write("time", name, `${milliseconds(mean(name, "step"))} ms per step`);
     write("step", name, milliseconds(mean(name, "step")));
     write("broad", name, milliseconds(mean(name, "broad")));
     write("pairs", name, integer.format(sides[name].pairs()));
@@ -163,7 +164,7 @@ function agreement() {
   const same = contacts[0] === contacts[1] ? "as many contacts" : "about as many contacts";
   return (
     `${count}Both worlds were equal to the last bit up to step ${integer.format(equalUntil)}, and have ${same} now. ` +
-    "Both broad phases find every contact, but report pairs in different orders, in which the solver then works, and rounding depends on that."
+    "Both broad phases find every contact, but they report pairs in different orders. The solver works in that order, and rounding depends on it."
   );
 }
 
@@ -175,7 +176,7 @@ let stepTime = 0;
 let drawTime = 0;
 let slowInARow = 0;
 
-/** Takes down how long the last picture took: from frame to frame, less the steps. */
+/** Measures the last picture: the time from frame to frame, without the steps. */
 function clockPicture(now) {
   drawTime = now - drawn - stepTime;
   document.body.dataset.drawing = drawTime.toFixed(1);
@@ -189,12 +190,12 @@ function frame(now) {
   requestAnimationFrame(frame);
   if (isBroken) return;
   guarded(() => {
-    // Pictures that take long are drawn in every other stretch of time, so that the page answers in between.
+    // After a slow picture, frames without one follow, so that the page stays responsive.
     if (before === drawn && drawn > 0) clockPicture(now);
     due = isRunning ? Math.min(due + (now - before) * STEPS_PER_MS, 3) : 0;
     before = now;
     const start = performance.now();
-    // Not quite 1: a screen that shows 60 frames a second does so with a tolerance.
+    // Below 1, because the interval of a screen with 60 frames per second varies.
     while (due >= 0.9 && performance.now() - start < BUDGET) {
       stepBoth();
       due -= 1;
@@ -206,25 +207,25 @@ function frame(now) {
     }
     if (now - told > INTERVAL) {
       told = now;
-      tell();
+      writeNumbers();
     }
   });
 }
 
 function run(wanted) {
   isRunning = wanted;
-  byId("pause").textContent = wanted ? "Pause" : "Go on";
+  byId("pause").textContent = wanted ? "Pause" : "Continue";
 }
 
 function oneStep() {
   run(false);
   guarded(() => {
     stepBoth();
-    tell();
+    writeNumbers();
   });
 }
 
-/** Fills the form, from the address of the page where it says something. */
+/** Fills the form, with the values in the address of the page where there are any. */
 function fillForm() {
   const { scene, bodies } = form.elements;
   for (const [name, [, text]] of Object.entries(SCENES)) scene.add(new Option(`${name}: ${text}`, name));
@@ -255,7 +256,7 @@ function listen() {
   byId("pause").addEventListener("click", () => run(!isRunning));
   byId("step").addEventListener("click", oneStep);
   document.addEventListener("keydown", (event) => {
-    // Whoever is in a field or on a button means that.
+    // A key in a field or on a button is for that.
     if (event.target.closest("form") || event.ctrlKey || event.metaKey || event.altKey) return;
     const action = { " ": () => run(!isRunning), n: oneStep, r: restart }[event.key.toLowerCase()];
     if (action === undefined) return;
@@ -274,15 +275,15 @@ async function loadViews() {
   } catch (error) {
     console.warn(error);
     byId("views").hidden = true;
-    say("This browser has no WebGL, so the worlds are not drawn. They are simulated all the same; the numbers are below.");
+    say("This browser has no WebGL, so the worlds are simulated but not drawn. The numbers are below.");
   }
 }
 
-/** Loads the worlds of a version of Rapier, unless they are there. Returns whether they are. */
-async function load(version) {
+/** Loads an engine, unless it is loaded. Returns whether it is now. */
+async function load(name) {
   try {
     const build = bestBuild();
-    engines[version] ??= await loadEngine(build, version);
+    engines[name] ??= await loadEngine(build, name);
     byId("build").textContent = `WebAssembly ${build === "simd" ? "with" : "without"} vectors.`;
     return true;
   } catch (error) {
@@ -294,7 +295,7 @@ async function load(version) {
 
 async function start() {
   if (typeof WebAssembly === "undefined") {
-    fail("This page simulates in WebAssembly, which this browser does not have. Any browser since 2017 has it.");
+    fail("This page needs WebAssembly, which this browser does not support. All major browsers have supported it since 2017.");
     return;
   }
   await loadViews();
@@ -302,7 +303,7 @@ async function start() {
   listen();
   await restart();
   if (asked.has("film")) {
-    // Whoever records it says when it goes on, and is told the milliseconds of the picture.
+    // The recorder calls this function for each picture. It returns the milliseconds of the picture.
     document.body.classList.add("film");
     window.film = (count) => {
       for (let step = 0; step < count; step += 1) stepBoth();
@@ -310,7 +311,7 @@ async function start() {
       draw();
       for (const view of views) view.finish();
       const taken = performance.now() - start;
-      tell();
+      writeNumbers();
       return taken;
     };
   } else {

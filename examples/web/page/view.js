@@ -4,10 +4,10 @@ import * as THREE from "three";
 import { Bodies } from "./bodies.js";
 import { OrbitControls } from "./three/OrbitControls.js";
 
-// Colours are those of the style sheet, light is added to them as they are.
+// Colours are those of the style sheet, without colour management.
 THREE.ColorManagement.enabled = false;
 
-/** Whether a processor draws in place of a graphics card. Smooth edges would double its work. */
+/** Whether a processor draws instead of a graphics card. There, antialiasing would double the time. */
 function isDrawnBySoftware() {
   const context = document.createElement("canvas").getContext("webgl");
   const info = context?.getExtension("WEBGL_debug_renderer_info");
@@ -30,7 +30,7 @@ export class Camera {
     this.fit(1);
   }
 
-  /** Has everything in sight where pictures have this width per height. */
+  /** Shows the whole scene in pictures with this aspect ratio. */
   fit(aspect) {
     if (aspect === this.aspect) return;
     const isFirst = this.aspect === undefined;
@@ -46,7 +46,7 @@ export class Camera {
     this.lens.updateProjectionMatrix();
   }
 
-  /** From how far away, in this direction, the eight corners of the scene are just in sight. */
+  /** The distance in this direction from which the eight corners of the scene are just visible. */
   distance(direction, aspect) {
     const half = Math.tan(THREE.MathUtils.degToRad(35 / 2));
     const right = new THREE.Vector3(0, 1, 0).cross(direction).normalize();
@@ -63,7 +63,7 @@ export class Camera {
   }
 }
 
-/** What one broad phase's world looks like. */
+/** The view of the world on one broad phase. */
 export class View {
   constructor(canvas, name) {
     this.canvas = canvas;
@@ -74,12 +74,12 @@ export class View {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
   }
 
-  /** Draws fewer pixels, down to a quarter of those of the page. */
+  /** Reduces the resolution, down to a quarter of that of the page. */
   coarsen() {
     this.renderer.setPixelRatio(Math.max(this.renderer.getPixelRatio() * 0.7, 0.5));
   }
 
-  /** Begins with a new world. */
+  /** Starts with a new world. */
   begin(camera) {
     this.controls?.dispose();
     this.camera = camera;
@@ -97,7 +97,7 @@ export class View {
     this.recolor();
   }
 
-  /** Takes the colours of the page. */
+  /** Reads the colours of the page. */
   recolor() {
     const style = getComputedStyle(this.canvas);
     this.color = (name) => new THREE.Color(style.getPropertyValue(`--${name}`).trim());
@@ -106,7 +106,7 @@ export class View {
     for (const line of Object.values(this.lines)) line.material.color.copy(this.color(line.userData.color));
   }
 
-  /** Takes over where everything is. */
+  /** Reads the positions of the world. */
   update(side, { boxes, pairs, search }) {
     const batches = side.draw();
     for (let batch = 0; batch < batches; batch += 1) {
@@ -131,13 +131,13 @@ export class View {
     this.renderer.render(this.scene, this.camera.lens);
   }
 
-  /** Waits until the picture is there. */
+  /** Waits until the picture is complete. */
   finish() {
     const context = this.renderer.getContext();
     context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  /** The bodies of a batch, with room for so many, in place of those before. */
+  /** Replaces the bodies of a batch by bodies with a larger capacity. */
   newBodies(side, batch, count) {
     this.batches[batch]?.dispose();
     const [shape, length] = [side.batch_shape(batch), side.batch_length(batch)];
@@ -151,7 +151,7 @@ export class View {
     return this.color(bodies.isFixed ? "wall" : `${this.name}-body`);
   }
 
-  /** Draws lines over everything, from the ends in a list of coordinates. */
+  /** Draws lines on top, from a list with the coordinates of their ends. */
   draw(name, color, ends) {
     let line = this.lines[name];
     if (line === undefined) {
@@ -163,7 +163,7 @@ export class View {
       line = new THREE.LineSegments(new THREE.BufferGeometry(), material);
       line.frustumCulled = false;
       line.userData = { color };
-      // On both sides alike, what costs time for nothing is on top.
+      // In both views, the pairs without contact are on top.
       line.renderOrder = ["fat", "boxes", "touch", "idle"].indexOf(name) + 1;
       this.lines[name] = line;
       this.scene.add(line);

@@ -1,6 +1,11 @@
-//! The checks of all flavours, for Node and for a program on this machine.
+//! Checks without a page: the contacts of all scenes, as the laboratory's `compare` checks them, and hashes of events, as in `tests/golden`.
 
-use crate::for_engine;
+use crate::UnisizeBroadPhase;
+use crate::engine::{Candidate, Comparison, Observed, Scene, Steppable, install};
+use crate::hash::Hash;
+use crate::kind;
+use crate::version::ALL_PAIRS;
+use unisize::{PairFilter, Settings};
 use unisize_scenes::SceneKind;
 use wasm_bindgen::prelude::*;
 
@@ -10,29 +15,65 @@ pub fn scenes() -> Vec<String> {
     SceneKind::ALL.map(|kind| kind.name().to_owned()).into()
 }
 
-/// The first difference between unisize and Rapier's own broad phase in so many steps of a scene.
+/// The first difference from Rapier's own broad phase, in pairs, contacts or intersections, after any step of a scene.
 ///
 /// # Errors
 ///
-/// A sentence if there is no such engine or scene.
+/// If there is no such scene.
 #[wasm_bindgen]
 pub fn first_difference(
-    engine: &str,
     scene: &str,
     bodies: usize,
     steps: usize,
 ) -> Result<Option<String>, JsError> {
-    let difference = for_engine!(engine, check::first_difference);
-    Ok(difference(crate::kind(scene)?, bodies, steps))
+    let candidate = |filter| {
+        let settings = Settings::default().with_filter(filter);
+        Candidate::new(
+            move || UnisizeBroadPhase::with_settings(settings),
+            |ours| ours.pairs().collect(),
+            UnisizeBroadPhase::as_query_pipeline,
+        )
+        .with_validation(UnisizeBroadPhase::validate)
+    };
+    let comparison = Comparison {
+        steps,
+        repeats: 0,
+        ..Comparison::new(kind(scene)?, bodies, 1)
+    };
+    // With the first filter all pairs must be the same, and with the second the pairs of all shapes that touch.
+    let candidates = [
+        candidate(ALL_PAIRS),
+        candidate(PairFilter::Shapes).leaving_out_more(),
+    ];
+    let mut runs = candidates.iter().map(|candidate| comparison.run(candidate));
+    Ok(runs.find_map(|run| run.first_difference))
 }
 
-/// The hash of all events of a scene in hexadecimal digits, which is the same on every platform.
+/// The hash of all events of a scene in hexadecimal digits, as `scenes_are_golden` computes it. It is the same on every platform.
 ///
 /// # Errors
 ///
-/// A sentence if there is no such engine or scene.
+/// If there is no such scene.
 #[wasm_bindgen]
-pub fn golden(engine: &str, scene: &str) -> Result<String, JsError> {
-    let golden = for_engine!(engine, check::golden);
-    Ok(format!("{:016x}", golden(crate::kind(scene)?)))
+pub fn golden(scene: &str) -> Result<String, JsError> {
+    let mut scene = Scene::build(kind(scene)?, 60, 1);
+    let settings = Settings::default().with_filter(ALL_PAIRS);
+    let observed = Observed::new(UnisizeBroadPhase::with_settings(settings)).with_events();
+    let mut broad_phase = install(observed);
+    let mut hash = Hash::default();
+    for _ in 0..100 {
+        scene.step(broad_phase.for_step(), &(), &());
+        let events = broad_phase.take_events();
+        hash.write(events.len() as u32);
+        for event in events {
+            hash.write(u32::from(event.is_add()));
+            let pair = event.pair();
+            for handle in [pair.collider1, pair.collider2] {
+                let (index, generation) = handle.into_raw_parts();
+                hash.write(index);
+                hash.write(generation);
+            }
+        }
+    }
+    Ok(format!("{:016x}", hash.0))
 }

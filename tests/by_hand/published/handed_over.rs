@@ -1,12 +1,12 @@
-//! Boxes that are handed over, for colliders that are known and for others, and what a snapshot has of them.
+//! Boxes passed by `set_aabbs`, for known and unknown colliders, and their part in snapshots.
 
 use super::super::Desk;
 use super::super::rapier::parry::query::DefaultQueryDispatcher;
 use super::*;
 
 impl Desk {
-    /// Hands over the boxes of colliders as they are.
-    fn hand_over(&mut self, handles: &[ColliderHandle]) {
+    /// Passes the current boxes of colliders.
+    fn pass_boxes(&mut self, handles: &[ColliderHandle]) {
         let boxes = handles.iter().map(|&handle| {
             let collider = &self.colliders[handle];
             let aabb = collider.compute_broad_phase_aabb(&self.params, &self.bodies);
@@ -19,34 +19,34 @@ impl Desk {
 
 /// Its box has no margin, however many boxes were passed for it.
 #[test]
-fn the_next_update_reads_a_collider_that_is_not_known() {
+fn the_next_update_reads_an_unknown_collider() {
     let mut desk = Desk::default();
     let known = desk.ball(0.5, [0.0, 0.0]);
     desk.update(&[known], &[]);
-    // In the corner of its box, and away from it.
+    // The boxes overlap at a corner, where the balls are apart.
     let other = desk.ball(0.5, [0.9, 0.8]);
-    desk.hand_over(&[other]);
+    desk.pass_boxes(&[other]);
     desk.place(other, [0.8, 0.8]);
-    desk.hand_over(&[other]);
+    desk.pass_boxes(&[other]);
     assert_eq!(desk.update(&[], &[]), []);
     assert_eq!(desk.counts(), [2, 0, 0]);
     desk.place(other, [0.6, 0.6]);
-    desk.hand_over(&[other]);
+    desk.pass_boxes(&[other]);
     assert_eq!(desk.update(&[], &[]), [(true, [known, other])]);
 }
 
 #[cfg(feature = "serde-serialize")]
 #[test]
-fn what_is_in_a_snapshot_must_make_sense() {
+fn inconsistent_snapshots_are_refused() {
     use serde_json::{Value, json};
 
-    fn complaint(desk: &Desk, change: impl Fn(&mut Value)) -> String {
+    fn error(desk: &Desk, change: impl Fn(&mut Value)) -> String {
         let mut damaged = serde_json::to_value(&desk.broad_phase).unwrap();
         let before = damaged.clone();
         change(&mut damaged["table"]);
         assert_ne!(damaged, before, "nothing was changed");
         let outcome = serde_json::from_value::<UnisizeBroadPhase>(damaged);
-        outcome.expect_err("it is accepted").to_string()
+        outcome.expect_err("the snapshot is accepted").to_string()
     }
     type Change = fn(&mut Value);
     let damages: [(&str, Change); 6] = [
@@ -68,28 +68,28 @@ fn what_is_in_a_snapshot_must_make_sense() {
             table["tracker"]["other_keys"] = json!([[0, key]]);
         }),
     ];
-    // Two balls that touch, of which one has been moved on, and one that the broad phase does not know yet.
+    // Two balls that touch, one of which has then moved, and one that the broad phase does not know yet.
     let mut desk = Desk::default();
     let handles = [0.0, 0.9, 9.0].map(|x| desk.ball(0.5, [x, 0.0]));
     desk.update(&handles[..2], &[]);
     desk.place(handles[1], [8.5, 0.0]);
-    desk.hand_over(&handles[1..]);
+    desk.pass_boxes(&handles[1..]);
     for (part, change) in damages {
-        let said = complaint(&desk, change);
-        assert!(said.contains(part), "{said}");
+        let error = error(&desk, change);
+        assert!(error.contains(part), "{error}");
     }
-    // Two that may not meet are no candidate.
+    // Two colliders that may not form a pair are no candidate.
     let mut desk = Desk::default();
     let handles = [0.0, 0.5].map(|x| desk.ball(0.5, [x, 0.0]));
     for handle in handles {
         desk.colliders[handle].set_active_collision_types(ActiveCollisionTypes::empty());
     }
     assert_eq!(desk.update(&handles, &[]), []);
-    let said = complaint(&desk, |table| table["tracker"]["near"] = json!([[0, 1]]));
-    assert!(said.contains("near"), "{said}");
+    let error = error(&desk, |table| table["tracker"]["near"] = json!([[0, 1]]));
+    assert!(error.contains("near"), "{error}");
 }
 
-/// What a ray along the first axis hits first at this height, which comes from far outside.
+/// The first collider that a ray along the x axis hits at this height.
 fn hit(desk: &Desk, height: Real) -> Option<ColliderHandle> {
     let (bodies, colliders) = (&desk.bodies, &desk.colliders);
     let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
@@ -100,9 +100,9 @@ fn hit(desk: &Desk, height: Real) -> Option<ColliderHandle> {
     Some(handle)
 }
 
-/// Many times between two updates, and each time beyond the margin.
+/// Passes boxes several times between two updates, each time outside of the margins.
 #[test]
-fn queries_see_the_boxes_of_every_hand_over() {
+fn queries_use_the_boxes_passed_last() {
     let mut desk = Desk::default();
     let place = |i| 2.0 * i as Real;
     let handles: Vec<_> = (0..8).map(|i| desk.ball(0.5, [place(i), 0.0])).collect();
@@ -112,13 +112,13 @@ fn queries_see_the_boxes_of_every_hand_over() {
         for (i, &handle) in handles.iter().enumerate() {
             desk.place(handle, [place(i), height]);
         }
-        desk.hand_over(&handles);
+        desk.pass_boxes(&handles);
         assert_eq!(hit(&desk, height), Some(handles[0]), "round {round}");
         desk.broad_phase.validate();
     }
 }
 
-/// The index of what is gone may have another collider by now, which stays where it is.
+/// The index of a removed collider may belong to another collider by now, whose box must not change.
 #[test]
 fn a_box_for_an_earlier_generation_is_ignored() {
     let mut desk = Desk::default();

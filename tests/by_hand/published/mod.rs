@@ -1,6 +1,6 @@
-//! Rapier 0.36 as it is published, whose pipelines accept no broad phase but their own: `stepped` follows its `PhysicsPipeline` and
-//! compares with what its narrow phase holds, and `handed_over` hands boxes over. `tests/sequences` checks random updates against a
-//! model, and `benches/patched/twins` whole worlds on a patched copy.
+//! The published Rapier 0.36, whose pipelines accept no custom broad phase. `stepped` runs next to its `PhysicsPipeline`, and compares the
+//! pairs with those of the narrow phase. `handed_over` passes boxes by `set_aabbs`. `tests/sequences` checks random updates against a model,
+//! and `benches/patched/twins` checks whole worlds on a patched copy.
 
 use super::rapier::prelude::*;
 use super::{PairFilter, Settings, UnisizeBroadPhase};

@@ -1,5 +1,5 @@
-//! Beside Rapier's own `PhysicsPipeline`: before each step ours is given what has moved, and after it, its pairs must
-//! be those that the narrow phase holds.
+//! Runs next to Rapier's own `PhysicsPipeline`. Before each step unisize receives all colliders; after the step its pairs must be those of the
+//! narrow phase.
 
 use std::collections::BTreeSet;
 
@@ -41,7 +41,7 @@ fn groups(random: &mut Rand32) -> InteractionGroups {
     InteractionGroups::new(group(), group(), InteractionTestMode::And)
 }
 
-/// A collider of which everything that filters look at is random.
+/// A collider whose shape, groups, collision types and sensor flag are random.
 fn collider(random: &mut Rand32) -> ColliderBuilder {
     let types = match random.rand_range(0..5) {
         0 => ActiveCollisionTypes::all(),
@@ -66,7 +66,7 @@ struct Stepped {
     world: PhysicsWorld,
     ours: UnisizeBroadPhase,
     removed: Vec<ColliderHandle>,
-    /// The greatest number of pairs so far.
+    /// The largest number of pairs so far.
     most: usize,
 }
 
@@ -112,7 +112,7 @@ impl Stepped {
         self.world.remove_body(body);
     }
 
-    /// Changes the groups of a collider, which may rest.
+    /// Changes the groups of a collider, which may be at rest.
     fn regroup(&mut self, random: &mut Rand32) {
         let colliders = &mut self.world.colliders;
         let nth = random.rand_range(0..colliders.len() as u32) as usize;
@@ -127,7 +127,7 @@ impl Stepped {
         let PhysicsWorld {
             bodies, colliders, ..
         } = &self.world;
-        // What has not moved has not left its box.
+        // A collider that has not moved keeps its box.
         let all: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
         let params = self.world.integration_parameters;
         let removed = std::mem::take(&mut self.removed);
@@ -152,7 +152,7 @@ impl Stepped {
 }
 
 #[test]
-fn the_same_pairs() {
+fn pairs_are_those_of_the_narrow_phase() {
     for seed in 0..6 {
         let mut random = Rand32::new(seed);
         let mut stepped = Stepped::new();

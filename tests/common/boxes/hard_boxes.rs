@@ -1,13 +1,13 @@
-//! Boxes on which some methods break down: a single frame, without an engine.
+//! Boxes on which some methods become slow: a single frame, without an engine.
 
 use super::random::Random;
 
 named! {
-    /// Arrangements of boxes that make one method or another slow. Most have about 0.8 overlapping pairs a box, as
-    /// `DriftingBoxes` have at their usual density.
+    /// Arrangements of boxes that make one method or another slow. Most have about 0.8 overlapping pairs per box, as `DriftingBoxes` have at
+    /// their usual density.
     HardBoxes {
         Uniform "uniform" "Not hard: cubes of side 1, uniform in a cube. The baseline for the others."
-        Coincident "all in one place" "Cubes all in one place: any two overlap."
+        Coincident "all in one place" "Cubes in one place: all overlap."
         Clusters "100 clusters 1e6 apart" "100 tight clusters, 10⁶ sides apart."
         Line "line along the first axis" "In a row along the first axis."
         Column "column along the last axis" "In a row along the last axis."
@@ -24,22 +24,22 @@ named! {
         WallsAlongFirst "walls along the first axis" "Small cubes between walls as long as the world, one box in eight; no cube touches a wall."
         WallsAlongSecond "walls along the second axis" "The same along the second axis."
         WallsAlongLast "walls along the last axis" "The same along the last axis."
-        Specks10 "specks in a gap of 10" "Half of the cubes have side 10 and are spread out, half have side 1 and crowd in one gap between them."
+        Specks10 "specks in a gap of 10" "Half of the cubes have side 10 and are spread out; half have side 1 and lie in one gap between them."
         Specks100 "specks in a gap of 100" "The same with side 100."
         Specks1000 "specks in a gap of 1,000" "The same with side 1,000."
-        ManySpecks "nine specks in ten, in a gap of 100" "The same with side 100, of which there is one in ten."
+        ManySpecks "nine specks in ten, in a gap of 100" "The same with side 100 for one cube in ten."
         Floor "floor of tiles under grains" "Half are flat tiles that touch each other, half are grains a tenth as wide, in a layer above."
         Maze "maze of wall segments" "Walls 1:20:5 along the edges of a lattice, along each axis in turn."
         City "city of towers 1:1:20" "Houses twenty times as high as wide, in streets."
         Lying "the same city, lying on its side" "Houses that are long along the first axis."
-        Plates "plates across two axes" "Half are plates across the first axis, half across the second, beside them; nothing touches."
+        Plates "plates across two axes" "Half are plates across the first axis, half across the second, next to them; no two touch."
         Parked "column, three in 100 at 1e30" "A column along the last axis; three cubes in a hundred are parked far away."
-        FarAway "one in 50 is 1e12 away" "Uniform, and one cube in fifty is as far away as 10¹²."
-        FarOut "at 1e7, four ulps wide" "At 10⁷, where a cube of side 4 is four numbers wide."
+        FarAway "one in 50 is 1e12 away" "Uniform, and one cube in fifty is 10¹² away."
+        FarOut "at 1e7, four ulps wide" "At 10⁷, where a cube of side 4 is four representable numbers wide."
     }
 }
 
-/// Overlapping pairs per box, where all are of one size.
+/// Overlapping pairs per box, if all boxes have the same size.
 const PAIRS: f64 = 0.8;
 
 const CLUSTERS: usize = 100;
@@ -49,12 +49,12 @@ const FAR: f32 = 1e7;
 const FAR_SIDE: f32 = 4.0;
 
 impl HardBoxes {
-    /// Whether `count` boxes would have more pairs than a bench can wait for, or a list can hold.
+    /// Whether `count` boxes would have too many pairs for a bench or a list.
     pub fn are_too_many(self, count: usize) -> bool {
         self == Self::Coincident && count > 1 << 12
     }
 
-    /// The lower and the upper corner of each of `count` boxes. Equal arguments give equal boxes. **O(n)**.
+    /// The mins and maxs of `count` boxes. Equal arguments give equal boxes. **O(n)**.
     pub fn boxes<const D: usize>(self, count: usize, seed: u64) -> Vec<[[f32; D]; 2]> {
         let random = &mut Random::new(seed);
         let unit = [1.0; D];
@@ -143,7 +143,7 @@ impl HardBoxes {
     }
 }
 
-/// Boxes whose sides are drawn first, uniform in a cube.
+/// Boxes uniform in a cube. Their sides are drawn first.
 fn scatter_drawn<const D: usize>(
     random: &mut Random,
     count: usize,
@@ -153,8 +153,8 @@ fn scatter_drawn<const D: usize>(
     scatter(random, &sides, |_| true)
 }
 
-/// Boxes with these sides, uniform along those axes that are `free` and at 0 along the others: as many in the free
-/// space as would make [`PAIRS`] pairs a box, were they all of one size.
+/// Boxes with these sides, uniform along the axes that are `free` and at 0 along the others. Their density would give [`PAIRS`] pairs per box
+/// if all had the same size.
 fn scatter<const D: usize>(
     random: &mut Random,
     sides: &[[f32; D]],
@@ -162,7 +162,7 @@ fn scatter<const D: usize>(
 ) -> Vec<[[f32; D]; 2]> {
     let axes: Vec<_> = (0..D).filter(|&k| free(k)).collect();
     let volume = |sides: &[f32; D]| axes.iter().map(|&k| f64::from(sides[k])).product::<f64>();
-    // Of boxes that fill this part of space, each overlaps 2ᵈ times as many others, and each pair has two.
+    // If boxes fill a share of space, each overlaps 2ᵈ times that share of others, and each pair has two boxes.
     let density = PAIRS * 2.0 / f64::from(1 << axes.len());
     let space = sides.iter().map(volume).sum::<f64>() / density;
     let length = space.powf(1.0 / axes.len().max(1) as f64) as f32;
@@ -179,7 +179,7 @@ fn scatter<const D: usize>(
     sides.iter().map(place).collect()
 }
 
-/// Cubes in the cells of a lattice, and walls as long as the world along an axis, one in eight, on the faces of its cells.
+/// Cubes in the cells of a lattice. One box in eight is a wall on the faces of the cells, as long as the world along an axis.
 fn walls<const D: usize>(random: &mut Random, count: usize, along: usize) -> Vec<[[f32; D]; 2]> {
     let length = (5.0 * count as f32).powf(1.0 / D as f32);
     let along = along.min(D - 1);
@@ -195,7 +195,7 @@ fn walls<const D: usize>(random: &mut Random, count: usize, along: usize) -> Vec
     (0..count).map(&mut draw).collect()
 }
 
-/// Cubes of a side, one box in so many, spread out on a lattice; the others have side 1 and lie in one of its gaps, as densely as fits.
+/// Large cubes, spread out on a lattice, and cubes of side 1, which lie densely in one of its gaps.
 fn specks<const D: usize>(
     random: &mut Random,
     count: usize,
@@ -205,7 +205,7 @@ fn specks<const D: usize>(
     let large = count / one_in;
     let mut boxes = on_lattice(large, 2.0, |_| [side; D]);
     let small = scatter(random, &vec![[1.0; D]; count - large], |_| true);
-    // They fit in the gap, which may take smaller ones.
+    // The small cubes fit into the gap, if necessary with a smaller side.
     let space = small
         .iter()
         .flat_map(|[_, maxs]| maxs)
@@ -216,7 +216,7 @@ fn specks<const D: usize>(
     boxes
 }
 
-/// Tiles of 10:10:1 in a plane across the last axis, and as many grains of side 1 in a layer above.
+/// Tiles of 10:10:1 in a plane across the last axis, and as many grains of side 1 in a layer above it.
 fn floor<const D: usize>(random: &mut Random, count: usize) -> Vec<[[f32; D]; 2]> {
     let row = (count as f32 / 2.0)
         .powf(1.0 / (D - 1).max(1) as f32)
@@ -245,8 +245,8 @@ fn floor<const D: usize>(random: &mut Random, count: usize) -> Vec<[[f32; D]; 2]
     boxes
 }
 
-/// Boxes of these sides at the points of a lattice, whose spacing along each axis is so many times the longest that a box is there; they do
-/// not overlap if that is more than 1.
+/// Boxes with these sides at the points of a lattice. Its spacing along each axis is a multiple of the longest side along that axis; above 1,
+/// boxes do not overlap.
 fn on_lattice<const D: usize>(
     count: usize,
     spacing: f32,
@@ -266,7 +266,7 @@ fn on_lattice<const D: usize>(
     (0..count).map(at).collect()
 }
 
-/// Plates across the first axis, and others across the second, beside them; no two touch.
+/// Plates across the first axis, and plates across the second next to them. No two touch.
 fn plates<const D: usize>(count: usize) -> Vec<[[f32; D]; 2]> {
     let length = 3.0 * count as f32;
     let at = |i: usize| {
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn boxes_are_valid_and_as_many_as_asked_for() {
+    fn boxes_are_valid_and_have_the_right_number() {
         for kind in HardBoxes::ALL {
             for count in [0, 1, 99, 100, 101, 1000] {
                 check::<2>(kind, count);
@@ -327,11 +327,11 @@ mod tests {
     }
 
     #[test]
-    fn those_of_one_size_have_about_as_many_pairs_as_said() {
+    fn boxes_of_one_size_have_the_expected_number_of_pairs() {
         for kind in HardBoxes::ALL {
             let range = match kind {
                 HardBoxes::Coincident => 1999.0..2000.0,
-                // Some lie on a shared border, and the diagonal is as long as a line.
+                // Rounded boxes share borders.
                 HardBoxes::FarOut => 0.8..2.0,
                 HardBoxes::Clusters => 0.4..1.2,
                 HardBoxes::Uniform
@@ -342,7 +342,7 @@ mod tests {
                 | HardBoxes::PlaneAcrossLast
                 | HardBoxes::Diagonal
                 | HardBoxes::Runaway => 0.7..0.9,
-                // Of several sizes.
+                // Boxes of several sizes.
                 _ => 0.0..200.0,
             };
             let boxes = kind.boxes::<3>(4000, 7);
@@ -353,7 +353,7 @@ mod tests {
                 .map(|i| (0..i).filter(|&j| overlap([&boxes[i], &boxes[j]])).count())
                 .sum();
             let each = pairs as f64 / boxes.len() as f64;
-            assert!(range.contains(&each), "{kind:?}: {each} pairs a box");
+            assert!(range.contains(&each), "{kind:?}: {each} pairs per box");
         }
     }
 }

@@ -1,50 +1,51 @@
-//! Boxes of several populations, told by a few numbers: what a search for hard boxes varies.
+//! Boxes of several populations with a few parameters, which a search for hard boxes varies.
 
 use super::random::Random;
 
-/// How many populations a mixture has.
+/// The number of populations in a mixture.
 const POPULATIONS: usize = 3;
 
-/// How many numbers tell a population.
+/// The number of parameters of a population.
 const NUMBERS: usize = 9;
 
-/// Boxes of three populations, told by numbers between 0 and 1.
+/// Boxes of three populations, with parameters between 0 and 1.
 ///
-/// Each population has a share of the boxes, a size, how far sizes vary, how many times as long as wide boxes are and along which axis, the
-/// part of space that they fill and in which shape, and how far away they are. Any numbers are a mixture, so one may vary them blindly.
+/// The parameters of a population are its share of the boxes, their size, the variation of sizes, the ratio of length to width and the long
+/// axis, the density and the shape of the space that they fill, and their distance. Any numbers give a mixture, so a search may vary them
+/// freely.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mixture([[f32; NUMBERS]; POPULATIONS]);
 
-/// Of one population.
+/// The parameters of one population.
 struct Population<const D: usize> {
     share: f32,
     size: f32,
-    /// By what factor the largest are larger than the smallest.
+    /// The ratio of the largest to the smallest size.
     variety: f32,
     aspect: f32,
-    /// Which axis is the long one; every one in turn if it is `D`.
+    /// The long axis; if it is `D`, each axis in turn.
     long_axis: usize,
-    /// Whether the long axis is rather the only short one.
+    /// Whether the axis is the only short one instead.
     is_flat: bool,
-    /// How far they are spread, along each axis.
+    /// The extent of the space along each axis.
     spread: [f32; D],
-    /// How far away they are, along each axis.
+    /// The offset along each axis.
     offset: [f32; D],
 }
 
 impl Mixture {
-    /// A mixture of three populations, each told by a row of numbers.
+    /// A mixture of three populations, with a row of parameters for each.
     pub fn new(populations: [[f32; NUMBERS]; POPULATIONS]) -> Self {
         Self(populations)
     }
 
-    /// Any mixture.
+    /// A random mixture.
     pub fn random(seed: u64) -> Self {
         let random = &mut Random::new(seed);
         Self([[(); NUMBERS]; POPULATIONS].map(|numbers| numbers.map(|()| random.range(0.0, 1.0))))
     }
 
-    /// A mixture of which one number, or two, are others than here.
+    /// This mixture with one or two parameters changed.
     pub fn varied(mut self, seed: u64) -> Self {
         let random = &mut Random::new(seed);
         for _ in 0..1 + random.index(2) {
@@ -57,7 +58,7 @@ impl Mixture {
         self
     }
 
-    /// The lower and the upper corner of each of `count` boxes. Equal arguments give equal boxes. **O(n)**.
+    /// The mins and maxs of `count` boxes. Equal arguments give equal boxes. **O(n)**.
     pub fn boxes<const D: usize>(&self, count: usize, seed: u64) -> Vec<[[f32; D]; 2]> {
         let random = &mut Random::new(seed);
         let populations: Vec<Population<D>> = self
@@ -99,10 +100,10 @@ impl<const D: usize> Population<D> {
         let power = |least: f32, most: f32, x: f32| least * (most / least).powf(x);
         let size = power(0.01, 100.0, size);
         let long_axis = (axis * 2.0 * (D + 1) as f32) as usize % (D + 1);
-        // The volume that they would fill one beside the other, and more or less than that.
+        // The sum of their volumes, times a factor.
         let each = size * power(0.2, 100.0, density);
         let length = each * (count as f32).powf(1.0 / D as f32);
-        // All along one axis, all across one, or alike along all.
+        // A line along one axis, a plane across one, or a cube.
         let which = (shape * (2 * D + 2) as f32) as usize;
         let spread = std::array::from_fn(|k| match which {
             w if w < D && k == w => each * count as f32,
@@ -164,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn any_numbers_are_a_mixture() {
+    fn any_parameters_give_a_mixture() {
         let extremes = [0.0, 1.0].map(|x| Mixture([[x; NUMBERS]; POPULATIONS]));
         let random = (0..200).map(|seed| Mixture::random(seed).varied(seed));
         for mixture in extremes.into_iter().chain(random) {

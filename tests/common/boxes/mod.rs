@@ -1,4 +1,4 @@
-//! Boxes that are hard for one method or another, without an engine. The laboratory's crate of scenes has them too.
+//! Boxes that are hard for one method or another, without an engine. The laboratory includes them as well.
 
 #[macro_use]
 mod named;

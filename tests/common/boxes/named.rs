@@ -1,4 +1,4 @@
-//! Enumerations whose values have names, for tables and for the command line.
+//! Enumerations whose values have names for tables and for the command line.
 
 /// Defines an enumeration from the variant, the name and the description of each value.
 macro_rules! named {
@@ -10,7 +10,7 @@ macro_rules! named {
         }
 
         impl $type {
-            /// All of them, in the order of the tables.
+            /// All values, in the order of the tables.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
 
             /// The name in tables and on the command line.

@@ -1,8 +1,8 @@
-//! The generator that the scenes draw from: a thin cover of `oorandom` with the few draws they need.
+//! The random generator of the scenes, on top of `oorandom`.
 
 use std::ops::{Add, Mul, Sub};
 
-/// A generator whose draws depend on its seed alone.
+/// A generator whose numbers depend only on its seed.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(oorandom::Rand32);
 
@@ -11,7 +11,7 @@ impl Random {
         Self(oorandom::Rand32::new(seed))
     }
 
-    /// A number in `lo..hi`, whose random part has the bits of an `f32`.
+    /// A number in `lo..hi`, with the random bits of an `f32`.
     pub(crate) fn range<R>(&mut self, lo: R, hi: R) -> R
     where
         R: Copy + From<f32> + Add<Output = R> + Sub<Output = R> + Mul<Output = R>,

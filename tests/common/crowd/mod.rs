@@ -1,5 +1,5 @@
-//! Colliders that move about, come, go and get NaN positions, without a simulation. One source for every flavour: the module
-//! that includes it names the engine `rapier`, and the differences of its version `version`.
+//! Colliders that move, appear, disappear and get NaN positions, without a simulation. One source for every flavour: the module that
+//! includes it imports the engine as `rapier`, and the differences of its version as `version`.
 //!
 //! All arithmetic is addition, subtraction and multiplication, so it is the same on every platform.
 
@@ -10,12 +10,12 @@ use oorandom::Rand32;
 use super::rapier::prelude::*;
 use super::{UnisizeBroadPhase, version};
 
-/// A collider without a body. It counts as fixed, and fixed ones meet only if they say so.
+/// A collider without a body. It counts as fixed, and fixed colliders form pairs only if their collision types allow it.
 fn ball(radius: Real) -> ColliderBuilder {
     ColliderBuilder::ball(radius).active_collision_types(ActiveCollisionTypes::all())
 }
 
-/// The colliders, and which of them are to be listed.
+/// The colliders, and the lists of the next update.
 #[derive(Clone)]
 pub(super) struct Crowd {
     pub(super) colliders: ColliderSet,
@@ -62,7 +62,7 @@ impl Crowd {
         from_fn(|_| self.share() * self.side)
     }
 
-    /// Moves one collider in `stride` on, and changes a few in other ways.
+    /// Moves every `stride`-th collider, and changes a few in other ways.
     pub(super) fn advance(&mut self, stride: usize) {
         self.modified.clear();
         self.removed.clear();
@@ -105,7 +105,7 @@ impl Crowd {
         self.velocities[i] = self.velocities[i].map(|speed| -speed);
     }
 
-    /// Replaces a collider by another.
+    /// Removes a collider and inserts another one.
     fn replace(&mut self, i: usize) {
         let handle = self.handles[i];
         version::remove(&mut self.colliders, &mut self.bodies, handle);
@@ -115,7 +115,7 @@ impl Crowd {
         self.handles[i] = self.colliders.insert(ball);
     }
 
-    /// The pairs of the update that is due, and whether each begins.
+    /// Updates the broad phase. Returns the pairs of the events, and whether each begins.
     pub(super) fn update(&self, broad_phase: &mut UnisizeBroadPhase) -> Vec<(bool, ColliderPair)> {
         let mut events = Vec::new();
         broad_phase.update(

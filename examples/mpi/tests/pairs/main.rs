@@ -1,6 +1,9 @@
-//! The union of what processes report against the oracle: every family of inputs, in 2D and 3D, f32 and f64. `./test` starts it by mpirun
-//! with 1 to 7 processes; by itself it is one.
+//! The pairs of all processes together are those of the oracle: on every family of inputs, in 2D and 3D, in f32 and f64. `./test` starts this
+//! program with 1 to 7 processes.
 
+#[path = "../../../../tests/common/boxes/mod.rs"]
+#[allow(dead_code, unused_imports, unreachable_pub, missing_docs)]
+mod arrangements; // By this name the oracle's inputs ask for them.
 #[path = "../../../../tests/oracle/boxes.rs"]
 mod boxes;
 #[path = "../../../../tests/oracle/inputs.rs"]
@@ -18,16 +21,15 @@ use inputs::input;
 use numbers::Number;
 use std::collections::HashSet;
 use unisize::{Aabb, BruteForce, InvalidInput, PairFinder};
-use unisize_mpi::{Animal, Body, Domains, Herd, Sent, World, sorted};
-use unisize_scenes as arrangements; // By this name the oracle's inputs ask for them.
-use unisize_scenes::{HardBoxes, Stampede};
+use unisize_mpi::{Body, Domains, Sent, World, sorted};
+
+use arrangements::HardBoxes;
 
 fn main() -> Result<()> {
     World::run(|world| {
         let flat = unions_are_exact::<f32, 2>(world)? + unions_are_exact::<f64, 2>(world)?;
         let solid = unions_are_exact::<f32, 3>(world)? + unions_are_exact::<f64, 3>(world)?;
-        loads_stay_alike(world)?;
-        herds_move_as_one(world)?;
+        loads_stay_even(world)?;
         if world.rank() == 0 {
             println!(
                 "{} processes: {} lists of boxes",
@@ -56,7 +58,7 @@ where
         let mut domains = domains(world, &boxes);
         for frame in 0..3 {
             if boxes.len() > 3 {
-                first_fault_is_told_to_all(&mut domains, &boxes, boxes.len() + frame);
+                all_processes_return_the_first_error(&mut domains, &boxes, boxes.len() + frame);
             }
             domains.find_pairs()?;
             let all = if world.rank() == 0 { &boxes[..] } else { &[] };
@@ -67,7 +69,7 @@ where
             let mut union = world.gather(domains.reported().collect())?;
             union.sort_unstable();
             assert!(union == expected, "{name}, frame {frame}: not the oracle's");
-            // Nobody is here twice, and own bodies of the unisize class have all their partners here.
+            // No pair is found twice, and own bodies of the unisize class have all of their partners here.
             let number = |i: u32| domains.bodies[i as usize].number;
             let pairs = domains.pairs.iter().map(|pair| sorted(pair.map(number)));
             let found: HashSet<_> = pairs.collect();
@@ -78,7 +80,7 @@ where
             let is_lacking = not_found.any(|pair| pair.iter().any(|i| unisize.contains(i)));
             let twice = domains.pairs.len() - found.len();
             assert!(twice == 0 && !is_lacking, "{name}, frame {frame}");
-            // Then every body is where another was, so that most migrate.
+            // Each body moves to the place of another one, so that most change owners.
             let shift = (frame + 1).min(boxes.len());
             boxes.rotate_left(shift);
             place(&mut domains, &boxes);
@@ -87,14 +89,14 @@ where
     Ok(lists.len())
 }
 
-/// Moves each own body to where its box is now.
+/// Moves each own body to its box.
 fn place<R: Number, const D: usize>(domains: &mut Domains<R, D>, boxes: &[Aabb<R, D>]) {
     for own in &mut domains.bodies {
         own.aabb = boxes[own.number as usize];
     }
 }
 
-/// All bodies are on the last process, which deals them.
+/// All bodies start on the last process.
 fn domains<'a, R: Number, const D: usize>(
     world: &'a World,
     boxes: &[Aabb<R, D>],
@@ -105,14 +107,18 @@ where
     let is_last = world.rank() + 1 == world.size();
     let mine = if is_last { boxes } else { &[] };
     let bodies = (0..).zip(mine).map(|(number, &aabb)| {
-        let rest = ();
-        Body { number, aabb, rest }
+        let payload = ();
+        Body {
+            number,
+            aabb,
+            payload,
+        }
     });
     Domains::new(world, bodies.collect())
 }
 
-/// With three faults in a list, every process names the first as one process would. Then they are mended.
-fn first_fault_is_told_to_all<R: Number, const D: usize>(
+/// With three invalid boxes, every process returns the error that one process would. Restores the boxes.
+fn all_processes_return_the_first_error<R: Number, const D: usize>(
     domains: &mut Domains<R, D>,
     sound: &[Aabb<R, D>],
     at: usize,
@@ -133,8 +139,8 @@ fn first_fault_is_told_to_all<R: Number, const D: usize>(
     place(domains, sound);
 }
 
-/// Every second square of a lattice drifts to the right: loads hardly differ by more than a fifth, and regions are seldom cut.
-fn loads_stay_alike(world: &World) -> Result<()> {
+/// While every second square of a lattice drifts to the right, loads stay even with few cuts.
+fn loads_stay_even(world: &World) -> Result<()> {
     let squares = |frame: usize| {
         let drift = |i: usize| i % 201 + i % 2 * frame;
         let mins = (0..20_000).map(|i| [drift(i), i / 201].map(|x| x as f32));
@@ -147,30 +153,11 @@ fn loads_stay_alike(world: &World) -> Result<()> {
         bisected += u32::from(domains.stats.bisected);
         let (mean, spread) = domains.loads();
         assert_eq!(mean, 20_000 / world.size());
-        // Loads are compared before bodies migrate, so a frame passes until regions are cut.
+        // Loads are compared before bodies change owners, so regions are cut a frame later.
         assert!(spread <= mean * 2 / 5, "differ by {spread}");
         place(&mut domains, &squares(frame));
     }
     let expected = if world.size() == 1 { 1..2 } else { 2..60 };
     assert!(expected.contains(&bisected), "cut {bisected} times");
-    Ok(())
-}
-
-/// The herd of `Stampede` itself, whose pairs are found by the oracle and sorted, bit for bit.
-fn herds_move_as_one(world: &World) -> Result<()> {
-    for (count, steps) in [(0, 2), (1, 50), (5, 50), (2000, 100)] {
-        let (mut alone, mut pairs) = (Stampede::new(count, 7), Vec::new());
-        let mut herd = Herd::at_start(world, count);
-        for step in 0..steps {
-            let boxes: Vec<_> = Animal::all(&alone).map(|animal| animal.aabb).collect();
-            BruteForce.find_pairs(&boxes, &mut pairs)?;
-            pairs.sort_unstable();
-            alone.advance(pairs.iter().copied());
-            herd.advance()?;
-            let mut all = world.gather(herd.domains.own().to_vec())?;
-            all.sort_unstable_by_key(|animal| animal.number);
-            assert!(Animal::all(&alone).eq(all), "{count}, step {step}");
-        }
-    }
     Ok(())
 }

@@ -1,5 +1,5 @@
-//! An opened copy of a package, in memory: every file as it is to be. What is on disk is compared with it, or made from it, once all
-//! copies are complete, and never over anything that this tool has not made.
+//! A patched copy of a package: all of its files, in memory. The program compares the files on disk with them, or writes them once all copies
+//! are complete. It never overwrites a folder that it has not made.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,9 +9,9 @@ use anyhow::{Context, Result, ensure};
 use walkdir::WalkDir;
 
 use crate::note;
-use crate::seam::{EDITS, Edit, FACTORY_EDITS, FACTORY_FILES, FILES};
+use crate::seam::{EDITS, Edit, FILES};
 
-/// What Cargo adds to the sources that it fetches, and what a package does not need.
+/// Files that Cargo adds to the sources that it fetches, and files that a package does not need.
 const LEFT_OUT: [&str; 5] = [
     ".cargo-checksum.json",
     ".cargo-ok",
@@ -21,14 +21,14 @@ const LEFT_OUT: [&str; 5] = [
 ];
 
 /// The files of a copy.
-pub(crate) struct OpenedCopy {
+pub(crate) struct PatchedCopy {
     pub(crate) package: &'static str,
     files: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-impl OpenedCopy {
-    /// Reads the sources of `package` and opens them.
-    pub(crate) fn new(package: &'static str, sources: &Path, factory: bool) -> Result<Self> {
+impl PatchedCopy {
+    /// Reads the sources of `package` and patches them.
+    pub(crate) fn new(package: &'static str, sources: &Path) -> Result<Self> {
         let mut copy = Self {
             package,
             files: read(sources)?,
@@ -36,37 +36,29 @@ impl OpenedCopy {
         for name in LEFT_OUT {
             copy.files.remove(Path::new(name));
         }
-
-        let mut files = FILES.to_vec();
-        let mut edits: Vec<&Edit> = EDITS.iter().collect();
-        if factory {
-            files.extend(FACTORY_FILES);
-            edits.extend(FACTORY_EDITS);
-        }
-        for (name, contents, _) in &files {
-            let there = copy.files.insert(name.into(), (*contents).into());
+        for (name, contents, _) in FILES {
+            let existing = copy.files.insert(name.into(), (*contents).into());
             ensure!(
-                there.is_none(),
-                "{}: {name} is there already; nothing was written",
+                existing.is_none(),
+                "{}: {name} exists already; nothing was written",
                 sources.display()
             );
         }
-        for edit in &edits {
+        for edit in EDITS {
             copy.edit(edit)
-                .with_context(|| format!("{} cannot be opened", sources.display()))?;
+                .with_context(|| format!("{} cannot be patched", sources.display()))?;
         }
         // The licence demands that a modified file says so.
-        for edit in &edits {
-            let new = files.iter().any(|(name, ..)| *name == edit.file);
-            if let Some(contents) = copy.files.get_mut(Path::new(edit.file)).filter(|_| !new) {
+        for edit in EDITS {
+            if let Some(contents) = copy.files.get_mut(Path::new(edit.file)) {
                 let notice = note::notice(edit.file);
                 if !contents.starts_with(notice.as_bytes()) {
                     contents.splice(..0, notice.into_bytes());
                 }
             }
         }
-        let note = note::text(package, &files, &edits);
-        copy.files.insert(note::FILE.into(), note.into_bytes());
+        let note = note::text(package).into_bytes();
+        copy.files.insert(note::FILE.into(), note);
         Ok(copy)
     }
 
@@ -80,7 +72,7 @@ impl OpenedCopy {
         Ok(())
     }
 
-    /// What is different in a folder: the names of files, each with what is wrong with it.
+    /// The differences between a folder and this copy: a line for each file that is missing, different or superfluous.
     pub(crate) fn differences(&self, folder: &Path) -> Result<Vec<String>> {
         if !folder.exists() {
             return Ok(vec![format!("{} is missing", folder.display())]);
@@ -97,9 +89,8 @@ impl OpenedCopy {
                 Some(_) => {}
             }
         }
-        for name in found.keys().filter(|name| !self.files.contains_key(*name)) {
-            differs(name, "not part of the copy");
-        }
+        let superfluous = found.keys().filter(|name| !self.files.contains_key(*name));
+        superfluous.for_each(|name| differs(name, "not part of the copy"));
         Ok(differences)
     }
 
@@ -117,7 +108,7 @@ impl OpenedCopy {
     }
 }
 
-/// Fails if there is something else where a copy is to be.
+/// Fails if `place` holds anything but an earlier copy.
 pub(crate) fn ensure_free(place: &Path) -> Result<()> {
     let Ok(metadata) = fs::symlink_metadata(place) else {
         return Ok(());
@@ -125,19 +116,19 @@ pub(crate) fn ensure_free(place: &Path) -> Result<()> {
     let empty = || fs::read_dir(place).is_ok_and(|mut entries| entries.next().is_none());
     ensure!(
         metadata.is_dir() && (note::is_ours(place) || empty()),
-        "{} was not made by open-rapier, and is left as it is: move it, or choose another --out",
+        "{} was not made by open-rapier: move it, or choose another --out; nothing was written",
         place.display()
     );
     Ok(())
 }
 
-/// Writes the copies next to their places, and moves them there when all are complete.
-pub(crate) fn place(copies: &[&OpenedCopy], out: &Path) -> Result<()> {
+/// Writes the copies to a temporary folder in `out`, and moves them to their places once all are complete.
+pub(crate) fn place(copies: &[&PatchedCopy], out: &Path) -> Result<()> {
     if copies.is_empty() {
         return Ok(());
     }
     fs::create_dir_all(out).with_context(|| format!("cannot make {}", out.display()))?;
-    // In the same folder, so that moving is renaming; removed with all that is left in it.
+    // In the same file system, so that moving a copy is a rename. Removed with the old copies when it goes out of scope.
     let site = tempfile::Builder::new()
         .prefix(".open-rapier-")
         .tempdir_in(out)

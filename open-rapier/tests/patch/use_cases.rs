@@ -1,25 +1,22 @@
-//! What a user does, in all orders.
+//! The ways in which a user runs the program, in different orders.
 
 use std::fs;
 
 use crate::fixture::{BOTH, Fixture};
-use crate::seam::{FACTORY_FILES, FILES};
+use crate::seam::FILES;
 
 const LINES: &str = "[patch.crates-io]\nrapier2d = { path = \"copies/rapier2d\" }\nrapier3d = { path = \"copies/rapier3d\" }\n";
 
 #[test]
-fn copies_and_prints_the_lines() {
+fn makes_copies_and_prints_the_lines() {
     let fixture = Fixture::new(BOTH);
     let manifest = fixture.manifest();
-    assert_eq!(fixture.run(&[]).good(), LINES);
+    assert_eq!(fixture.run(&[]).succeeds(), LINES);
     fixture.check_manifest(&manifest);
     for package in ["rapier2d", "rapier3d"] {
         let copy = format!("project/copies/{package}");
         for (name, contents, _) in FILES {
             assert_eq!(fixture.read(&format!("{copy}/{name}")), *contents);
-        }
-        for (name, ..) in FACTORY_FILES {
-            assert!(!fixture.path(&format!("{copy}/{name}")).exists());
         }
         for name in [".cargo-ok", ".cargo-checksum.json", "Cargo.lock"] {
             assert!(!fixture.path(&format!("{copy}/{name}")).exists());
@@ -29,7 +26,7 @@ fn copies_and_prints_the_lines() {
         let changed = fixture.read(&format!("{copy}/src/pipeline/query_pipeline.rs"));
         assert!(changed.starts_with("// Modified by open-rapier"));
         assert_eq!(changed.matches("bvh: self.bvh(),").count(), 2);
-        let note = fixture.read(&format!("{copy}/OPENED.md"));
+        let note = fixture.read(&format!("{copy}/PATCHED.md"));
         assert!(
             note.contains("`src/pipeline/query_pipeline.rs` | modified") && note.contains("Apache"),
             "{note}"
@@ -38,14 +35,14 @@ fn copies_and_prints_the_lines() {
 }
 
 #[test]
-fn takes_what_the_project_uses() {
+fn copies_only_the_packages_of_the_project() {
     let fixture = Fixture::new(&[("rapier3d-f64", "0.36.1"), ("rapier2d", "0.27.0")]);
     let lines = "[patch.crates-io]\nrapier3d-f64 = { path = \"copies/rapier3d-f64\" }\n";
-    assert_eq!(fixture.run(&[]).good(), lines);
+    assert_eq!(fixture.run(&[]).succeeds(), lines);
 }
 
 #[test]
-fn writes_the_manifest_and_keeps_its_format() {
+fn keeps_the_format_of_the_manifest() {
     let fixture = Fixture::new(BOTH);
     fixture.package("other", "other", "0.1.0");
     let odd = "# My game.\n[package]\nname   = 'game' # odd\nedition=\"2024\"\n\n\n[dependencies]\nrapier2d=\"0.36\"\n  rapier3d = { version = \"0.36.1\" }\n";
@@ -56,7 +53,7 @@ fn writes_the_manifest_and_keeps_its_format() {
             for mark in ["", "\u{feff}"] {
                 let as_written = |text: &str| format!("{mark}{}", text.replace('\n', end));
                 fixture.write_manifest(&as_written(manifest));
-                assert_eq!(fixture.run(&["--write"]).good(), "");
+                assert_eq!(fixture.run(&["--write"]).succeeds(), "");
                 fixture.check_manifest(&as_written(&format!("{manifest}{added}")));
                 fixture.check_folder("rapier3d", "project/copies/rapier3d");
             }
@@ -65,21 +62,21 @@ fn writes_the_manifest_and_keeps_its_format() {
 }
 
 #[test]
-fn changes_what_is_not_right_and_nothing_else() {
+fn replaces_only_what_differs() {
     let fixture = Fixture::new(BOTH);
     let outcome = fixture.run(&["--check"]);
-    outcome.bad(&["copies/rapier2d is missing"]);
+    outcome.fails(&["copies/rapier2d is missing"]);
     assert!(!fixture.path("project/copies").exists());
-    fixture.run(&["--write"]).good();
+    fixture.run(&["--write"]).succeeds();
     // Cargo writes the lock file of the patched project.
     fixture.folders_of("rapier3d");
     let state = fixture.state("project");
-    fixture.run(&["--check"]).good();
-    fixture.run(&["--write"]).good();
-    assert_eq!(fixture.run(&[]).good(), LINES);
+    fixture.run(&["--check"]).succeeds();
+    fixture.run(&["--write"]).succeeds();
+    assert_eq!(fixture.run(&[]).succeeds(), LINES);
     assert!(fixture.state("project") == state);
 
-    // Copies that were edited, and the manifest of a project whose copies are gone.
+    // Copies that the user has edited, and then a copy that is gone.
     let contents = |fixture: &Fixture| {
         let state = fixture.state("project").into_iter();
         let contents = state.map(|(name, (text, _))| (name, text));
@@ -91,38 +88,40 @@ fn changes_what_is_not_right_and_nothing_else() {
     fixture.write(&format!("project/{edited}"), "// Mine.\n");
     fixture.write("project/copies/rapier3d/src/mine.rs", "");
     fs::remove_file(fixture.path(&format!("project/{missing}"))).unwrap();
-    fixture.run(&["--check"]).bad(&[
+    fixture.run(&["--check"]).fails(&[
         &format!("{edited} is different"),
         &format!("{missing} is missing"),
         "copies/rapier3d/src/mine.rs is not part of the copy",
     ]);
-    fixture.run(&[]).good();
+    fixture.run(&[]).succeeds();
     assert!(contents(&fixture) == good);
     fs::remove_dir_all(fixture.path("project/copies/rapier3d")).unwrap();
-    fixture.run(&["--write"]).good();
+    fixture.run(&["--write"]).succeeds();
     assert!(contents(&fixture) == good);
 
-    fixture.run(&["--factory"]).good();
-    fixture.run(&["--factory", "--check"]).good();
-    let outcome = fixture.run(&["--check"]);
-    outcome.bad(&["broad_phase_bvh/factory.rs is not part of the copy"]);
-    let mended = fixture.read("project/copies/rapier3d/src/geometry/mod.rs");
-    assert!(mended.contains("BROAD_PHASE_FACTORY"));
+    // A copy of the first version of the program, whose note had another name.
+    let note = "project/copies/rapier3d/PATCHED.md";
+    let text = fixture.read(note).replace("# Patched", "# Opened");
+    fs::remove_file(fixture.path(note)).unwrap();
+    fixture.write("project/copies/rapier3d/OPENED.md", &text);
+    fixture.run(&[]).succeeds();
+    assert!(contents(&fixture) == good);
+
     let outcome = fixture.run(&["--check", "--write"]);
-    outcome.bad(&["cannot be used with"]);
+    outcome.fails(&["cannot be used with"]);
 }
 
 #[test]
-fn follows_a_patch_by_another_name_or_in_the_configuration() {
+fn uses_an_entry_with_another_name() {
     let fixture = Fixture::new(BOTH);
     let manifest = fixture.manifest();
     let patch =
         "[patch.crates-io]\nflat = { package = \"rapier2d\", path = \"./copies/rapier2d\" }\n";
     fixture.write_manifest(&format!("{manifest}\n{patch}"));
-    fixture.run(&["--write"]).good();
+    fixture.run(&["--write"]).succeeds();
     fixture.check_folder("rapier2d", "project/copies/rapier2d");
     fixture.check_folder("rapier3d", "project/copies/rapier3d");
-    fixture.run(&["--check"]).good();
+    fixture.run(&["--check"]).succeeds();
 }
 
 #[test]
@@ -133,19 +132,19 @@ fn patches_the_root_of_a_workspace() {
     fixture.write("project/games/first/src/lib.rs", "");
     fixture.write_manifest("[workspace]\nresolver = \"3\"\nmembers = [\"games/*\"]\n");
     let options = ["--out=../../engines", "--write"];
-    fixture.run_in("project/games/first", &options).good();
+    fixture.run_in("project/games/first", &options).succeeds();
     assert_eq!(fixture.read("project/games/first/Cargo.toml"), member);
     let line = "rapier3d = { path = \"engines/rapier3d\" }";
     assert!(fixture.manifest().contains(line));
-    // The manifest and the copies are looked for from where the program is run.
+    // Relative paths start at the folder in which the program runs.
     fs::create_dir(fixture.path("elsewhere")).unwrap();
     let manifest = "--manifest-path=../project/games/first/Cargo.toml";
     let options = ["--out=../project/engines", manifest, "--check"];
-    fixture.run_in("elsewhere", &options).good();
+    fixture.run_in("elsewhere", &options).succeeds();
 }
 
 #[test]
-fn goes_beside_a_fork_of_another_version() {
+fn allows_a_fork_of_another_version() {
     let fixture = Fixture::new(&[("rapier3d", "0.36.1")]);
     fixture.package("fork", "rapier3d", "0.27.3");
     let old = "old = { package = \"rapier3d\", version = \"0.27\" }\n";
@@ -154,22 +153,22 @@ fn goes_beside_a_fork_of_another_version() {
     fixture.write_manifest(&manifest);
     let line = "rapier3d-036 = { package = \"rapier3d\", path = \"copies/rapier3d\" }\n";
     let lines = format!("[patch.crates-io]\n{line}");
-    assert_eq!(fixture.run(&[]).good(), lines);
-    fixture.run(&["--write"]).good();
+    assert_eq!(fixture.run(&[]).succeeds(), lines);
+    fixture.run(&["--write"]).succeeds();
     fixture.check_manifest(&format!("{manifest}{line}"));
     let folders = fixture.folders_of("rapier3d");
     for expected in ["fork", "copies/rapier3d"] {
         assert!(folders.iter().any(|folder| folder.ends_with(expected)));
     }
 
-    // It is known again, and moved by the same key.
+    // Later runs find the entry and keep its key.
     let state = fixture.state("project");
-    fixture.run(&["--write"]).good();
-    fixture.run(&["--check"]).good();
-    assert_eq!(fixture.run(&[]).good(), lines);
+    fixture.run(&["--write"]).succeeds();
+    fixture.run(&["--check"]).succeeds();
+    assert_eq!(fixture.run(&[]).succeeds(), lines);
     assert!(fixture.state("project") == state);
     let options = ["--out", "elsewhere", "--write"];
-    fixture.run_in("project", &options).good();
+    fixture.run_in("project", &options).succeeds();
     fixture.check_manifest(&format!(
         "{manifest}{}",
         line.replace("copies", "elsewhere")
@@ -179,31 +178,31 @@ fn goes_beside_a_fork_of_another_version() {
 #[test]
 fn moves_to_another_folder() {
     let fixture = Fixture::new(BOTH);
-    fixture.run(&["--write"]).good();
+    fixture.run(&["--write"]).succeeds();
     let manifest = fixture.manifest();
     let copies = fixture.state("project/copies");
 
     let printed = fixture.run_in("project", &["--out", "elsewhere"]);
-    assert!(printed.stderr.contains("the manifest takes rapier3d from"));
-    assert_eq!(printed.good(), LINES.replace("copies", "elsewhere"));
+    assert!(printed.stderr.contains("the manifest uses rapier3d from"));
+    assert_eq!(printed.succeeds(), LINES.replace("copies", "elsewhere"));
     fixture.check_manifest(&manifest);
 
     let written = fixture.run_in("project", &["--out", "elsewhere", "--write"]);
-    assert!(written.stderr.contains("copies/rapier3d is left as it is"));
-    written.good();
+    assert!(written.stderr.contains("copies/rapier3d is no longer used"));
+    written.succeeds();
     fixture.check_manifest(&manifest.replace("copies", "elsewhere"));
     fixture.check_folder("rapier3d", "project/elsewhere/rapier3d");
     assert!(fixture.state("project/copies") == copies);
     let options = ["--out", "elsewhere", "--check"];
-    fixture.run_in("project", &options).good();
+    fixture.run_in("project", &options).succeeds();
     // And back.
-    fixture.run(&["--write"]).good();
+    fixture.run(&["--write"]).succeeds();
     fixture.check_manifest(&manifest);
 }
 
 #[cfg(unix)]
 #[test]
-fn writes_what_a_linked_manifest_leads_to() {
+fn follows_a_link_to_the_manifest() {
     let fixture = Fixture::new(BOTH);
     let manifest = fixture.manifest();
     fs::create_dir(fixture.path("project/manifests")).unwrap();
@@ -211,10 +210,10 @@ fn writes_what_a_linked_manifest_leads_to() {
     fs::rename(fixture.path(link), fixture.path(target)).unwrap();
     std::os::unix::fs::symlink("manifests/game.toml", fixture.path(link)).unwrap();
     for _ in 0..2 {
-        fixture.run(&["--write"]).good();
+        fixture.run(&["--write"]).succeeds();
         assert!(fixture.path(link).is_symlink());
         assert_eq!(fixture.read(target), format!("{manifest}\n{LINES}"));
         fixture.check_folder("rapier3d", "project/copies/rapier3d");
     }
-    fixture.run(&["--check"]).good();
+    fixture.run(&["--check"]).succeeds();
 }

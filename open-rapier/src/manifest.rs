@@ -1,4 +1,4 @@
-//! `[patch.crates-io]` of the workspace's manifest: what it says of Rapier, and the lines that lead to the copies.
+//! The manifest of the workspace: its entries for Rapier under `[patch.crates-io]`, and new ones, which lead to the copies.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,27 +9,27 @@ use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 use crate::note;
 use crate::seam::PACKAGES;
 
-/// The byte-order mark, which `toml_edit` drops, as it does with line ends: whoever has them wants them back.
+/// The byte-order mark. `toml_edit` drops it, as it does the line ends of Windows, so both are put back.
 const MARK: &str = "\u{feff}";
 
 /// The manifest of a workspace.
 pub(crate) struct Manifest {
     pub(crate) path: PathBuf,
-    /// As it was read: the document knows nothing of line ends.
+    /// The text as read, for its line ends.
     text: String,
     document: DocumentMut,
 }
 
-/// An entry of the patch that is for one of Rapier's packages.
+/// An entry under `[patch.crates-io]` for one of Rapier's packages.
 pub(crate) struct Entry {
     pub(crate) key: String,
     pub(crate) package: &'static str,
-    /// Where it leads to, if that is a folder.
+    /// The folder that it leads to, if it has a path.
     pub(crate) folder: Option<PathBuf>,
 }
 
 impl Entry {
-    /// Whether it leads to where a copy is to be, or to one that was made elsewhere.
+    /// Whether it leads to a copy of this program's: in `out`, or in any other folder.
     fn is_ours(&self, out: &Path) -> bool {
         let is_copy = |folder: &PathBuf| note::is_copy(folder, self.package);
         self.leads_to(out) || self.folder.as_ref().is_some_and(is_copy)
@@ -55,7 +55,7 @@ impl Manifest {
         })
     }
 
-    /// A list of `[workspace]`: `members` and the like.
+    /// A list of `[workspace]`, such as `members`.
     pub(crate) fn workspace(&self, list: &str) -> Vec<&str> {
         let workspace = self.document.get("workspace");
         let list = workspace.and_then(|workspace| workspace.get(list)?.as_array());
@@ -65,7 +65,7 @@ impl Manifest {
             .collect()
     }
 
-    /// The entries that lead to copies of this tool's, wherever they are.
+    /// The entries that lead to copies of this program's, in `out` or elsewhere.
     pub(crate) fn entries(&self, out: &Path) -> Vec<Entry> {
         let entry = |(key, item): (&str, &Item)| {
             let name = item.get("package").and_then(Item::as_str).unwrap_or(key);
@@ -81,7 +81,7 @@ impl Manifest {
         entries.filter(|entry| entry.is_ours(out)).collect()
     }
 
-    /// The lines that are needed for copies in `out`.
+    /// The lines that make the project use the copies in `out`.
     pub(crate) fn lines(&self, packages: &[&str], out: &Path) -> String {
         let line = |package: &&str| {
             let key = self.key(package, out);
@@ -94,7 +94,7 @@ impl Manifest {
         )
     }
 
-    /// Adds the entries that are missing, has the others lead to `out`, and tells whether there were any of either.
+    /// Adds missing entries, and makes the others lead to `out`. Returns whether anything changed.
     pub(crate) fn set(&mut self, packages: &[&str], out: &Path) -> Result<bool> {
         let mut changed = false;
         for package in packages {
@@ -121,7 +121,7 @@ impl Manifest {
         Ok(changed)
     }
 
-    /// Writes the manifest: a new file in its place, so that it is never half of one. If it is a link, it stays one.
+    /// Writes the manifest to a new file and renames it, so that the manifest is complete at any time. A link stays a link.
     pub(crate) fn write(&self) -> Result<()> {
         let cannot = || format!("cannot write {}", self.path.display());
         let path = normal(&self.path);
@@ -139,7 +139,7 @@ impl Manifest {
         self.path.parent().unwrap_or(Path::new(""))
     }
 
-    /// `[patch.crates-io]`, made if it is not there.
+    /// `[patch.crates-io]`, added if it is missing.
     fn table(&mut self) -> Option<&mut dyn TableLike> {
         let mut empty = Table::new();
         empty.set_implicit(true);
@@ -150,7 +150,7 @@ impl Manifest {
             .as_table_like_mut()
     }
 
-    /// `[patch.crates-io]`, if it is there.
+    /// `[patch.crates-io]`, if there is one.
     fn patch(&self) -> Option<&dyn TableLike> {
         self.document
             .get("patch")?
@@ -158,7 +158,7 @@ impl Manifest {
             .as_table_like()
     }
 
-    /// The key for a package: that of its entry, or one that is free. Another version's patch has taken the package's name.
+    /// The key of a package's entry, or a new one. If a patch of another version has taken the package's name, `-036` is appended.
     fn key(&self, package: &str, out: &Path) -> String {
         let mut entries = self.entries(out).into_iter();
         if let Some(entry) = entries.find(|entry| entry.package == package) {
@@ -180,7 +180,7 @@ impl Manifest {
         Value::InlineTable(table)
     }
 
-    /// A path as the manifest has it.
+    /// A path relative to the manifest, with `/` on every platform.
     pub(crate) fn relative(&self, path: &Path) -> String {
         let relative = pathdiff::diff_paths(path, normal(self.folder()));
         let path = relative.as_deref().unwrap_or(path).to_string_lossy();
@@ -188,9 +188,9 @@ impl Manifest {
     }
 }
 
-/// The absolute path, with no links and no `..` in it, of what need not exist.
+/// The absolute path, without links and `..`. The path need not exist.
 pub(crate) fn normal(path: &Path) -> PathBuf {
-    // Without the prefix that Windows sets before it, which allows no slashes.
+    // `dunce` leaves out the prefix `\\?\` of Windows, with which a path may have no `/`.
     if let Ok(path) = dunce::canonicalize(path) {
         return path;
     }
@@ -206,7 +206,7 @@ pub(crate) fn normal(path: &Path) -> PathBuf {
     }
 }
 
-/// `new`, with the byte-order mark of `old`, if it has one, and the line ends of its first line.
+/// `new` with the byte-order mark of `old`, if it has one, and with the line ends of the first line of `old`.
 fn keep_line_ends(old: &str, new: &str) -> String {
     let mark = if old.starts_with(MARK) { MARK } else { "" };
     let new = new.replace("\r\n", "\n");

@@ -1,4 +1,4 @@
-//! A project in a folder of its own, with a folder of packages in the place of crates.io.
+//! A project in a temporary folder, with a folder of packages in place of crates.io.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,14 +11,14 @@ use walkdir::{DirEntry, WalkDir};
 
 use crate::seam::EDITS;
 
-/// What a project depends on: the package and its version.
+/// The dependencies of a project: packages and versions.
 pub(crate) const BOTH: &[(&str, &str)] = &[("rapier2d", "0.36.1"), ("rapier3d", "0.36.1")];
 
 pub(crate) struct Fixture {
     site: TempDir,
 }
 
-/// How a run ended.
+/// The result of a run.
 #[derive(Debug)]
 pub(crate) struct Outcome {
     pub(crate) success: bool,
@@ -27,15 +27,16 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
+    /// Returns the output of a run that must succeed.
     #[track_caller]
-    pub(crate) fn good(self) -> String {
+    pub(crate) fn succeeds(self) -> String {
         assert!(self.success, "{}", self.stderr);
         self.stdout
     }
 
-    /// The error, which must have all of `words` in it.
+    /// Checks that the run failed with an error that contains all of `words`.
     #[track_caller]
-    pub(crate) fn bad(self, words: &[&str]) {
+    pub(crate) fn fails(self, words: &[&str]) {
         assert!(!self.success, "{self:?}");
         for word in words {
             let stderr = &self.stderr;
@@ -45,7 +46,7 @@ impl Outcome {
 }
 
 impl Fixture {
-    /// A project that depends on these.
+    /// A project with these dependencies.
     pub(crate) fn new(dependencies: &[(&str, &str)]) -> Self {
         let fixture = Self {
             site: tempfile::tempdir().unwrap(),
@@ -67,7 +68,7 @@ impl Fixture {
         fixture
     }
 
-    /// Puts a package into the registry that has the texts of all edits.
+    /// Adds a package with the texts of all edits to the registry.
     fn publish(&self, name: &str, version: &str) {
         let mut files = BTreeMap::from([
             ("src/lib.rs", String::new()),
@@ -87,7 +88,7 @@ impl Fixture {
         }
     }
 
-    /// Another package, in a folder beside the project.
+    /// Adds another package, in a folder next to the project.
     pub(crate) fn package(&self, folder: &str, name: &str, version: &str) {
         self.write(&format!("{folder}/Cargo.toml"), &manifest(name, version));
         self.write(&format!("{folder}/src/lib.rs"), "");
@@ -106,7 +107,7 @@ impl Fixture {
         assert_eq!(self.manifest(), expected);
     }
 
-    /// Checks from which folder Cargo takes a package of the project.
+    /// Checks the folder in which Cargo finds a package of the project.
     #[track_caller]
     pub(crate) fn check_folder(&self, package: &str, folder: &str) {
         let found = self.folders_of(package).remove(0);
@@ -127,7 +128,7 @@ impl Fixture {
         fs::write(path, contents).unwrap();
     }
 
-    /// Runs the program in the project, with its copies in `copies`.
+    /// Runs the program in the folder of the project, with the copies in `copies`.
     pub(crate) fn run(&self, options: &[&str]) -> Outcome {
         self.run_in("project", &[&["--out", "copies"], options].concat())
     }
@@ -138,7 +139,7 @@ impl Fixture {
         outcome(command.current_dir(self.path(folder)))
     }
 
-    /// The folders from which Cargo takes all versions of a package of the project.
+    /// The folders in which Cargo finds the versions of a package of the project.
     pub(crate) fn folders_of(&self, package: &str) -> Vec<PathBuf> {
         let metadata = cargo_metadata::MetadataCommand::new()
             .current_dir(self.path("project"))
@@ -151,7 +152,7 @@ impl Fixture {
         found.map(folder).collect()
     }
 
-    /// All files of a folder, if it exists, and when they were written.
+    /// The contents and times of all files of a folder, if it exists.
     pub(crate) fn state(&self, folder: &str) -> BTreeMap<PathBuf, (Vec<u8>, SystemTime)> {
         let state = |entry: DirEntry| {
             let written = entry.metadata().unwrap().modified().unwrap();

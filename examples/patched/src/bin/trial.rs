@@ -1,0 +1,42 @@
+//! Would unisize speed up your scene? `Trial` replaces the broad phase of your program for some hundred steps, and reports.
+//!
+//! Rapier's own broad phase still drives the world, which moves as before, bit for bit. unisize receives the same input at each filter
+//! level. Prints the report. Fails if unisize's pairs are not Rapier's.
+
+use std::time::Instant;
+
+use rapier3d::prelude::*;
+use unisize::rapier3d_036::Trial;
+
+fn main() {
+    // Your scene instead.
+    let mut world = PhysicsWorld::default();
+    let floor = ColliderBuilder::cuboid(90.0, 1.0, 90.0).translation(Vector::new(0.0, -1.0, 0.0));
+    world.colliders.insert(floor);
+    for i in 0..3000 {
+        let (x, y, z) = (i % 15, i / 225, i / 15 % 15);
+        let position = Vector::new(x as f32, 1.0 + y as f32, z as f32) * 1.1;
+        let body = RigidBodyBuilder::dynamic().translation(position);
+        world.insert(body, ColliderBuilder::ball(0.5));
+    }
+
+    // The only line that changes.
+    world.broad_phase = DefaultBroadPhase::custom(Trial::new());
+
+    let start = Instant::now();
+    for _ in 0..300 {
+        world.step();
+    }
+    let elapsed = start.elapsed();
+
+    let trial = world.broad_phase.custom_ref::<Trial>();
+    let report = trial.expect("the trial is not active").report();
+    println!("{report}");
+    assert!(report.pairs_match(), "the pairs are not Rapier's own");
+    if let Some(filter) = report.recommended_filter() {
+        // Without the time that the trial itself adds.
+        let steps = elapsed.saturating_sub(report.overhead);
+        let speedup = report.min_speedup(steps, filter);
+        println!("With {filter:?}, whole steps would be at least {speedup:.2} times as fast.");
+    }
+}
