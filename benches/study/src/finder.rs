@@ -1,6 +1,5 @@
 //! What finds the pairs: unisize by its settings, Rapier's own broad phase, and methods that miss pairs in exchange for speed.
 
-
 /// What finds the pairs. Margins are in typical sizes; none is the default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Finder {
