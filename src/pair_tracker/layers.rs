@@ -9,9 +9,9 @@
 //! moment were known beforehand. Kernels that cannot look boxes up have no layers: with them, every search is a full search.
 
 use crate::aabb::Aabb;
-use crate::grid_sweep::{GridSweep, retain_from};
+use crate::grid_sweep::GridSweep;
 use crate::kernel::Kernel;
-use crate::pair_finder::PairFinder;
+use crate::pair_finder::{PairFinder, retain_from};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
