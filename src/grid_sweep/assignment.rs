@@ -53,7 +53,10 @@ impl Assignment {
             part.range = start..end;
         }
         let (section, parts) = (self.section, &mut self.parts);
-        section.for_each(parts, |part| part.count(members, grid));
+        match members.indices {
+            None => section.for_each(parts, |part| part.count::<R, D, true>(members, grid)),
+            Some(_) => section.for_each(parts, |part| part.count::<R, D, false>(members, grid)),
+        }
         oversized.clear();
         for part in parts {
             if part.is_invalid {
@@ -70,8 +73,7 @@ impl Assignment {
         self.section.for_each(parts, |part| part.place(members));
     }
 
-    /// How many pairs of entries share a tube, with each pair counted twice and each entry paired with itself too. Only between
-    /// counting and placing.
+    /// How many pairs of entries share a tube, counted twice and with each entry paired with itself. Only between counting and placing.
     pub(super) fn comparisons(&self) -> u64 {
         let squares = (0..self.tube_count as usize).map(|tube| {
             let counts = self.parts.iter().map(|part| u64::from(part.ends[tube]));
@@ -168,65 +170,49 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Counts the entries of each tube, and finds out whether a box is invalid.
-    fn count<R: Real, const D: usize>(
-        &mut self,
-        Members { boxes, indices }: Members<R, D>,
-        grid: &Grid<R>,
-    ) {
-        let range = self.range.clone();
-        match indices {
-            None => self.count_boxes((range.start as u32..).zip(&boxes[range]), true, grid),
-            Some(indices) => {
-                let indices = indices[range].iter();
-                let boxes = indices.map(|&index| (index, &boxes[index as usize]));
-                self.count_boxes(boxes, false, grid);
-            }
-        }
-    }
-
+    /// Counts the entries of each tube, and finds out whether a box is invalid if `ALL` boxes are members.
+    ///
     /// Whether a box has a ghost is practically random, so there is no branch on it: every box writes to the list of ghosts, which
     /// grows by those that exist.
-    #[inline(always)]
-    fn count_boxes<'a, R: Real, const D: usize>(
+    fn count<R: Real, const D: usize, const ALL: bool>(
         &mut self,
-        mut boxes: impl Iterator<Item = (u32, &'a Aabb<R, D>)>,
-        may_be_invalid: bool,
+        members: Members<R, D>,
         grid: &Grid<R>,
     ) {
-        let (oversized, ghosts) = (&mut self.oversized, &mut self.ghosts);
+        let (oversized, counts) = (&mut self.oversized, &mut self.ends);
+        let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
         let tube_count = grid.tube_count();
         oversized.clear();
-        self.ends.clear();
-        self.ends.resize(tube_count as usize + 1, 0);
-        let counts = &mut self.ends[..];
-        self.homes.resize(self.range.len(), 0);
+        counts.clear();
+        counts.resize(tube_count as usize + 1, 0);
+        let counts = &mut counts[..];
+        homes.resize(range.len(), 0);
         let mut ghost_count = 0;
         let mut is_invalid = false;
-        for homes in self.homes.chunks_mut(BATCH) {
+        for (start, homes) in range.clone().step_by(BATCH).zip(homes.chunks_mut(BATCH)) {
             let room = ghost_count + homes.len() * MAX_GHOSTS;
             if ghosts.len() < room {
                 ghosts.resize(room + ghost_count, Ghost::default());
             }
             let ghosts = &mut ghosts[..room];
-            for (own, (index, aabb)) in homes.iter_mut().zip(&mut boxes) {
-                is_invalid |= may_be_invalid && !aabb.is_valid();
+            members.for_each::<ALL>(start..start + homes.len(), |i, index, aabb| {
+                is_invalid |= ALL && !aabb.is_valid();
                 let span = grid.tube_span(aabb);
                 if grid.is_oversized(aabb, &span) {
                     oversized.push(index);
-                    *own = tube_count;
+                    homes[i] = tube_count;
                     counts[tube_count as usize] += 1;
-                    continue;
+                    return;
                 }
                 let home = grid.tube(span.first);
-                *own = home;
+                homes[i] = home;
                 counts[home as usize] += 1;
                 let list = ghosts[ghost_count..]
                     .first_chunk_mut()
                     .expect("there is room");
                 ghost_count +=
                     Ghost::write_all::<D>(index, grid.next_tubes(home), span.beyond(), list);
-            }
+            });
         }
         for ghost in &ghosts[..ghost_count] {
             counts[ghost.tube as usize] += 1;

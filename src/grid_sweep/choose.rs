@@ -21,7 +21,8 @@ impl<R: Real> Grid<R> {
     ) -> Self {
         let n = members.count() as f64;
         let sample = sample_indices(members.count(), GRID_SAMPLE);
-        let mut sample: Vec<_> = sample.map(|i| members.aabb(i)).collect();
+        let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
+        let mut sample: Vec<_> = sample.collect();
         let cut_samples = [1, 2].map(|k| {
             let axis = AxisSample::of(&sample, k.min(D - 1), size_quantile);
             // Boxes that are too large along this axis go into another class: the other axes do without them.
@@ -59,11 +60,12 @@ impl<R: Real> Grid<R> {
         let mut grid = Self::default();
         let mut longest = first.size;
         let mut strips = [1; 2];
+        let spread_axes = cut_samples.iter().filter(|axis| axis.spread > 0.0).count();
         for (cut, axis) in cut_samples.iter().enumerate() {
             // Points have no size: aim at some points per tube.
             let width = match axis.size > 0.0 {
                 true => axis.size * width_in_boxes,
-                false => axis.inner_spread / root(n / POINTS_A_TUBE, cuts).max(1.0),
+                false => axis.inner_spread / root(n / POINTS_A_TUBE, spread_axes).max(1.0),
             };
             let width = if width > 0.0 { width } else { 1.0 };
             longest = longest.max(width);

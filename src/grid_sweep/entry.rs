@@ -10,9 +10,7 @@ pub(super) struct Entry<R, const D: usize> {
 }
 
 /// The box that an entry belongs to: its index in the lower 30 bits, and above them the cut axes on which the entry is a ghost
-/// (bit 30 for the first cut axis, bit 31 for the second).
-///
-/// Index and bits share a number because every use needs both.
+/// (bit 30 for the first cut axis, bit 31 for the second). Every use needs both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Owner(pub(super) u32);
 

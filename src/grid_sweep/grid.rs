@@ -86,7 +86,6 @@ impl TubeSpan {
         is_within(0) & is_within(1)
     }
 
-    /// The number of tubes.
     pub(super) fn count(&self) -> u64 {
         let [rows, columns] = self.beyond().map(|beyond| u64::from(beyond) + 1);
         rows * columns

@@ -1,5 +1,7 @@
 //! A search: its input, its output, and how threads share its parts.
 
+use std::ops::Range;
+
 use super::emitter::{Emitter, Tally};
 use crate::aabb::Aabb;
 use crate::parallel::Section;
@@ -15,7 +17,7 @@ pub(super) struct Members<'a, R, const D: usize> {
     pub(super) indices: Option<&'a [u32]>,
 }
 
-impl<'a, R: Real, const D: usize> Members<'a, R, D> {
+impl<R: Real, const D: usize> Members<'_, R, D> {
     pub(super) fn count(self) -> usize {
         self.indices.map_or(self.boxes.len(), <[u32]>::len)
     }
@@ -26,9 +28,24 @@ impl<'a, R: Real, const D: usize> Members<'a, R, D> {
         self.indices.map_or(i as u32, |indices| indices[i])
     }
 
-    /// The box of the `i`-th member.
-    pub(super) fn aabb(self, i: usize) -> &'a Aabb<R, D> {
-        &self.boxes[self.index(i) as usize]
+    /// Calls `visit` with each member of a range: its place in the range, its index, and its box. `ALL` says whether all boxes are
+    /// members. Compiles to better code than an iterator.
+    #[inline(always)]
+    pub(super) fn for_each<const ALL: bool>(
+        self,
+        range: Range<usize>,
+        mut visit: impl FnMut(usize, u32, &Aabb<R, D>),
+    ) {
+        let start = range.start;
+        if ALL {
+            for (i, aabb) in self.boxes[range].iter().enumerate() {
+                visit(i, (start + i) as u32, aabb);
+            }
+        } else {
+            for (i, &index) in self.indices.unwrap_or_default()[range].iter().enumerate() {
+                visit(i, index, &self.boxes[index as usize]);
+            }
+        }
     }
 }
 

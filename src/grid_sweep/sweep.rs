@@ -13,7 +13,7 @@ use crate::real::Real;
 /// The most blocks of eight candidates that eight entries share; entries with more go on alone.
 const BLOCKS: usize = 4;
 
-/// The arrays of the entries, all of one length, so that one bounds check covers all of them.
+/// The arrays of the entries, of one length, so that one bounds check covers all of them.
 #[derive(Clone, Copy)]
 pub(super) struct Columns<'a, R, const D: usize> {
     mins: [&'a [R]; D],

@@ -1,4 +1,4 @@
-//! What the suite over all kernels cannot see: that settings are heeded, and that guesses may be wrong.
+//! Tests of internals, which the suite over all kernels does not see.
 
 use super::*;
 use crate::brute_force::BruteForce;
@@ -18,7 +18,7 @@ fn cube<const D: usize>(mins: [f32; D]) -> Aabb<f32, D> {
     Aabb::new(mins, mins.map(|x| x + 1.0))
 }
 
-/// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
+/// All boxes of the sample are points, and most others are too large for a grid that suits the sample.
 #[test]
 fn a_sample_that_misleads_costs_time_and_nothing_else() {
     for spread in [0.0, 1e-3, 50.0] {
@@ -47,22 +47,17 @@ fn millions_are_sampled() {
     fn row(i: usize) -> [f32; 2] {
         [0.75 * (i % ROW) as f32, 4.0 * (i / ROW) as f32]
     }
-    let on_a_line = [
-        count_pairs(|i| [0.75 * i as f32; 2]),
-        count_pairs(|i| [0.75 * i as f32; 3]),
-    ];
-    assert_eq!(on_a_line, [COUNT - 1; 2]);
-    let in_rows = [
-        count_pairs(row),
-        count_pairs(|i| [row(i)[0], row(i)[1], 0.0]),
-    ];
-    assert_eq!(in_rows, [COUNT - COUNT / ROW; 2]);
+    let flat = |i| [row(i)[0], row(i)[1], 0.0];
+    assert_eq!(count_pairs(|i| [0.75 * i as f32; 2]), COUNT - 1);
+    assert_eq!(count_pairs(|i| [0.75 * i as f32; 3]), COUNT - 1);
+    assert_eq!(count_pairs(row), COUNT - COUNT / ROW);
+    assert_eq!(count_pairs(flat), COUNT - COUNT / ROW);
 }
 
-/// Boxes that crowd in one tube, and that the sample says nothing of.
+/// Boxes that crowd in one tube, among others that are far apart.
 #[cfg(feature = "_adapter")]
 #[test]
-fn what_crowds_has_a_grid_of_its_own() {
+fn a_crowd_has_a_grid_of_its_own() {
     let mut random = Rand32::new(5);
     let distant = (0..2000).map(|i| 40.0 * i as f32);
     let mut boxes: Vec<_> = distant
@@ -78,7 +73,7 @@ fn what_crowds_has_a_grid_of_its_own() {
         let tubes = slabs.flat_map(|slab| &slab.tubes);
         tubes.filter(|tube| tube.crowd.is_some()).count()
     };
-    // They are kept if boxes will be looked up.
+    // Tubes are not kept unless boxes will be looked up.
     assert_eq!(crowds(&kernel), 0);
     let members: Vec<_> = (0..boxes.len() as u32).collect();
     let [mut found, mut expected] = [Vec::new(), Vec::new()];
@@ -104,7 +99,7 @@ fn what_crowds_has_a_grid_of_its_own() {
 /// Boxes of two sizes, and specks that crowd in one tube.
 #[cfg(feature = "_adapter")]
 #[test]
-fn a_search_that_finds_too_many_pairs_is_given_up_however_it_is_cut() {
+fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
     let mut random = Rand32::new(9);
     let mut at = |spread: [f32; 3], size: f32| {
         let mins = spread.map(|x| x * random.rand_float());
