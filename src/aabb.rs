@@ -1,4 +1,4 @@
-//! The axis-aligned box: the one thing a broad phase looks at.
+//! The axis-aligned box.
 
 use core::array;
 
@@ -6,8 +6,8 @@ use crate::real::Real;
 
 /// An axis-aligned bounding box in `D` dimensions, closed on every side.
 ///
-/// `mins[k]` and `maxs[k]` are its least and greatest coordinates on axis `k`, in the length unit of the
-/// scene. Infinite sides are allowed (a ground plane); see [`Aabb::is_valid`].
+/// `mins[k]` and `maxs[k]` are its least and greatest coordinates on axis `k`, in the length unit of the scene. Sides may be infinite, as
+/// those of a ground plane; see [`Aabb::is_valid`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -25,20 +25,22 @@ pub struct Aabb<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Aabb<R, D> {
-    /// In place of a box where there is none: all NaN, so it is not valid and overlaps nothing.
+    /// The placeholder for no box: all NaN, so that it is not valid and overlaps nothing.
     pub(crate) const ABSENT: Self = Self::new([R::NAN; D], [R::NAN; D]);
 
-    /// The box between two corners.
+    /// The box around nothing: inverted on every axis, so that a box [around](Self::around) it and another is the other.
+    pub(crate) const EMPTY: Self = Self::new([R::INFINITY; D], [R::NEG_INFINITY; D]);
+
+    /// Returns the box between two corners.
     #[inline]
     pub const fn new(mins: [R; D], maxs: [R; D]) -> Self {
         Self { mins, maxs }
     }
 
-    /// Whether the two closed boxes share a point: they do when they merely touch.
+    /// Returns whether the two closed boxes share a point. Boxes that only touch do.
     ///
-    /// The comparison is made on the given numbers, without any arithmetic, so it is exact. It defines overlap for every
-    /// [`PairFinder`](crate::PairFinder). An invalid box (see [`Aabb::is_valid`]) whose sides are NaN on some axis
-    /// overlaps nothing.
+    /// The result is exact, because it compares the given numbers without any arithmetic. It defines overlap for every
+    /// [`PairFinder`](crate::PairFinder). An invalid box (see [`Aabb::is_valid`]) whose sides are NaN on some axis overlaps nothing.
     ///
     /// ```
     /// use unisize::Aabb;
@@ -56,7 +58,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         intersect
     }
 
-    /// Whether `other` lies inside this box, sides included.
+    /// Returns whether `other` lies inside this box, sides included.
     #[inline]
     pub fn contains(&self, other: &Self) -> bool {
         let mut contains = true;
@@ -66,10 +68,10 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         contains
     }
 
-    /// The box with every side moved outward by `margin` (a length, at least 0).
+    /// Returns the box with every side moved outward by `margin` (a length, at least 0).
     ///
-    /// In floating point the margin rounds away where coordinates are large. A box with such a margin contains the box
-    /// that it was made from for as long as that moves by less, so its pairs need not be searched for again:
+    /// Where coordinates are large, rounding may remove the margin. A box with a margin contains the original box until that has moved by
+    /// more than the margin; until then, a program need not search for its pairs again:
     ///
     /// ```
     /// use unisize::Aabb;
@@ -87,7 +89,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
     }
 
-    /// The smallest box around two.
+    /// Returns the smallest box around two.
     pub(crate) fn around(&self, other: &Self) -> Self {
         Self {
             mins: array::from_fn(|k| min(self.mins[k], other.mins[k])),
@@ -95,7 +97,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
     }
 
-    /// The part of a valid box that lies within another.
+    /// Returns the part of a valid box that lies within another.
     #[inline]
     pub(crate) fn within(&self, other: &Self) -> Option<Self> {
         self.intersects(other).then(|| Self {
@@ -104,7 +106,7 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         })
     }
 
-    /// Whether no coordinate is NaN and `mins <= maxs` on every axis. To a kernel, every other box is an
+    /// Returns whether no coordinate is NaN and `mins <= maxs` on every axis. Kernels refuse every other box as
     /// [`InvalidInput`](crate::InvalidInput).
     ///
     /// ```
@@ -119,20 +121,20 @@ impl<R: Real, const D: usize> Aabb<R, D> {
     pub fn is_valid(&self) -> bool {
         let mut valid = true;
         for k in 0..D {
-            // False for NaN as well.
+            // Also false for NaN.
             valid &= self.mins[k] <= self.maxs[k];
         }
         valid
     }
 }
 
-/// The lesser of two numbers; the second one if they cannot be compared.
+/// Returns the lesser of two numbers; the second one if they cannot be compared.
 #[inline(always)]
 pub(crate) fn min<R: Real>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-/// The greater of two numbers; the second one if they cannot be compared.
+/// Returns the greater of two numbers; the second one if they cannot be compared.
 #[inline(always)]
 pub(crate) fn max<R: Real>(a: R, b: R) -> R {
     if a > b { a } else { b }

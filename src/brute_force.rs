@@ -1,13 +1,14 @@
-//! The oracle: every box against every other.
+//! The oracle: compares every box with every other.
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::real::Real;
 
-/// Tests every box against every other, in **O(n²)** time and no memory.
+/// Compares every box with every other.
 ///
-/// Short enough to be seen to be correct, it is what every other kernel is compared with.
+/// Computes in **O(n²)** time and needs no memory besides the pairs. It is so short that one can see that it is correct, so tests compare
+/// all other kernels with it. Takes at most 2³² - 1 boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BruteForce;
 

@@ -1,4 +1,4 @@
-//! The two steps that every counting sort here shares: counts become starts, then each item takes the next place of its bucket.
+//! The two steps of every counting sort: counts become starts, then each item takes the next place of its bucket.
 
 /// Turns the number of items in each bucket into the place of the bucket's first item. Returns the number of all items.
 #[inline]
@@ -10,7 +10,7 @@ pub(crate) fn starts_from_counts(counts: &mut [u32]) -> u32 {
     start
 }
 
-/// The place of the next item of a bucket. Once all items have their places, `next` holds where each bucket ends.
+/// Returns the place of the next item of a bucket. Once all items have their places, `next` holds the ends of the buckets.
 #[inline(always)]
 pub(crate) fn take_place(next: &mut [u32], bucket: usize) -> usize {
     let next = &mut next[bucket];

@@ -5,52 +5,50 @@ mod choose;
 mod class;
 mod crowd;
 mod emitter;
+mod entry;
 mod grid;
 mod lookup;
-mod members;
-mod order;
-mod owner;
-mod part;
+mod search;
 mod slab;
 mod sweep;
 #[cfg(test)]
 mod tests;
-mod tubes;
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
-use crate::pair_finder::{PairFinder, check_boxes, check_count};
-use crate::parallel::{self, Section};
+use crate::pair_finder::{PairFinder, check_count, retain_from};
+use crate::parallel;
 use crate::real::Real;
-use crate::stopwatch::{PhaseTimes, Stopwatch};
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::FEW_QUERIES;
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
-#[cfg(feature = "_adapter")]
-use class::{Class, FoundInvalid, Run, look_up_in_parts};
+use class::Class;
 use emitter::{Emitter, Tally};
-use members::{Everyone, Members};
+use search::{Members, Search};
 
 /// Entries are numbered with 32 bits, and a box may have four.
 pub(crate) const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
-/// The second and the third axis are cut into strips a few boxes wide. A box is entered in each tube that it spans,
-/// usually one, and the pairs of each tube are found by comparing eight boxes at a time with those that follow them.
-/// Boxes much larger than most are a class of their own, found by the same method on a coarser grid. For each two classes, the boxes of one
-/// are looked up in the other, in whichever direction a sample takes less. Boxes that crowd in one tube, because they are much smaller than
-/// most or lie where few others do, have a grid of their own.
+/// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
+/// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
+/// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
+/// the direction that takes less time for a sample. If the boxes of a tube crowd, because they are much smaller than most or lie
+/// where few others do, they get a grid of their own.
 ///
-/// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed. **O((n + pairs) log n)** time where the boxes of each
-/// size lie no denser than so many deep, whatever sizes there are and wherever they lie: a class takes at least an eighth of the boxes that
-/// are left, and a grid within a grid leaves at most a quarter of the comparisons. Plates and needles that cross each other's way without
-/// touching have the largest constant: each is looked up in the tubes that it spans. **O(n + pairs)** memory always.
+/// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
-/// At most 2²⁹ boxes; more are refused as [`TooMany`](crate::InvalidInputReason::TooMany).
+/// Computes in **O((n + pairs) log n)** time, and in **O(n + pairs)** if the boxes are of about one size, wherever they lie: a class
+/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most a quarter of its comparisons. This
+/// assumes that the boxes of one size do not overlap without limit. Plates and needles that pass each other without touching have
+/// the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
 ///
-/// With the feature `parallel`, the work on many boxes is shared among the threads of the current Rayon pool. The
-/// pairs are the same, in the same order.
+/// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
+///
+/// With the feature `parallel`, the threads of the current Rayon pool share the work on many boxes. The pairs are the same, in the
+/// same order.
 ///
 /// ```
 /// use unisize::{Aabb, GridSweep, PairFinder};
@@ -67,14 +65,12 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct GridSweep<R, const D: usize> {
-    /// The size classes of the last run, smallest first. Those past `class_count` are kept for their memory.
+    /// The size classes of the last search, smallest boxes first. Those past `class_count` are kept for their memory.
     classes: Vec<Class<R, D>>,
     class_count: usize,
     assignment: Assignment,
     /// Scratch: the members of two classes.
     members: [Vec<u32>; 2],
-    /// The number of slabs, if it is fixed; otherwise many boxes are cut into as many slabs as there are threads.
-    slab_count: Option<usize>,
     compared: usize,
     stopwatch: Stopwatch,
 }
@@ -88,48 +84,30 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs.clear();
         check_count(boxes.len(), MAX_BOXES)?;
         let mut stopwatch = self.stopwatch.reset();
-        let members = Everyone(boxes.len());
-        let work = SEARCHED * boxes.len() as u64;
-        let found = parallel::enter(work, || {
-            let mut run = Run {
-                boxes,
-                is_crowd: false,
-                slab_count: self.slab_count,
-                section: Section::default(),
-                keeps: false,
-                pairs,
-                wanted: None::<fn([u32; 2]) -> bool>,
-                most: usize::MAX,
-                tally: Tally::default(),
-                stopwatch: &mut stopwatch,
-            };
-            let found = self.run(members, &mut run);
-            self.compared = run.tally.compared;
+        let found = parallel::enter(SEARCHED * boxes.len() as u64, || {
+            let mut search = Search::new(boxes, pairs, &mut stopwatch);
+            let found = self.search(None, &mut search);
+            self.compared = search.tally.compared;
             found
         });
         stopwatch.leave();
         self.stopwatch = stopwatch;
-        found.or_else(|FoundInvalid| {
-            pairs.clear();
-            check_boxes(boxes)
-        })
+        found.inspect_err(|_| pairs.clear())
     }
 }
 
 impl<R: Real, const D: usize> GridSweep<R, D> {
-    /// A kernel that cuts its work into this many slabs of tubes, whatever the number of boxes and of threads: one
-    /// to use no threads at all, or more to share a small number of boxes as well. The pairs are the same, in the
-    /// same order.
+    /// Returns a kernel that divides its work into this many slabs of tubes, whatever the number of boxes and of threads. With 1 it
+    /// uses no other threads; with more, even a small number of boxes is shared. The pairs are the same, in the same order.
     ///
-    /// More than 16 slabs are fewer where they would have less than 64 boxes each, so that memory stays **O(n + pairs)**.
+    /// Above 16, there is at most one slab for every 64 boxes, so that memory stays **O(n + pairs)**.
     pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {
-        Self {
-            slab_count: Some(count.get()),
-            ..Self::default()
-        }
+        let mut kernel = Self::default();
+        kernel.assignment.slabs_asked = Some(count.get());
+        kernel
     }
 
-    /// The same kernel, which from now on takes the [times of its phases](Self::phase_times).
+    /// Returns the kernel with its clock switched on: see [`phase_times`](Self::phase_times).
     pub fn timed(self) -> Self {
         Self {
             stopwatch: Stopwatch::new(true),
@@ -137,20 +115,21 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
-    /// How long each phase of the last run has taken; zeros unless it was [`timed`](Self::timed).
+    /// The times of the last search's phases; zeros unless the kernel is [`timed`](Self::timed).
     pub fn phase_times(&self) -> PhaseTimes {
         self.stopwatch.times
     }
 
-    /// How many boxes the last run has compared with another, and how many tubes it has visited to look boxes up.
+    /// The comparisons of the last call of `find_pairs`, with visits of tubes in units of comparisons.
     #[doc(hidden)]
     pub fn compared(&self) -> usize {
         self.compared
     }
 
-    /// Appends the overlapping pairs among `members`, which are indices of valid boxes, that are wanted, and remembers the
-    /// order of the members for [`look_up`](Self::look_up). There must be no more than [`MAX_BOXES`]. If no condition is given, all pairs
-    /// are wanted. Returns how many pairs overlap, wanted or not; if they are more than `most`, the run stops early, appends some of them,
+    /// Appends the wanted pairs among `members`, which are indices of at most [`MAX_BOXES`] valid boxes, and keeps the members in
+    /// order for [`look_up`](Self::look_up). `None` means that all pairs are wanted.
+    ///
+    /// Returns how many pairs overlap, wanted or not. If they are more than `most`, the search stops early and appends some of them,
     /// and nothing may be looked up.
     #[cfg(feature = "_adapter")]
     pub(crate) fn find_among(
@@ -163,118 +142,105 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         stopwatch: &mut Stopwatch,
     ) -> usize {
         debug_assert!(boxes.len() <= MAX_BOXES);
-        let mut run = Run {
-            boxes,
-            is_crowd: false,
-            slab_count: self.slab_count,
-            section: Section::default(),
+        let filter = wanted.map(filter);
+        let mut search = Search {
             keeps: true,
-            pairs,
-            wanted,
+            filter: filter.as_ref().map(|filter| filter as _),
             most,
-            tally: Tally::default(),
-            stopwatch,
+            ..Search::new(boxes, pairs, stopwatch)
         };
         // The boxes are valid.
-        let _ = self.run(members, &mut run);
-        run.tally.emitted
+        let _ = self.search(Some(members), &mut search);
+        search.tally.emitted
     }
 
-    /// Appends the overlapping pairs among the members, class by class.
-    fn run<F: Fn([u32; 2]) -> bool + Sync>(
+    /// Appends the wanted pairs among the boxes with these indices, or among all boxes, class by class.
+    fn search(
         &mut self,
-        members: impl Members,
-        run: &mut Run<R, D, F>,
-    ) -> Result<(), FoundInvalid> {
+        indices: Option<&[u32]>,
+        search: &mut Search<R, D>,
+    ) -> Result<(), InvalidInput> {
         const { assert!(D > 0, "boxes have at least one axis") };
+        let (boxes, assignment) = (search.boxes, &mut self.assignment);
+        let [rest, oversized] = &mut self.members;
         self.class_count = 0;
-        self.run_class(members, run)?;
         loop {
-            let class = &mut self.classes[self.class_count - 1];
-            if class.oversized.is_empty() || run.is_over() {
+            let indices = match self.class_count {
+                0 => indices,
+                _ => Some(&rest[..]),
+            };
+            if self.class_count == self.classes.len() {
+                self.classes.push(Class::default());
+            }
+            let members = Members { boxes, indices };
+            self.classes[self.class_count].search(members, oversized, assignment, search)?;
+            self.class_count += 1;
+            if oversized.is_empty() || search.is_over() {
                 break;
             }
-            let oversized = std::mem::take(&mut class.oversized);
-            self.run_class(&oversized[..], run)?;
-            self.classes[self.class_count - 2].oversized = oversized;
+            std::mem::swap(rest, oversized);
         }
         for coarse in 1..self.class_count {
             for fine in 0..coarse {
-                if run.is_over() {
+                if search.is_over() {
                     return Ok(());
                 }
-                self.match_classes(fine, coarse, run);
+                search.stopwatch.enter(Phase::Sweep);
+                self.match_classes(fine, coarse, search);
+                search.stopwatch.leave();
             }
         }
         Ok(())
     }
 
-    /// Appends the overlapping pairs of the next class.
-    fn run_class<F: Fn([u32; 2]) -> bool + Sync>(
-        &mut self,
-        members: impl Members,
-        run: &mut Run<R, D, F>,
-    ) -> Result<(), FoundInvalid> {
-        if self.class_count == self.classes.len() {
-            self.classes.push(Class::default());
-        }
-        let class = &mut self.classes[self.class_count];
-        run.section = Section::of(members.count(), SEARCHED);
-        class.assign(members, &mut self.assignment, run)?;
-        class.sweep(&self.assignment, self.class_count == 0, run);
-        self.class_count += 1;
-        Ok(())
-    }
-
-    /// Appends the pairs of the boxes of one class with those of another. Looks up those of which fewer look-ups, or faster ones, are to be
-    /// expected: of a few, for certain; of many, by a sample.
-    fn match_classes<F: Fn([u32; 2]) -> bool + Sync>(
-        &mut self,
-        fine: usize,
-        coarse: usize,
-        run: &mut Run<R, D, F>,
-    ) {
+    /// Appends the pairs between two classes. A few coarse boxes are always looked up in the fine class; otherwise a sample decides
+    /// which class is looked up in the other.
+    fn match_classes(&mut self, fine: usize, coarse: usize, search: &mut Search<R, D>) {
         let [finer, coarser] = &mut self.members;
-        self.classes[coarse].list_members(coarser);
         let (left, right) = self.classes.split_at_mut(coarse);
         let (fine, coarse) = (&mut left[fine], &mut right[0]);
+        coarse.list_members(coarser);
         fine.prepare_lookup();
-        if coarser.len() > FEW_QUERIES {
+        let (mut class, mut queries) = (fine, coarser);
+        let boxes = search.boxes;
+        if queries.len() > FEW_QUERIES {
             coarse.prepare_lookup();
-            fine.list_members(finer);
-            if coarse.effort(finer, run.boxes) < fine.effort(coarser, run.boxes) {
-                return coarse.look_up_all(finer, run);
+            class.list_members(finer);
+            if coarse.effort(finer, boxes) < class.effort(queries, boxes) {
+                (class, queries) = (coarse, finer);
             }
         }
-        fine.look_up_all(coarser, run);
+        search.look_up(queries, |i, emitter| {
+            class.look_up(&boxes[i as usize], i, emitter);
+        });
     }
 
-    /// The number of size classes in the last run.
+    /// The number of size classes in the last search.
     pub(crate) fn class_count(&self) -> usize {
         self.class_count
     }
 
-    /// Prepares for [`look_up`](Self::look_up), until the next run.
+    /// Prepares for [`look_up`](Self::look_up), until the next search.
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
             class.prepare_lookup();
         }
     }
 
-    /// Frees what only a run needs, and is otherwise kept for the next one.
+    /// Frees memory that only a search needs, and that is otherwise kept for the next one.
     pub(crate) fn free_scratch(&mut self) {
-        self.assignment = Assignment::default();
+        self.assignment.parts = Vec::new();
         self.classes.truncate(self.class_count);
         let slabs = self.classes.iter_mut().flat_map(|class| &mut class.slabs);
         slabs.for_each(|slab| slab.free_scratch());
         self.members = Default::default();
     }
 
-    /// Appends the pairs of each query, an index of a valid box, with the members of the last run that its box
-    /// overlaps, if they are wanted. Members have the boxes that they had then; the pair of a member with itself is not left out.
+    /// Appends the wanted pairs of each query, an index of a valid box, with the members of the last search that its box overlaps.
+    /// Members have the boxes that they had in that search. A query that is a member overlaps itself.
     ///
-    /// About **O(log n + pairs)** for a query of the size of the members; a larger one costs a binary search for
-    /// each tube that it spans. Stops when there are more than `most` pairs, wanted or not.
+    /// Computes in about **O(log n + pairs)** time per query of the members' size; a larger query takes a binary search for each tube
+    /// that it reaches. Stops early if more than `most` pairs overlap, wanted or not.
     pub(crate) fn look_up(
         &self,
         boxes: &[Aabb<R, D>],
@@ -283,9 +249,16 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
     ) -> Tally {
-        look_up_in_parts(queries, pairs, Some(&wanted), most, |i, emitter| {
+        let (filter, stopwatch) = (filter(wanted), &mut Stopwatch::default());
+        let mut search = Search {
+            filter: Some(&filter),
+            most,
+            ..Search::new(boxes, pairs, stopwatch)
+        };
+        search.look_up(queries, |i, emitter| {
             self.look_up_box(&boxes[i as usize], i, emitter);
-        })
+        });
+        search.tally
     }
 
     /// Emits the pair of a box with every member that it overlaps.
@@ -294,4 +267,9 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             class.look_up(aabb, index, emitter);
         }
     }
+}
+
+/// Removes the pairs from the given one on that are not wanted.
+fn filter(wanted: impl Fn([u32; 2]) -> bool + Sync) -> impl Fn(&mut Vec<[u32; 2]>, usize) + Sync {
+    move |pairs, first| retain_from(pairs, first, &wanted)
 }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a [`PairFinder`](crate::PairFinder) refuses its input, and at which box.
+/// A box that a [`PairFinder`](crate::PairFinder) refuses, and the reason.
 ///
 /// ```
 /// use unisize::{Aabb, GridSweep, InvalidInputReason, PairFinder};
@@ -20,12 +20,12 @@ use thiserror::Error;
 pub struct InvalidInput {
     /// The index of the first box that is refused.
     pub index: usize,
-    /// Why it is refused.
+    /// The reason.
     pub reason: InvalidInputReason,
 }
 
 impl InvalidInput {
-    /// The error for this box, for pair finders of your own.
+    /// Returns the error for a box, for your own pair finders.
     ///
     /// ```
     /// use unisize::{InvalidInput, InvalidInputReason};
@@ -38,7 +38,7 @@ impl InvalidInput {
     }
 }
 
-/// Why a box is refused: see [`InvalidInput`].
+/// The reason why a box is refused: see [`InvalidInput`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum InvalidInputReason {
@@ -54,7 +54,7 @@ pub enum InvalidInputReason {
         /// The first inverted axis.
         axis: usize,
     },
-    /// There are more boxes than the kernel can number; its documentation states the limit. The index is that limit.
+    /// There are more boxes than the kernel takes. The index is the limit, which the kernel's documentation states.
     #[error("is one more than this kernel takes")]
     TooMany,
 }

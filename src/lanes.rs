@@ -1,8 +1,8 @@
-//! Eight numbers compared at once, and four truncated.
+//! Vectors: eight numbers are compared at once, and four truncated.
 //!
-//! A thin layer over the processor's vectors, so that the kernel is written once for `f32`, `f64` and every
-//! processor: those of x86-64, 64-bit ARM and, where they are switched on, WebAssembly; single numbers elsewhere. Comparisons
-//! are those of single numbers: false when either side is NaN.
+//! With this thin layer the kernel is written once for `f32`, `f64` and every processor. It uses the vectors of x86-64, of 64-bit ARM
+//! and, if they are switched on, of WebAssembly, and single numbers elsewhere. Vectors compare as single numbers do: the result is
+//! false if either side is NaN.
 
 use core::ops::BitAnd;
 
@@ -11,8 +11,8 @@ use wide::{CmpLe, f32x4, f64x2};
 /// How many numbers are compared at once.
 pub(crate) const LANES: usize = 8;
 
-/// Whether the processor compares more than one number at once. If not, eight in turns take longer than one at a time, which stops at
-/// the first that is out of reach.
+/// Whether the processor compares several numbers at once. If not, comparing one at a time is faster than eight in turns, since it stops
+/// at the first that is out of reach.
 pub(crate) const ARE_VECTORS: bool = cfg!(any(
     target_feature = "sse2",
     target_feature = "neon",
@@ -23,7 +23,7 @@ pub(crate) const ARE_VECTORS: bool = cfg!(any(
 pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     /// Eight numbers.
     fn load(numbers: &[R; LANES]) -> Self;
-    /// The same number in all lanes.
+    /// One number in all lanes.
     fn splat(number: R) -> Self;
     /// Where `self <= other`.
     fn le(self, other: Self) -> Self;
@@ -34,7 +34,7 @@ pub trait Lanes<R>: Copy + BitAnd<Output = Self> {
     }
     /// The result of a comparison: bit `l` for lane `l`.
     fn bits(self) -> u32;
-    /// The integer parts of four numbers, non-decreasing in each; 0 for NaN and negative ones, 2³¹ for all that are greater.
+    /// The integer part of each of four numbers, at least 0 and at most 2³¹; 0 for NaN. Non-decreasing in each number.
     fn truncated(numbers: [R; 4]) -> [u32; 4];
 }
 
@@ -89,7 +89,8 @@ macro_rules! vectors {
 vectors!(F32x8, f32, f32x4, 2, truncated_f32);
 vectors!(F64x8, f64, f64x2, 4, truncated_f64);
 
-// x86-64 truncates in one instruction, whose result is 2³¹ for all that does not fit. Of NaN and zero the maximum is zero, the second.
+// x86-64 truncates in one instruction, whose result is 2³¹ for every number that does not fit. The maximum of NaN and zero is its second
+// operand, zero.
 
 #[cfg(target_feature = "sse2")]
 #[inline(always)]

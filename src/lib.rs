@@ -67,6 +67,7 @@ mod aabb;
 #[cfg(feature = "_adapter")]
 mod bit_set;
 mod brute_force;
+mod bucket_sort;
 mod counting_sort;
 #[cfg(feature = "_adapter")]
 mod diagnostics;

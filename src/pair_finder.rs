@@ -1,4 +1,4 @@
-//! What every kernel is: a pair finder. Boxes in, overlapping pairs out.
+//! The trait of all kernels: boxes in, overlapping pairs out.
 
 use core::cmp::Ordering;
 
@@ -8,14 +8,14 @@ use crate::real::Real;
 
 /// Finds all overlapping pairs among boxes. The pair finders of this crate are called kernels.
 ///
-/// A finder owns only scratch memory, which it keeps between calls to save allocations; the answer depends on the
-/// arguments alone. You may implement the trait for pair finders of your own, say to compare them. Should it ever gain another
-/// method, that method will have a default.
+/// A finder owns only scratch memory, which it keeps between calls to save allocations. The pairs depend on the arguments alone. You may
+/// implement the trait for your own pair finders, for example to compare them. If the trait ever gains another method, that method will
+/// have a default.
 ///
 /// ```
 /// use unisize::{Aabb, BruteForce, GridSweep, InvalidInput, PairFinder, RankSweep, Real};
 ///
-/// /// The pairs by any pair finder, of any scalar, in any dimension, sorted.
+/// /// The sorted pairs of any pair finder, for any scalar and dimension.
 /// fn sorted_pairs<R: Real, const D: usize>(
 ///     mut finder: impl PairFinder<R, D>,
 ///     boxes: &[Aabb<R, D>],
@@ -34,14 +34,14 @@ use crate::real::Real;
 /// # Ok::<(), InvalidInput>(())
 /// ```
 pub trait PairFinder<R, const D: usize> {
-    /// Replaces `pairs` by every overlapping pair of `boxes`, each once, smaller index first.
+    /// Replaces `pairs` by all overlapping pairs of `boxes`, each once and with the smaller index first.
     ///
-    /// Overlap is closed and exact, as in [`Aabb::intersects`]. The order of the pairs is the finder's own;
-    /// it is the same in every run.
+    /// Boxes are closed and their overlap is exact, as in [`Aabb::intersects`]. Each finder has its own order of the pairs, which is the
+    /// same in every run.
     ///
     /// # Errors
-    /// [`InvalidInput`] names the first box that has a NaN or `mins > maxs`, or the first box past the number that the
-    /// finder can take; `pairs` is then empty.
+    /// [`InvalidInput`] names the first box that has a NaN or `mins > maxs`, or the first box beyond the most that the finder takes.
+    /// `pairs` is then empty.
     fn find_pairs(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -49,7 +49,7 @@ pub trait PairFinder<R, const D: usize> {
     ) -> Result<(), InvalidInput>;
 }
 
-/// Refuses more boxes than a finder has numbers for.
+/// Refuses more boxes than a finder can number.
 pub(crate) fn check_count(count: usize, most: usize) -> Result<(), InvalidInput> {
     match count > most {
         true => Err(InvalidInput::new(most, InvalidInputReason::TooMany)),
@@ -75,7 +75,23 @@ pub(crate) fn check_boxes<R: Real, const D: usize>(
     Err(InvalidInput::new(index, reason))
 }
 
-/// The pair of two different indices, smaller first.
+/// Removes the pairs from `first` on that do not meet the condition, without a branch.
+#[inline(always)]
+pub(crate) fn retain_from(
+    pairs: &mut Vec<[u32; 2]>,
+    first: usize,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
+    let mut kept = first;
+    for i in first..pairs.len() {
+        let pair = pairs[i];
+        pairs[kept] = pair;
+        kept += usize::from(keep(pair));
+    }
+    pairs.truncate(kept);
+}
+
+/// Returns the pair of two different indices, smaller first.
 #[inline]
 pub(crate) fn ordered(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]

@@ -1,7 +1,7 @@
 //! Work on several threads if the feature `parallel` is on, and on one otherwise.
 //!
-//! Nothing here changes a result: work is cut into parts that do not depend on each other, and their results are put together in the
-//! order of the parts. Whether a section is shared is decided by an estimate of its work, from counts and prices, and never by a clock.
+//! No result depends on the threads: parts of the work do not depend on each other, and their results follow each other in the order
+//! of the parts. Whether threads share a section is decided by an estimate of its work, from counts and prices, and never by a clock.
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -9,7 +9,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use crate::stopwatch::{self, Shared};
 use crate::tuning::threads::{ENTER_COST, PART_FROM, SECTION_COST};
 
-/// The number of threads that work is cut for.
+/// The number of threads that can share work.
 pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();
@@ -17,13 +17,13 @@ pub(crate) fn threads() -> usize {
     return 1;
 }
 
-/// Where the part `i` of so many equal ones begins among the items; the part after the last begins at their end.
+/// The first item of the part `i` when this many items are divided into equal parts; for the part past the last, their number.
 pub(crate) fn start_of_part(i: usize, parts: usize, items: usize) -> usize {
     // The product may need more than the 32 bits that some processors have.
     (i as u64 * items as u64 / parts as u64) as usize
 }
 
-/// Does two things at once, or one after the other.
+/// Runs two functions at once, or one after the other.
 pub(crate) fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
     b: impl FnOnce() -> B + Send,
@@ -34,10 +34,10 @@ pub(crate) fn join<A: Send, B: Send>(
     return (a(), b());
 }
 
-/// Does something that consists of sections and takes about this much `work`, in tenths of a nanosecond.
+/// Runs a function that consists of sections and takes about this much `work`, in tenths of a nanosecond.
 ///
-/// If it is much, it is done on a thread of the pool: from there the other threads are woken within microseconds, from outside it takes
-/// ten times as long, and each section would wait for it.
+/// Much work runs on a thread of the pool. From there, waking the other threads takes microseconds. From outside it takes ten times as
+/// long, and every section would wait for it.
 pub(crate) fn enter<T: Send>(work: u64, run: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]
     if is_outside() && gain(work, threads()) >= ENTER_COST {
@@ -47,12 +47,12 @@ pub(crate) fn enter<T: Send>(work: u64, run: impl FnOnce() -> T + Send) -> T {
     run()
 }
 
-/// How much of some work a thread is spared if it shares it with others.
+/// The work that a thread is spared if it shares some with others.
 fn gain(work: u64, threads: usize) -> u64 {
     work - work / threads as u64
 }
 
-/// Whether this is no thread of the pool.
+/// Whether the current thread is not in the pool.
 fn is_outside() -> bool {
     #[cfg(feature = "parallel")]
     return rayon::current_thread_index().is_none();
@@ -68,14 +68,14 @@ pub(crate) struct Section {
 }
 
 impl Section {
-    /// A section of `count` items, each of which takes about `price` tenths of a nanosecond on one thread.
+    /// A section of `count` items that take about `price` tenths of a nanosecond each on one thread.
     pub(crate) fn of(count: usize, price: u64) -> Self {
         Self {
             work: price.saturating_mul(count as u64),
         }
     }
 
-    /// Into how many parts it is best cut.
+    /// The best number of parts.
     pub(crate) fn parts(self) -> usize {
         let cost = match is_outside() {
             true => ENTER_COST,
@@ -88,12 +88,19 @@ impl Section {
         }
     }
 
-    /// Calls `work` with each part.
+    /// Calls `work` with each part, on several threads if there are several parts.
     pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
-        self.run(|| for_each(parts, work));
+        self.run(|| {
+            #[cfg(feature = "parallel")]
+            if parts.len() > 1 && threads() > 1 {
+                use rayon::prelude::*;
+                return parts.par_iter_mut().with_max_len(1).for_each(work);
+            }
+            parts.iter_mut().for_each(work);
+        });
     }
 
-    /// Does all of it, in one part or in several.
+    /// Runs the whole section, and times it if that is on.
     pub(crate) fn run<T>(self, work: impl FnOnce() -> T) -> T {
         let is_worth_it = gain(self.work, 2) >= SECTION_COST;
         if !is_worth_it || !IS_TIMED.load(Ordering::Relaxed) {
@@ -109,37 +116,25 @@ impl Section {
     }
 }
 
-/// Calls `work` with each part.
-fn for_each<T: Send>(parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
-    #[cfg(feature = "parallel")]
-    if parts.len() > 1 && threads() > 1 {
-        use rayon::prelude::*;
-        parts.par_iter_mut().with_max_len(1).for_each(work);
-        return;
-    }
-    parts.iter_mut().for_each(work);
-}
-
-/// Whether anybody wants to know how long sections take.
+/// Whether sections are timed.
 static IS_TIMED: AtomicBool = AtomicBool::new(false);
 
 thread_local! {
-    /// The sections that began on this thread and are worth a second one, whether there is one or not.
-    static SHARED: Cell<Shared> = const { Cell::new(Shared::NONE) };
+    /// The sections that began on this thread and are worth sharing, even if there is only one thread.
+    static SHARED: Cell<Shared> = Cell::default();
 }
 
-/// Has sections timed from now on.
+/// Switches the timing of sections on, for good.
 pub(crate) fn time_sections() {
     IS_TIMED.store(true, Ordering::Relaxed);
 }
 
-/// The sections so far that began on this thread and that several threads share, or would if there were several; none unless they are
-/// [timed](time_sections).
+/// The total of the [timed](time_sections) sections that began on this thread and are worth sharing.
 pub(crate) fn shared() -> Shared {
     SHARED.get()
 }
 
-/// Runs a test with this number of threads, or with one where there are no others.
+/// Runs a test with this number of threads, or with one without the feature `parallel`.
 #[cfg(test)]
 pub(crate) fn with_threads<T: Send>(count: usize, test: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]

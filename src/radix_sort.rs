@@ -1,34 +1,34 @@
-//! A stable radix sort of integers, each with a number that goes along.
+//! A stable radix sort of integer keys, each with a number that moves with it.
 //!
-//! Least significant digit first, as in section 3 of the paper: each pass is a counting sort by one digit, and keeps the order
-//! of equal digits. All digits are counted beforehand, in one pass over the keys. The first pass reads the entries where they
-//! are, and the last writes no more of them than is wanted, so that sorting indexes by keys moves both only in between.
+//! Least significant digit first, as in section 3 of the paper: each pass is a counting sort by one digit, and keeps the order of equal
+//! digits. One pass over the keys counts all digits beforehand. The first pass reads the entries where they are, and the last writes
+//! only the wanted part of each. So sorting indices by keys moves both only in the passes between.
 
 use crate::counting_sort::{starts_from_counts, take_place};
 
-/// Bits of a digit of many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in
-/// the first-level cache; a whole frame takes a tenth less time than with digits of 8 bits.
+/// Bits of a digit if there are many keys. Three passes sort keys of 32 bits and six those of 64, and the counts of a digit fit in the
+/// first-level cache. A whole search takes a tenth less time than with digits of 8 bits.
 const LARGE_DIGIT: u32 = 11;
-/// Bits of a digit of few keys, where clearing and adding up the counts would outweigh the passes saved.
+/// Bits of a digit if there are few keys: clearing and adding up more counts would take longer than the passes that they save.
 const SMALL_DIGIT: u32 = 8;
-/// From this many keys on, digits are large. Measured: half as many favour small digits, twice as many large ones, in
-/// both widths of key.
+/// From this many keys on, digits are large. Small digits are faster for half as many keys, and large ones for twice as many, in both
+/// widths of key.
 const FEW: usize = 1 << 10;
 
 /// The scratch memory of the sort.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RadixSort<K> {
-    /// What the next pass reads.
+    /// The next pass reads these entries.
     from: Vec<(K, u32)>,
-    /// What the next pass writes.
+    /// The next pass writes these entries.
     to: Vec<(K, u32)>,
-    /// A row for each digit: how many keys have each value of it, then where the next such key goes.
+    /// A row for each digit: how many keys have each value of it, then the place of the next such key.
     counts: Vec<u32>,
 }
 
 impl<K: Copy + Default + Into<u64>> RadixSort<K> {
-    /// Replaces `sorted` by what `item` makes of each entry, a key and a number, in the order of the keys. Entries of equal keys
-    /// stay in order. There are at most `u32::MAX`.
+    /// Sorts entries, each a key and a number, by their keys, and replaces `sorted` by the `item` of each. Entries with equal keys stay in
+    /// order. Takes at most `u32::MAX` entries.
     ///
     /// Computes in **O(n)** time.
     pub(crate) fn sort<T: Copy + Default>(
@@ -87,18 +87,18 @@ impl<K: Copy + Default + Into<u64>> RadixSort<K> {
     }
 }
 
-/// The first bit of each digit of a key, the least significant digit first.
+/// Returns the first bit of each digit of a key, the least significant digit first.
 fn shifts<K, const BITS: u32>() -> impl ExactSizeIterator<Item = u32> {
     (0..8 * size_of::<K>() as u32).step_by(BITS as usize)
 }
 
-/// The digit whose first bit is `shift`.
+/// Returns the digit of a key whose first bit is `shift`.
 #[inline]
 fn digit<const BITS: u32>(key: impl Into<u64>, shift: u32) -> usize {
     (key.into() >> shift) as usize & ((1 << BITS) - 1)
 }
 
-/// Counts the values of every digit, one row of `counts` per digit.
+/// Counts the values of all digits, in one row of `counts` per digit.
 fn count_digits<K: Copy + Into<u64>, const BITS: u32>(
     entries: impl Iterator<Item = (K, u32)>,
     counts: &mut Vec<u32>,
@@ -114,7 +114,7 @@ fn count_digits<K: Copy + Into<u64>, const BITS: u32>(
     }
 }
 
-/// One pass: hands every entry to `put`, with the place that its digit gives it.
+/// One pass: calls `put` with each entry and its place by this digit.
 #[inline]
 fn pass<K: Copy + Into<u64>, const BITS: u32>(
     entries: impl Iterator<Item = (K, u32)>,

@@ -1,8 +1,8 @@
-//! The paper's kernel: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
+//! The kernel of the paper: a sweep over the second axis, with the active boxes ordered by their ranks on the first.
 //!
-//! The endpoints of both axes are sorted. On the first axis only their ranks matter (`ranks`). The second axis is swept:
-//! at a low endpoint the object's two ranks enter the active set (`succ_tree`), and every rank between them there belongs
-//! to an object that overlaps on both axes; at a high endpoint they leave.
+//! The endpoints of both axes are sorted. On the first axis only their ranks matter (`ranks`). The sweep goes through the endpoints of
+//! the second axis. At a low endpoint, the two ranks of the object enter the active set (`succ_tree`), and every rank between them
+//! belongs to an object that overlaps on both axes. At a high endpoint, they leave.
 
 mod ranks;
 mod succ_tree;
@@ -22,35 +22,32 @@ use succ_tree::SuccTree;
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
 const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 
-/// The ranks of this many endpoints are fetched before these endpoints are swept. They are scattered in memory, and
-/// fetching a batch takes little longer than fetching one. Fetched one by one, they make the whole sweep a tenth slower.
+/// The sweep fetches the ranks of this many endpoints at once. They are scattered in memory, and a batch takes hardly longer than one.
+/// Fetched one by one, they make the whole sweep a tenth slower.
 const BATCH: usize = 32;
 
 /// Sweep and prune by ranks: Algorithm 1 of Capannini and Larsson, *Output sensitive collision detection for unisize
 /// boxes* (2016).
 ///
-/// Computes in **O(n log₆₄ n + c)** time and **O(n)** memory beside the pairs, where c is the number of *candidates*:
-/// pairs that overlap on the second axis, and on the first axis once each box has been widened to end no earlier than
-/// any that begins before it.
+/// Computes in **O(n log₆₄ n + c)** time and **O(n)** memory besides the pairs, where c is the number of *candidates*: the pairs that
+/// overlap on the second axis, and also on the first axis after each box has been widened to end no earlier than any that begins before
+/// it.
 ///
-/// - For boxes of one size, nothing is widened: in 2D, the candidates are the answer and are not even tested, so the
-///   time is worst-case optimal in the size of the output, wherever the boxes are. Boxes count as being of one size as
-///   long as they end, on the first axis, in the order in which they begin. They do when `maxs` is `mins` plus one size,
-///   however the sum is rounded.
-/// - For boxes of about one size, the more the sizes differ, the more candidates fail.
-/// - **One huge box widens every box that begins after it on the first axis**, and makes every pair of boxes that
-///   overlap on the second axis a candidate. The pairs are still right; only the time suffers.
-/// - In 3D and beyond, the further axes only test the candidates, as section 7 of the paper has it: one more interval an
-///   axis. Where there are many boxes across all axes, most candidates fail.
+/// - Boxes of one size are not widened. In 2D, the candidates are the answer without a test, so the time is optimal for the size of the
+///   output, wherever the boxes are. Boxes count as of one size if they end, on the first axis, in the order in which they begin. They do
+///   if `maxs` is `mins` plus one size, for any rounding of the sum.
+/// - The more the sizes differ, the more candidates fail.
+/// - **One huge box widens every box that begins after it on the first axis.** Every pair of these boxes that overlaps on the second axis
+///   becomes a candidate. The pairs are still right; only the time suffers.
+/// - In 3D and beyond, the further axes only test the candidates, as in section 7 of the paper. If there are many boxes across all axes,
+///   most candidates fail.
 ///
-/// The axes are taken in the given order: let the first two be those along which boxes are spread out. `D` must not be
-/// 0.
+/// The axes are used in the given order, so boxes should be spread along the first two. `D` must not be 0.
 ///
-/// At most 2³¹ - 1 boxes, because each has two endpoints; more are refused as
-/// [`TooMany`](crate::InvalidInputReason::TooMany).
+/// Takes at most 2³¹ - 1 boxes, because each has two endpoints, and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
-/// With the feature `parallel`, the endpoints of the two axes are sorted at the same time, as section 7 of the paper has
-/// it; the sweep takes one thread. The pairs are the same, in the same order.
+/// With the feature `parallel`, two threads sort the endpoints of the two axes at the same time, as in section 7 of the paper. The sweep
+/// takes one thread. The pairs are the same, in the same order.
 ///
 /// ```
 /// use unisize::{Aabb, PairFinder, RankSweep};
@@ -67,22 +64,21 @@ const BATCH: usize = 32;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct RankSweep<R: Real, const D: usize> {
-    /// The first two axes. If they are sorted one after the other, both use the first of these. All is scratch memory, as
-    /// is the rest.
+    /// Scratch, as are the other fields: the first two axes. If they are sorted one after the other, both use the first of these.
     axes: [Endpoints<R>; 2],
     /// The objects in the order of their low endpoints on the first axis.
     lows: Vec<u32>,
-    /// By object, the ranks of its low and of its high endpoint on the first axis.
+    /// By object, the ranks of its low and its high endpoint on the first axis.
     ranks: Vec<[u32; 2]>,
-    /// The ranks of the active objects, labelled with the objects.
+    /// The ranks of the active objects; each has its object as a label.
     active: SuccTree,
     stopwatch: Stopwatch,
 }
 
-/// The `2n` endpoints of an axis: the low one of object `i` at `i`, the high one at `i + n`.
+/// The `2n` endpoints of an axis: the low one of object `i` at `i`, and the high one at `i + n`.
 #[derive(Clone, Debug, Default)]
 struct Endpoints<R: Real> {
-    /// Integers that compare as the coordinates do.
+    /// Integers in the order of the coordinates.
     keys: Vec<R::Key>,
     /// The endpoints in order.
     order: Vec<u32>,
@@ -90,8 +86,8 @@ struct Endpoints<R: Real> {
 }
 
 impl<R: Real> Endpoints<R> {
-    /// Sorts the endpoints of an axis, in **O(n)** time. The sort is stable, so low endpoints come before equal high ones, as
-    /// closed boxes require, and each kind is in the order of objects.
+    /// Sorts the endpoints of an axis, in **O(n)** time. The sort is stable. So low endpoints precede equal high ones, as closed boxes
+    /// require, and equal endpoints of a kind are in the order of their objects.
     fn sort<const D: usize>(&mut self, boxes: &[Aabb<R, D>], axis: usize) {
         let (lows, highs) = (boxes.iter(), boxes.iter());
         self.keys.clear();
@@ -128,7 +124,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             (is_exact, 1)
         } else {
             let is_exact = rank_first();
-            // Reuses the memory of the first axis. If there is only one axis, it is swept as well.
+            // This reuses the memory of the first axis. In 1D, the sweep goes over the first axis too.
             if D > 1 {
                 first.sort(boxes, 1);
             }
@@ -136,7 +132,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         };
         self.stopwatch.enter(Phase::Sweep);
         if is_exact {
-            // Two axes are decided: what is left is one more interval in 3D, and nothing in 2D, not even a look at the boxes.
+            // The sweep decides two axes. One interval remains in 3D; in 2D, the boxes need not even be read.
             self.sweep(swept, pairs, |p, q| {
                 (2..D).all(|k| {
                     let (a, b) = (&boxes[p as usize], &boxes[q as usize]);
@@ -153,7 +149,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> RankSweep<R, D> {
-    /// The same kernel, which from now on takes the [times of its phases](Self::phase_times).
+    /// Returns the kernel with its clock switched on: see [`phase_times`](Self::phase_times).
     pub fn timed(self) -> Self {
         Self {
             stopwatch: Stopwatch::new(true),
@@ -161,15 +157,15 @@ impl<R: Real, const D: usize> RankSweep<R, D> {
         }
     }
 
-    /// How long each phase of the last run has taken; zeros unless it was [`timed`](Self::timed). The ranks are a part of
-    /// [`sort`](PhaseTimes::sort); [`sweep`](PhaseTimes::sweep) is what the paper calls the pairing phase.
+    /// Returns the times of the last search's phases; zeros unless the kernel is [`timed`](Self::timed). Computing the ranks belongs to
+    /// [`sort`](PhaseTimes::sort). The paper calls [`sweep`](PhaseTimes::sweep) the pairing phase.
     pub fn phase_times(&self) -> PhaseTimes {
         self.stopwatch.times
     }
 
-    /// Sweeps the endpoints of the second axis, which are sorted in `axes[swept]`, and appends the pairs of objects that
-    /// overlap on both axes and pass the test.
-    // Not inlined, so that a profiler can tell it from the sorting.
+    /// Sweeps the endpoints of the second axis, which are sorted in `axes[swept]`. Appends the pairs of objects that overlap on both axes
+    /// and pass the test.
+    // Not inlined, so that profilers show it apart from the sorting.
     #[inline(never)]
     fn sweep(
         &mut self,

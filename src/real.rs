@@ -1,4 +1,4 @@
-//! The two scalar types of coordinates.
+//! The scalar types of coordinates.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
@@ -10,7 +10,7 @@ mod sealed {
 
     use crate::lanes::Lanes;
 
-    /// Seals [`Real`](super::Real), and holds what only kernels need.
+    /// Seals [`Real`](super::Real), and has the items that are not public.
     pub trait Sealed: Copy {
         /// Eight of them, compared at once.
         type Lanes: Lanes<Self>;
@@ -20,23 +20,21 @@ mod sealed {
         const ZERO: Self;
         const INFINITY: Self;
         const NEG_INFINITY: Self;
-        /// The greatest finite number.
-        const MAX: Self;
         const NAN: Self;
         /// The distance from 1 to the next number.
         const EPSILON: Self;
-        /// A sum of products may have lost digits to underflow if it is less.
+        /// A smaller sum of products may have lost digits to underflow.
         const LEAST_EXACT: Self;
 
         fn abs(self) -> Self;
         fn sqrt(self) -> Self;
         fn is_finite(self) -> bool;
-        /// An integer that compares as the number does; both zeros have the same one. Unspecified for NaN.
+        /// An integer in the order of the numbers; both zeros have the same one. Unspecified for NaN.
         fn order_key(self) -> Self::Key;
     }
 }
 
-/// A scalar that boxes can be made of: `f32` or `f64`. Sealed.
+/// The scalar type of coordinates: `f32` or `f64`. Sealed.
 pub trait Real:
     sealed::Sealed
     + Copy
@@ -52,9 +50,9 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// The number of this type that is nearest to an `f64`.
+    /// Returns the number of this type that is nearest to an `f64`.
     fn from_f64(x: f64) -> Self;
 }
 
@@ -78,7 +76,6 @@ macro_rules! impl_real {
             const ZERO: Self = 0.0;
             const INFINITY: Self = $real::INFINITY;
             const NEG_INFINITY: Self = $real::NEG_INFINITY;
-            const MAX: Self = $real::MAX;
             const NAN: Self = $real::NAN;
             const EPSILON: Self = $real::EPSILON;
             const LEAST_EXACT: Self = $real::MIN_POSITIVE / $real::EPSILON;

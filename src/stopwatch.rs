@@ -1,10 +1,10 @@
-//! Where the time goes.
+//! The times of phases.
 
 use std::time::{Duration, Instant};
 
 use crate::parallel;
 
-/// How long each phase of finding pairs has taken, in wall-clock time. Zero unless it was asked for.
+/// The wall-clock time of each phase of finding pairs. Zeros unless timing is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -22,12 +22,12 @@ pub struct PhaseTimes {
     pub difference: Duration,
     /// Writing the changes as events.
     pub events: Duration,
-    /// Of all that, what several threads share, or would if there were several.
+    /// The part of all phases that several threads share, or would share if there were several.
     #[doc(hidden)]
     pub shared: Shared,
 }
 
-/// What several threads can share.
+/// Work that several threads can share.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
@@ -37,17 +37,12 @@ pub struct PhaseTimes {
 #[non_exhaustive]
 pub struct Shared {
     pub time: Duration,
-    /// Into how many sections it is cut, at the end of each of which threads wait for each other.
+    /// The number of sections; at the end of each, threads wait for each other.
     pub sections: u32,
 }
 
 impl Shared {
-    pub(crate) const NONE: Self = Self {
-        time: Duration::ZERO,
-        sections: 0,
-    };
-
-    /// Adds what was shared between two counts of the same thread.
+    /// Adds the difference between two totals of the same thread.
     pub(crate) fn add(&mut self, [before, after]: [Self; 2]) {
         self.time += after.time - before.time;
         self.sections += after.sections - before.sections;
@@ -55,32 +50,24 @@ impl Shared {
 }
 
 impl PhaseTimes {
-    /// The phases by name, in the order of the work.
+    /// Returns the phases with their names, in the order of the work.
     pub fn by_name(&self) -> [(&'static str, Duration); 5] {
-        let Self {
-            read,
-            sort,
-            sweep,
-            difference,
-            events,
-            shared: _,
-        } = *self;
         [
-            ("read", read),
-            ("sort", sort),
-            ("sweep", sweep),
-            ("difference", difference),
-            ("events", events),
+            ("read", self.read),
+            ("sort", self.sort),
+            ("sweep", self.sweep),
+            ("difference", self.difference),
+            ("events", self.events),
         ]
     }
 
-    /// All phases together.
+    /// Returns the sum of all phases.
     pub fn total(&self) -> Duration {
         self.by_name().iter().map(|(_, time)| time).sum()
     }
 }
 
-/// Whether there is a clock: in WebAssembly without a system to ask there is none, and to read it would be a panic.
+/// Whether there is a clock. WebAssembly without an operating system has none, and reading it would panic.
 const IS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
 /// The time, if there is a clock.
@@ -88,7 +75,7 @@ pub(crate) fn now() -> Option<Instant> {
     IS_CLOCK.then(Instant::now)
 }
 
-/// How long it is since then; zero without a clock.
+/// The time since then; zero without a clock.
 pub(crate) fn since(began: Option<Instant>) -> Duration {
     began.map_or(Duration::ZERO, |began| began.elapsed())
 }
@@ -103,11 +90,11 @@ pub(crate) enum Phase {
     Events,
 }
 
-/// Adds up the time that phases take. It does not read the clock unless it is switched on.
+/// Adds up the times of phases. Reads the clock only if it is on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stopwatch {
     is_on: bool,
-    /// The phase that is running, and when it began.
+    /// The phase that is running, and its start.
     running: Option<(Phase, Instant)>,
     pub(crate) times: PhaseTimes,
 }
@@ -123,39 +110,38 @@ impl Stopwatch {
         }
     }
 
-    /// One that is on if this one is, and starts from zero.
+    /// Returns a stopwatch that is on if this one is, and starts from zero.
     pub(crate) fn reset(&self) -> Self {
         Self::new(self.is_on)
     }
 
-    /// Begins a phase, and ends the one that is running, if any.
+    /// Begins a phase, and ends the running one, if any.
     pub(crate) fn enter(&mut self, phase: Phase) {
         if self.is_on {
-            let now = Instant::now();
-            self.end_at(now);
-            self.running = Some((phase, now));
+            self.switch(Some(phase));
         }
     }
 
-    /// Ends the phase that is running, if any.
+    /// Ends the running phase, if any.
     pub(crate) fn leave(&mut self) {
         if self.running.is_some() {
-            self.end_at(Instant::now());
+            self.switch(None);
         }
     }
 
-    fn end_at(&mut self, now: Instant) {
-        let Some((phase, began)) = self.running.take() else {
-            return;
-        };
-        let times = &mut self.times;
-        *match phase {
-            Phase::Read => &mut times.read,
-            Phase::Sort => &mut times.sort,
-            Phase::Sweep => &mut times.sweep,
-            Phase::Difference => &mut times.difference,
-            Phase::Events => &mut times.events,
-        } += now - began;
+    fn switch(&mut self, next: Option<Phase>) {
+        let now = Instant::now();
+        if let Some((phase, began)) = self.running {
+            let times = &mut self.times;
+            *match phase {
+                Phase::Read => &mut times.read,
+                Phase::Sort => &mut times.sort,
+                Phase::Sweep => &mut times.sweep,
+                Phase::Difference => &mut times.difference,
+                Phase::Events => &mut times.events,
+            } += now - began;
+        }
+        self.running = next.map(|phase| (phase, now));
     }
 }
 

@@ -1,40 +1,50 @@
 //! Which boxes of a class are in which tube.
+//!
+//! Threads divide the boxes among them, not the tubes, so that one thread reads each box. Within a part of the boxes this is a counting
+//! sort: boxes are counted by tube, then placed. The entries of a tube are gathered from the parts when the tube is swept.
 
 use std::ops::Range;
 
-use super::class::Run;
+use super::entry::{Entry, Ghost, MAX_GHOSTS, Owner};
 use super::grid::Grid;
-use super::members::Members;
-use super::part::Part;
+use super::search::Members;
+use crate::aabb::Aabb;
+use crate::counting_sort::{starts_from_counts, take_place};
+use crate::invalid_input::InvalidInput;
+use crate::pair_finder::check_boxes;
 use crate::parallel::{Section, start_of_part};
 use crate::real::Real;
 use crate::tuning::kernel::{BOXES_A_SLAB, SLABS_UP_TO, TABLED_TUBES_A_BOX};
+use crate::tuning::prices::SEARCHED;
 
-/// Scratch memory: the entries of each tube. The members are [counted](Self::count), then [placed](Self::place).
+/// Scratch memory: the entries of each tube. Members are first [counted](Self::count), then [placed](Self::place).
 #[derive(Clone, Debug, Default)]
 pub(super) struct Assignment {
-    /// One for each thread.
+    /// How many slabs the user asks for; `None` means as many as the work is worth.
+    pub(super) slabs_asked: Option<usize>,
     pub(super) parts: Vec<Part>,
-    /// How many slabs the tubes are cut into, at most.
+    /// The work on the members.
+    pub(super) section: Section,
+    /// At most so many slabs.
     slab_count: usize,
-    /// How many tubes have a number.
-    tubes: u32,
+    tube_count: u32,
 }
 
 impl Assignment {
-    /// Shares the members out to the parts, and finds their tubes, the oversized, and whether there are invalid ones.
-    pub(super) fn count<R: Real, const D: usize, F>(
+    /// Finds the tubes of the members, and replaces `oversized` by the indices of those too large for the grid.
+    pub(super) fn count<R: Real, const D: usize>(
         &mut self,
-        members: impl Members,
+        members: Members<R, D>,
         grid: &Grid<R>,
-        run: &Run<R, D, F>,
-    ) {
+        oversized: &mut Vec<u32>,
+    ) -> Result<(), InvalidInput> {
         let count = members.count();
-        self.tubes = grid.tube_count();
-        // So that memory grows with the boxes alone, whatever was asked for.
-        self.slab_count = run.slab_count.unwrap_or(run.section.parts());
-        self.slab_count = self.slab_count.min(SLABS_UP_TO + count / BOXES_A_SLAB);
-        let tabled = TABLED_TUBES_A_BOX * count as u64 / u64::from(self.tubes);
+        self.tube_count = grid.tube_count();
+        self.section = Section::of(count, SEARCHED);
+        // Both limits keep memory proportional to the boxes, whatever the user asks for.
+        let asked = self.slabs_asked.unwrap_or(self.section.parts());
+        self.slab_count = asked.min(SLABS_UP_TO + count / BOXES_A_SLAB);
+        let tabled = TABLED_TUBES_A_BOX * count as u64 / u64::from(self.tube_count);
         let most = count.min(usize::try_from(tabled).unwrap_or(usize::MAX));
         let part_count = self.slab_count.min(most).max(1);
         self.parts.resize_with(part_count, Part::default);
@@ -42,68 +52,200 @@ impl Assignment {
             let [start, end] = [i, i + 1].map(|i| start_of_part(i, part_count, count));
             part.range = start..end;
         }
-        let (boxes, parts) = (run.boxes, &mut self.parts);
-        run.section
-            .for_each(parts, |part| part.count(boxes, members, grid));
+        let (section, parts) = (self.section, &mut self.parts);
+        match members.indices {
+            None => section.for_each(parts, |part| part.count::<R, D, true>(members, grid)),
+            Some(_) => section.for_each(parts, |part| part.count::<R, D, false>(members, grid)),
+        }
+        oversized.clear();
+        for part in parts {
+            if part.is_invalid {
+                check_boxes(members.boxes)?;
+            }
+            oversized.append(&mut part.oversized);
+        }
+        Ok(())
     }
 
-    /// Places the entries of the members that were counted.
-    pub(super) fn place(&mut self, members: impl Members, section: Section) {
-        section.for_each(&mut self.parts, |part| part.place(members));
+    /// Places the entries of the counted members.
+    pub(super) fn place<R: Real, const D: usize>(&mut self, members: Members<R, D>) {
+        let parts = &mut self.parts;
+        self.section.for_each(parts, |part| part.place(members));
     }
 
-    /// How many pairs of entries share a tube, once they are counted and before they are placed; each entry makes one with itself, and each
-    /// pair counts twice.
+    /// How many pairs of entries share a tube, counted twice and with each entry paired with itself. Only between counting and placing.
     pub(super) fn comparisons(&self) -> u64 {
-        let count = |tube: u32| {
-            self.parts
-                .iter()
-                .map(|part| u64::from(part.ends[tube as usize]))
-                .sum::<u64>()
-        };
-        (0..self.tubes).map(|tube| count(tube) * count(tube)).sum()
+        let squares = (0..self.tube_count as usize).map(|tube| {
+            let counts = self.parts.iter().map(|part| u64::from(part.ends[tube]));
+            counts.sum::<u64>().pow(2)
+        });
+        squares.sum()
     }
 
-    /// How many entries there are in the tubes before this one.
+    /// How many entries the tubes before this one have.
     pub(super) fn entries_before(&self, tube: u32) -> usize {
         let counts = self.parts.iter().map(|part| part.entries_before(tube));
         counts.map(|count| count as usize).sum()
     }
 
-    /// Whether a tube has entries.
-    pub(super) fn is_occupied(&self, tube: u32) -> bool {
-        self.parts.iter().any(|part| !part.tube(tube).is_empty())
-    }
-
-    /// Cuts the tubes into ranges that are about equally full.
+    /// Divides the tubes into ranges with about as many entries each.
     pub(super) fn split(&self) -> Vec<Range<u32>> {
-        let count = self.slab_count;
-        let total = self.entries_before(self.tubes);
+        let total = self.entries_before(self.tube_count);
         let mut ranges = vec![];
         let mut start = 0;
-        for cut in 1..count {
-            let before = start_of_part(cut, count, total);
-            let tube = self.first_with_entries_before(before).max(start + 1);
-            if tube >= self.tubes {
+        for cut in 1..self.slab_count {
+            let before = start_of_part(cut, self.slab_count, total);
+            // A binary search for the first tube with that many entries before it.
+            let (mut low, mut high) = (start + 1, self.tube_count);
+            while low < high {
+                let middle = low.midpoint(high);
+                match self.entries_before(middle) < before {
+                    true => low = middle + 1,
+                    false => high = middle,
+                }
+            }
+            if low >= self.tube_count {
                 break;
             }
-            ranges.push(start..tube);
-            start = tube;
+            ranges.push(start..low);
+            start = low;
         }
-        ranges.push(start..self.tubes);
+        ranges.push(start..self.tube_count);
         ranges
     }
 
-    /// The first tube before which there are at least so many entries.
-    fn first_with_entries_before(&self, entries: usize) -> u32 {
-        let (mut low, mut high) = (0, self.tubes);
-        while low < high {
-            let middle = low + (high - low) / 2;
-            match self.entries_before(middle) < entries {
-                true => low = middle + 1,
-                false => high = middle,
+    /// Appends the entries of a tube, in the order that they have in a single part.
+    #[inline]
+    pub(super) fn gather<R: Real, const D: usize>(
+        &self,
+        boxes: &[Aabb<R, D>],
+        tube: u32,
+        entries: &mut Vec<Entry<R, D>>,
+    ) {
+        // Boxes are anywhere in memory. They are copied before they are sorted, so that no read has to wait for another.
+        let mut read = |owners: &[Owner]| {
+            entries.extend(owners.iter().map(|&owner| Entry {
+                aabb: boxes[owner.index() as usize],
+                owner,
+            }));
+        };
+        if let [part] = &self.parts[..] {
+            return read(part.tube(tube));
+        }
+        for are_ghosts in [false, true] {
+            for part in &self.parts {
+                let owners = part.tube(tube);
+                let (homes, ghosts) = owners.split_at(owners.partition_point(|o| o.is_at_home()));
+                read(if are_ghosts { ghosts } else { homes });
             }
         }
-        low
+    }
+}
+
+/// How many boxes are counted before the list of ghosts gets more room.
+const BATCH: usize = 256;
+
+/// The entries of a part of the members, by tube: first the boxes whose own tube it is, then the ghosts, both in the order of the
+/// members.
+///
+/// An entry is only its owner here. Writing boxes to hundreds of places takes longer than reading them again, tube by tube: those
+/// reads do not wait for each other.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Part {
+    /// Which of the members.
+    range: Range<usize>,
+    /// Whether one of their boxes is invalid.
+    is_invalid: bool,
+    /// The boxes too large for the grid.
+    oversized: Vec<u32>,
+    /// By member its own tube; for an oversized one, the tube past the last.
+    homes: Vec<u32>,
+    /// The ghosts; those past their count are unspecified.
+    ghosts: Vec<Ghost>,
+    ghost_count: usize,
+    /// By tube, and for the tube past the last: first the number of entries, then where they end in `owners`.
+    ends: Vec<u32>,
+    /// The owners of the entries, tube after tube.
+    owners: Vec<Owner>,
+}
+
+impl Part {
+    /// Counts the entries of each tube, and finds out whether a box is invalid if `ALL` boxes are members.
+    ///
+    /// Whether a box has a ghost is practically random, so there is no branch on it: every box writes to the list of ghosts, which
+    /// grows by those that exist.
+    fn count<R: Real, const D: usize, const ALL: bool>(
+        &mut self,
+        members: Members<R, D>,
+        grid: &Grid<R>,
+    ) {
+        let (oversized, counts) = (&mut self.oversized, &mut self.ends);
+        let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
+        let tube_count = grid.tube_count();
+        oversized.clear();
+        counts.clear();
+        counts.resize(tube_count as usize + 1, 0);
+        let counts = &mut counts[..];
+        homes.resize(range.len(), 0);
+        let mut ghost_count = 0;
+        let mut is_invalid = false;
+        for (start, homes) in range.clone().step_by(BATCH).zip(homes.chunks_mut(BATCH)) {
+            let room = ghost_count + homes.len() * MAX_GHOSTS;
+            if ghosts.len() < room {
+                ghosts.resize(room + ghost_count, Ghost::default());
+            }
+            let ghosts = &mut ghosts[..room];
+            members.for_each::<ALL>(start..start + homes.len(), |i, index, aabb| {
+                is_invalid |= ALL && !aabb.is_valid();
+                let span = grid.tube_span(aabb);
+                if grid.is_oversized(aabb, &span) {
+                    oversized.push(index);
+                    homes[i] = tube_count;
+                    counts[tube_count as usize] += 1;
+                    return;
+                }
+                let home = grid.tube(span.first);
+                homes[i] = home;
+                counts[home as usize] += 1;
+                let list = ghosts[ghost_count..]
+                    .first_chunk_mut()
+                    .expect("there is room");
+                ghost_count +=
+                    Ghost::write_all::<D>(index, grid.next_tubes(home), span.beyond(), list);
+            });
+        }
+        for ghost in &ghosts[..ghost_count] {
+            counts[ghost.tube as usize] += 1;
+        }
+        self.ghost_count = ghost_count;
+        self.is_invalid = is_invalid;
+    }
+
+    /// Places the counted entries.
+    fn place<R: Real, const D: usize>(&mut self, members: Members<R, D>) {
+        let next = &mut self.ends[..];
+        let total = starts_from_counts(next) as usize;
+        // Every entry that is read later is written below, so old ones need not be cleared.
+        if self.owners.len() < total {
+            self.owners.resize(total, Owner::default());
+        }
+        let owners = &mut self.owners[..];
+        for (i, &home) in self.range.clone().zip(&self.homes) {
+            owners[take_place(next, home as usize)] = Owner(members.index(i));
+        }
+        for ghost in &self.ghosts[..self.ghost_count] {
+            owners[take_place(next, ghost.tube as usize)] = ghost.owner;
+        }
+    }
+
+    fn entries_before(&self, tube: u32) -> u32 {
+        tube.checked_sub(1)
+            .map_or(0, |last| self.ends[last as usize])
+    }
+
+    /// The owners of a tube's entries.
+    #[inline]
+    fn tube(&self, tube: u32) -> &[Owner] {
+        &self.owners[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
     }
 }

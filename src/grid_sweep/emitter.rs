@@ -1,50 +1,42 @@
 //! Pairs on their way to the output.
 //!
-//! Most boxes have a few candidates, and how many of them are hits is practically random; a branch on that would be
-//! mispredicted for every other box. So pairs are written to a buffer whether they are hits or not, and the cursor moves on by
-//! the hits; or the hits of several boxes are gone through in one loop.
+//! Most boxes have a few candidates, and how many of them are hits is practically random: a branch on it would be mispredicted for
+//! every other box. So the emitter writes a pair to its buffer whether it is a hit or not, and moves on by the number of hits; or one
+//! loop goes through the hits of several boxes.
 
-use super::owner::Owner;
-use crate::lanes::LANES;
+use super::entry::Owner;
+use crate::lanes::{ARE_VECTORS, LANES};
 use crate::pair_finder::ordered;
+use crate::tuning::kernel::COMPARED_A_PAIR;
 
-/// What was done, in numbers.
+/// The work of a search, counted.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
-    /// Pairs that were emitted, also if nobody wants them.
+    /// Pairs that overlap, wanted or not.
     pub(crate) emitted: usize,
-    /// Those of them that nobody wants.
-    pub(crate) unwanted: usize,
-    /// Boxes that were compared with another, and tubes visited.
+    /// Comparisons of two boxes, and visits of tubes in units of comparisons.
     pub(crate) compared: usize,
 }
 
-impl std::ops::AddAssign for Tally {
-    fn add_assign(&mut self, other: Self) {
-        self.emitted += other.emitted;
-        self.unwanted += other.unwanted;
-        self.compared += other.compared;
-    }
-}
-
-/// How many pairs are collected before they are appended to the output.
+/// How many pairs the buffer holds.
 const BUFFER: usize = 512;
 
-/// Collects pairs and appends them to a list. Pairs of ghosts on the same axis are left out: another tube has them.
+/// Collects pairs and appends them to a list. Leaves out the pairs of ghosts on the same axis: another tube reports them.
 ///
-/// Once there are more than it may append, it only counts them.
+/// After more than `most` pairs it only counts them.
 pub(super) struct Emitter<'a> {
     pairs: &'a mut Vec<[u32; 2]>,
-    /// How many pairs the list had before.
+    /// The length of the list at the start.
     first: usize,
     buffer: [[u32; 2]; BUFFER],
     len: usize,
-    /// How many pairs were emitted, but for those in the buffer.
-    flushed: usize,
-    /// How many may be appended.
     pub(super) most: usize,
-    /// How many boxes were compared with another to find the pairs, and tubes visited.
-    pub(super) compared: usize,
+    /// The work so far, without the pairs in the buffer.
+    pub(super) tally: Tally,
+    /// The pairs before the present tube.
+    before_tube: usize,
+    /// The most comparisons by the end of the present tube, besides some for each of its pairs.
+    budget: usize,
 }
 
 impl<'a> Emitter<'a> {
@@ -54,15 +46,20 @@ impl<'a> Emitter<'a> {
             pairs,
             buffer: [[0; 2]; BUFFER],
             len: 0,
-            flushed: 0,
             most,
-            compared: 0,
+            tally: Tally::default(),
+            before_tube: 0,
+            budget: usize::MAX,
         }
     }
 
-    /// Emits the pairs of `owner` with those of eight others whose bit in `hits` is set.
+    /// Emits the pairs of `owner` with those of the eight others whose bit in `hits` is set.
     #[inline(always)]
     pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], mut hits: u32) {
+        if !ARE_VECTORS {
+            // The window has one candidate, and has found that it overlaps.
+            return self.emit_one(owner, others[0], true);
+        }
         if self.len > BUFFER - LANES {
             self.flush();
         }
@@ -81,7 +78,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Emits one pair, if it is a hit.
+    /// Emits one pair if it is a hit.
     #[inline(always)]
     pub(super) fn emit_one(&mut self, owner: Owner, other: Owner, is_hit: bool) {
         if self.len == BUFFER {
@@ -90,28 +87,22 @@ impl<'a> Emitter<'a> {
         self.append(owner, other, is_hit);
     }
 
-    /// Emits one pair, if it is a hit. There must be room.
+    /// Emits one pair if it is a hit. The buffer must have room.
     #[inline(always)]
     fn append(&mut self, owner: Owner, other: Owner, is_hit: bool) {
         self.buffer[self.len % BUFFER] = ordered(owner.index(), other.index());
-        // No branch: it would be mispredicted.
+        // A branch would be mispredicted.
         self.len += usize::from(is_hit & !owner.shares_axis(other));
     }
 
-    /// Emits the pairs of a few entries with those that follow them: of the entry `i`, bit `s` of as many bits as there
-    /// are shifts is for the entry `i + 1 + s`.
+    /// Emits the pairs of a few entries with those that follow them. Each entry `i` has `SHIFTS` bits: bit `s` for entry `i + 1 + s`.
     #[inline(always)]
     pub(super) fn emit_shifted<const SHIFTS: usize, const N: usize>(
         &mut self,
         owners: &[Owner; N],
         mut hits: u64,
     ) {
-        const {
-            assert!(
-                N >= 64 / SHIFTS + SHIFTS,
-                "the last entry has as many that follow"
-            )
-        };
+        const { assert!(N >= 64 / SHIFTS + SHIFTS, "each entry has `SHIFTS` others") };
         if self.len > BUFFER - 64 {
             self.flush();
         }
@@ -124,44 +115,43 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// How many pairs were emitted.
-    #[inline(always)]
-    pub(super) fn count(&self) -> usize {
-        self.flushed + self.len
+    /// Begins a tube, with this many comparisons besides some for each pair in it.
+    pub(super) fn begin_tube(&mut self, budget: usize) {
+        self.before_tube = self.tally.emitted + self.len;
+        self.budget = self.tally.compared.saturating_add(budget);
     }
 
-    /// Counts pairs that are too many to be emitted.
-    pub(super) fn give_up(&mut self, pairs: usize) {
-        self.flushed += pairs;
+    /// Whether the tube has taken more comparisons than it may.
+    #[inline(always)]
+    pub(super) fn is_budget_exceeded(&self) -> bool {
+        let Tally { emitted, compared } = self.tally;
+        let in_tube = emitted + self.len - self.before_tube;
+        compared > self.budget && compared - self.budget > COMPARED_A_PAIR * in_tube
+    }
+
+    /// Takes the pairs of the tube back, unless more were emitted than may be appended.
+    pub(super) fn take_tube_back(&mut self) {
+        self.len = self.before_tube.saturating_sub(self.tally.emitted);
+        self.tally.emitted = self.tally.emitted.min(self.before_tube);
+        self.pairs.truncate(self.first + self.tally.emitted);
     }
 
     /// Whether more pairs were emitted than may be appended.
     pub(super) fn is_over(&self) -> bool {
-        self.flushed > self.most
-    }
-
-    /// Takes back all pairs but so many, if no more were emitted than may be appended.
-    pub(super) fn take_back(&mut self, count: usize) {
-        self.len = count.saturating_sub(self.flushed);
-        self.flushed = self.flushed.min(count);
-        self.pairs.truncate(self.first + self.flushed);
+        self.tally.emitted > self.most
     }
 
     fn flush(&mut self) {
-        self.flushed += self.len;
+        self.tally.emitted += self.len;
         if !self.is_over() {
             self.pairs.extend_from_slice(&self.buffer[..self.len]);
         }
         self.len = 0;
     }
 
-    /// Appends what is left, and tells what it took.
+    /// Appends the rest of the buffer and returns the work so far.
     pub(super) fn finish(mut self) -> Tally {
         self.flush();
-        Tally {
-            emitted: self.flushed,
-            compared: self.compared,
-            unwanted: 0,
-        }
+        self.tally
     }
 }

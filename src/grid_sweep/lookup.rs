@@ -1,158 +1,169 @@
 //! One box against boxes that are already sorted.
 //!
-//! This is how boxes much larger than the rest meet the rest: a box that spans more than two strips on an
-//! axis gets no entries, because there could be any number of them. And it is how a few boxes that have
-//! moved meet the many that have not.
+//! Boxes of different size classes meet by look-ups, and so do the boxes of an update that have moved and those that have not.
 //!
-//! Entries are sorted by `mins[0]`, and the running maximum of `maxs[0]` ascends too. So in each occupied
-//! tube that the box spans, a binary search finds the first entry to look at, for boxes of any sizes.
+//! In each tube, entries ascend by `mins[0]`, and so does the running maximum of `maxs[0]`. So a binary search finds the first entry
+//! to compare, for boxes of any sizes.
 //!
-//! A box may span many tubes, and other boxes may have entries in several of them. Their pair is reported in the tube where the later of
-//! both begins, along each axis. Where no tubes share a number, or for a box that is at most two strips wide, that is where not both are
-//! ghosts on the same axis, as in the sweep.
+//! Both the query and a member may reach several tubes. Their pair is reported in one of them: on each axis, in the later of the
+//! two strips in which they begin. If the strips of the tube are known, that is where they are not ghosts on the same axis, as in
+//! the sweep.
 
+use super::class::Class;
 use super::emitter::Emitter;
-use super::grid::{Grid, TubeSpan};
-use super::owner::Owner;
-use super::tubes::{Entry, NOWHERE, Tube, Tubes};
+use super::entry::{Entry, Owner};
+use super::grid::{Grid, REACH, TubeSpan};
+use super::slab::{NOWHERE, Slab, Tube};
+use super::sweep::many;
 use crate::aabb::{Aabb, max, min};
-use crate::lanes::LANES;
+use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::kernel::{PASSED_OVER, VISIT};
+use crate::tuning::prices::SLOT;
 
-/// A box that is looked up.
-pub(super) struct Query<'a, R, const D: usize> {
-    pub(super) aabb: &'a Aabb<R, D>,
-    pub(super) index: u32,
-    /// The grid of the tubes.
-    pub(super) grid: &'a Grid<R>,
-    /// The first strips of all tubes, if each has a number of its own.
-    pub(super) first: Option<[u32; 2]>,
-    /// The tubes that it spans.
-    pub(super) span: TubeSpan,
+/// A box to look up.
+struct Query<'a, R, const D: usize> {
+    aabb: &'a Aabb<R, D>,
+    index: u32,
+    grid: &'a Grid<R>,
+    /// The tubes that it reaches.
+    span: TubeSpan,
 }
 
-impl<R: Real, const D: usize> Query<'_, R, D> {
-    /// Whether the pair with an entry that it overlaps, of a box, is to be reported in the tube of these strips; `None`: in whatever tube it
-    /// has been found, if each tube is visited once.
-    #[inline(always)]
-    fn reports(&self, owner: Owner, aabb: &Aabb<R, D>, strips: Option<[u32; 2]>) -> bool {
-        let home = self.grid.tube_span(aabb).first;
-        let later = [0, 1].map(|cut| home[cut].max(self.span.first[cut]));
-        later == owner.strips(home) && strips.is_none_or(|strips| strips == later)
-    }
-}
-
-impl<R: Real, const D: usize> Tubes<R, D> {
-    /// Whether [`look_up`](Self::look_up) may be called.
-    pub(super) fn is_prepared(&self) -> bool {
-        self.running_maxs.len() == self.owners.len()
-    }
-
-    /// Prepares for [`look_up`](Self::look_up), until the next run, if it is not prepared.
+impl<R: Real, const D: usize> Class<R, D> {
+    /// Prepares for [`look_up`](Self::look_up), unless that is done.
     pub(super) fn prepare_lookup(&mut self) {
-        self.bounds = Some(Aabb {
-            mins: self
-                .mins
-                .each_ref()
-                .map(|column| fold(column, R::INFINITY, min)),
-            maxs: self
-                .maxs
-                .each_ref()
-                .map(|column| fold(column, R::NEG_INFINITY, max)),
-        });
+        let (grid, slabs) = (&self.grid, &mut self.slabs);
+        if slabs.iter().any(|slab| slab.table.is_empty()) {
+            let entries = slabs.iter().map(|slab| slab.owners.len()).sum();
+            Section::of(entries, SLOT).for_each(slabs, |slab| slab.prepare_lookup(grid));
+            let bounds = slabs.iter().map(|slab| slab.bounds);
+            self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
+        }
+    }
+
+    /// Emits the pair of a box with every box of the class that it overlaps.
+    pub(super) fn look_up(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
+        let (grid, slabs) = (&self.grid, &self.slabs);
+        let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
+            return;
+        };
+        let span = grid.tube_span(&near);
+        let query = Query {
+            aabb,
+            index,
+            grid,
+            span,
+        };
+        if span.count() > slabs.iter().map(|slab| slab.tubes.len() as u64).sum() {
+            for slab in slabs {
+                for tube in &slab.tubes {
+                    if tube.strips.is_none_or(|strips| span.contains(strips)) {
+                        slab.look_up(tube, &query, None, emitter);
+                    }
+                }
+            }
+            return;
+        }
+        // In this order for any number of slabs.
+        let TubeSpan { first, last } = span;
+        for row in first[0]..=last[0] {
+            for column in first[1]..=last[1] {
+                let strips = [row, column];
+                let number = grid.tube(strips);
+                let slab = &slabs[slabs.partition_point(|slab| slab.range.end <= number)];
+                let position = slab.table[(number - slab.range.start) as usize];
+                let tube = slab.tubes.get(position as usize);
+                if let Some(tube) = tube.filter(|tube| tube.strips.is_none_or(|s| s == strips)) {
+                    slab.look_up(tube, &query, Some(strips), emitter);
+                }
+            }
+        }
+    }
+}
+
+impl<R: Real, const D: usize> Slab<R, D> {
+    fn prepare_lookup(&mut self, grid: &Grid<R>) {
+        let len = self.tubes.last().map_or(0, |tube| tube.end as usize);
+        self.running_maxs.resize(len, R::ZERO);
         self.table.resize(self.range.len(), NOWHERE);
-        self.running_maxs.extend_from_slice(&self.maxs[0]);
+        self.bounds = Aabb::EMPTY;
         for (position, tube) in (0..).zip(&mut self.tubes) {
             self.table[(tube.number - self.range.start) as usize] = position;
-            let mut running = R::NEG_INFINITY;
-            for max in &mut self.running_maxs[tube.start as usize..tube.end as usize] {
-                running = if *max > running { *max } else { running };
-                *max = running;
+            let entries = tube.start as usize..tube.end as usize;
+            let mins = self.mins.each_ref().map(|column| &column[entries.clone()]);
+            let maxs = self.maxs.each_ref().map(|column| &column[entries.clone()]);
+            let owner = self.owners[entries.start];
+            let mut bounds = Aabb::EMPTY;
+            for (i, running_max) in self.running_maxs[entries].iter_mut().enumerate() {
+                for k in 0..D {
+                    bounds.mins[k] = min(mins[k][i], bounds.mins[k]);
+                    bounds.maxs[k] = max(maxs[k][i], bounds.maxs[k]);
+                }
+                *running_max = bounds.maxs[0];
             }
-            tube.reach = [self.mins[0][tube.start as usize], running];
-        }
-        self.crowds
-            .iter_mut()
-            .for_each(|(_, crowd)| crowd.prepare_lookup());
-    }
-
-    /// Reports the entries of all tubes that overlap a box.
-    pub(super) fn look_up_everywhere(&self, query: &Query<R, D>, emitter: &mut Emitter) {
-        for tube in &self.tubes {
-            let strips = query
-                .first
-                .map(|first| query.grid.strips(tube.number, first));
-            if strips.is_none_or(|strips| query.span.contains(strips)) {
-                self.look_up_in(tube, query, strips, emitter);
+            self.bounds = self.bounds.around(&bounds);
+            tube.reach = [bounds.mins[0], bounds.maxs[0]];
+            // Tubes that share a number lie farther apart.
+            let beyond = grid.tube_span(&bounds).beyond();
+            let is_one = beyond.iter().all(|&beyond| u64::from(beyond) <= REACH);
+            let first = Aabb::new(mins.map(|column| column[0]), maxs.map(|column| column[0]));
+            tube.strips = is_one.then(|| owner.strips(grid.tube_span(&first).first));
+            if let Some(crowd) = &mut tube.crowd {
+                crowd.kernel.prepare_lookup();
             }
         }
     }
 
-    /// Reports the entries of a tube of the range, in these strips, that overlap a box.
+    /// Emits the pairs of the query with the entries of a tube: those that are at `strips`, or if that is `None`, those of all tubes
+    /// that share the number.
     #[inline(always)]
-    pub(super) fn look_up(
+    fn look_up(
         &self,
-        number: u32,
-        strips: [u32; 2],
-        query: &Query<R, D>,
-        emitter: &mut Emitter,
-    ) {
-        let position = self.table[(number - self.range.start) as usize];
-        if let Some(tube) = self.tubes.get(position as usize) {
-            self.look_up_in(tube, query, Some(strips), emitter);
-        }
-    }
-
-    #[inline(always)]
-    fn look_up_in(
-        &self,
-        tube: &Tube<R>,
+        tube: &Tube<R, D>,
         query: &Query<R, D>,
         strips: Option<[u32; 2]>,
         emitter: &mut Emitter,
     ) {
-        let Query { aabb, index, .. } = query;
+        let (aabb, index, span) = (query.aabb, query.index, query.span);
         let [first, last] = tube.reach;
         if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            emitter.compared += PASSED_OVER;
+            emitter.tally.compared += PASSED_OVER;
             return;
         }
-        if let Some(crowd) = self.crowd(tube.number) {
-            let compared = crowd.look_up(aabb, |Entry { owner, aabb }| {
-                let is_reported = query.reports(*owner, aabb, strips);
-                emitter.emit_one(Owner(*index), *owner, is_reported);
-            });
-            emitter.compared += VISIT + compared;
+        emitter.tally.compared += VISIT;
+        let emit = |owner: Owner, aabb: &Aabb<R, D>, emitter: &mut Emitter| {
+            let home = query.grid.tube_span(aabb).first;
+            let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
+            let is_here =
+                later == owner.strips(home) && strips.is_none_or(|strips| strips == later);
+            emitter.emit_one(Owner(index), owner, is_here);
+        };
+        if let Some(crowd) = &tube.crowd {
+            let compared = crowd.look_up(aabb, |Entry { owner, aabb }| emit(*owner, aabb, emitter));
+            emitter.tally.compared += compared;
             return;
         }
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
         let columns = self.columns();
-        let is_small = query.span.beyond().iter().all(|&beyond| beyond <= 1);
-        if let (Some(strips), true) = (strips, is_small || query.first.is_some()) {
-            let owner = Owner::of(*index, strips, query.span.first);
-            emitter.compared += VISIT + columns.report(start, aabb, owner, emitter);
-            return;
-        }
-        let compared = columns.find(start, aabb, |i| {
-            let owner = self.owners[i];
-            let is_reported = query.reports(owner, &columns.entry(i), strips);
-            emitter.emit_one(Owner(*index), owner, is_reported);
-        });
-        emitter.compared += VISIT + compared;
+        // A small box does not reach other tubes with the same number.
+        let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
+        let compared = match tube.strips.or(strips.filter(|_| is_small)) {
+            Some(strips) => {
+                let owner = Owner::of(index, strips, span.first);
+                columns.window::<true>(start, aabb, |first, hits| {
+                    emitter.emit(owner, many(columns.owners, first), hits);
+                })
+            }
+            None => columns.window::<true>(start, aabb, |first, mut hits| {
+                while hits != 0 {
+                    let entry = first + hits.trailing_zeros() as usize;
+                    hits &= hits - 1;
+                    emit(columns.owners[entry], &columns.entry(entry), emitter);
+                }
+            }),
+        };
+        emitter.tally.compared += compared;
     }
-}
-
-/// The least or the greatest of numbers and a first one; there may be NaN among them. Eight in a row do not wait for each other.
-#[inline(always)]
-fn fold<R: Real>(numbers: &[R], first: R, choose: impl Fn(R, R) -> R) -> R {
-    let mut eight = [first; LANES];
-    let chunks = numbers.chunks_exact(LANES);
-    let rest = chunks.remainder();
-    for chunk in chunks {
-        eight = core::array::from_fn(|lane| choose(chunk[lane], eight[lane]));
-    }
-    let all = eight.into_iter().chain(rest.iter().copied());
-    all.fold(first, |chosen, number| choose(number, chosen))
 }

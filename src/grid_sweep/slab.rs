@@ -1,123 +1,231 @@
-//! A part of the tubes, sorted and swept by one thread.
+//! A range of tubes, sorted and swept by one thread.
 //!
-//! Tubes do not depend on each other, so any range of them can be sorted and swept on its own. The pairs of the slabs, one
-//! after the other, are those that a single slab finds, in the same order.
+//! Tubes do not depend on each other. So the slabs find, one after the other, the pairs of a single slab in the same order.
+//!
+//! A box has an *entry* in each tube that it reaches: its own one in the tube of its `mins`, and a *ghost* in each of the others.
+//! Entries are a structure of arrays, so that eight of them are compared at once. After each tube there is a sentinel whose `mins[0]`
+//! is NaN, at which every window ends. Unless boxes will be looked up, each tube overwrites the last one, so that the arrays stay in
+//! the cache.
+
+use std::ops::Range;
 
 use super::assignment::Assignment;
 use super::crowd::Crowd;
-use super::emitter::{Emitter, Tally};
-use super::order::Order;
-use super::owner::Owner;
-use super::part::Part;
-use super::tubes::{Entry, Tubes};
+use super::emitter::Emitter;
+use super::entry::{Entry, Owner};
+use super::search::Found;
 use crate::aabb::Aabb;
+use crate::bucket_sort::BucketSort;
+use crate::lanes::LANES;
 use crate::real::Real;
 use crate::stopwatch::{Phase, Stopwatch};
-use crate::tuning::kernel::COMPARED_AN_ENTRY;
 
-/// Some of the tubes of a grid, and the pairs found in them.
-#[derive(Clone, Debug, Default)]
+/// How many entries past the last sentinel may be read: the sweep reads 64 past the last of eight.
+const PADDING: usize = LANES + 64;
+
+/// A tube that has entries.
+#[derive(Clone, Debug)]
+pub(super) struct Tube<R, const D: usize> {
+    pub(super) number: u32,
+    /// Its entries are `start..end`, and the sentinel is at `end`.
+    pub(super) start: u32,
+    pub(super) end: u32,
+    /// The interval of its boxes along the first axis; for look-ups.
+    pub(super) reach: [R; 2],
+    /// Its strips, if it holds the entries of a single tube and not of several that share a number; for look-ups.
+    pub(super) strips: Option<[u32; 2]>,
+    /// The kernel that has searched the entries, if they crowd.
+    pub(super) crowd: Option<Box<Crowd<R, D>>>,
+}
+
+/// Some of the tubes of a grid.
+#[derive(Clone, Debug)]
 pub(super) struct Slab<R, const D: usize> {
-    pub(super) tubes: Tubes<R, D>,
-    /// Scratch: the entries of one tube, and the pairs.
+    /// The numbers of the tubes.
+    pub(super) range: Range<u32>,
+    /// Whether tubes are kept.
+    keeps: bool,
+    /// The tubes that are kept, by number.
+    pub(super) tubes: Vec<Tube<R, D>>,
+    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty until look-ups are prepared.
+    pub(super) table: Vec<u32>,
+    pub(super) mins: [Vec<R>; D],
+    pub(super) maxs: [Vec<R>; D],
+    pub(super) owners: Vec<Owner>,
+    /// By entry, the greatest `maxs[0]` up to it in its tube; for look-ups.
+    pub(super) running_maxs: Vec<R>,
+    /// A box around all entries; for look-ups.
+    pub(super) bounds: Aabb<R, D>,
+    /// Scratch: the entries of one tube, their order, and the pairs.
     entries: Vec<Entry<R, D>>,
-    pub(super) pairs: Vec<[u32; 2]>,
-    pub(super) tally: Tally,
+    sorter: BucketSort<R>,
+    pub(super) found: Found,
     pub(super) stopwatch: Stopwatch,
 }
 
+/// The position of a tube without entries.
+pub(super) const NOWHERE: u32 = u32::MAX;
+
+impl<R: Real, const D: usize> Default for Slab<R, D> {
+    fn default() -> Self {
+        Self {
+            range: 0..0,
+            keeps: false,
+            tubes: Vec::new(),
+            table: Vec::new(),
+            mins: core::array::from_fn(|_| Vec::new()),
+            maxs: core::array::from_fn(|_| Vec::new()),
+            owners: Vec::new(),
+            running_maxs: Vec::new(),
+            bounds: Aabb::EMPTY,
+            entries: Vec::new(),
+            sorter: BucketSort::default(),
+            found: Found::default(),
+            stopwatch: Stopwatch::default(),
+        }
+    }
+}
+
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Puts each tube of the range together, sorts and sweeps it while it is in the cache, and appends the pairs to `self.pairs`.
-    /// Only if tubes are kept, boxes can be looked up in them later.
+    /// Removes all tubes. Those to come have numbers of this range.
+    pub(super) fn reset(&mut self, range: Range<u32>, keeps: bool, stopwatch: Stopwatch) {
+        (self.range, self.keeps, self.stopwatch) = (range, keeps, stopwatch);
+        self.tubes.clear();
+        self.table.clear();
+    }
+
+    /// Frees the memory that only a search needs.
+    pub(super) fn free_scratch(&mut self) {
+        self.entries = Vec::new();
+        self.sorter = BucketSort::default();
+        self.found = Found::default();
+    }
+
+    /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// A tube whose entries crowd is searched by a kernel of its own, if they may crowd. Stops when there are more than `most` pairs.
+    /// Entries crowd if the sweep takes more than `most_an_entry` comparisons for each, and some for each pair. They are searched
+    /// by a kernel of their own. Stops early if more pairs overlap than the emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        may_crowd: bool,
-        keeps: bool,
-        most: usize,
+        most_an_entry: usize,
+        emitter: &mut Emitter,
     ) {
-        let (tubes, entries, stopwatch) = (&mut self.tubes, &mut self.entries, &mut self.stopwatch);
-        let range = tubes.range.clone();
-        stopwatch.enter(Phase::Sort);
-        if keeps {
-            let [start, end] = [range.start, range.end].map(|tube| assignment.entries_before(tube));
-            let occupied = range.clone().filter(|&tube| assignment.is_occupied(tube));
-            tubes.reserve(end - start, occupied.count());
+        let range = self.range.clone();
+        self.stopwatch.enter(Phase::Sort);
+        if self.keeps {
+            let before = |tube| assignment.entries_before(tube);
+            let is_occupied = |tube: &u32| before(*tube) < before(tube + 1);
+            let tubes = range.clone().filter(is_occupied).count();
+            self.make_room(before(range.end) - before(range.start) + tubes + PADDING);
+            self.tubes.reserve(tubes);
         }
-        let mut emitter = Emitter::new(&mut self.pairs, most);
+        let mut entries = std::mem::take(&mut self.entries);
         for tube in range {
             entries.clear();
-            gather_parts(boxes, &assignment.parts, tube, entries);
+            assignment.gather(boxes, tube, &mut entries);
             if entries.is_empty() {
                 continue;
             }
-            let sorted = tubes.push(tube, entries, keeps);
-            stopwatch.enter(Phase::Sweep);
-            let most_compared = match may_crowd {
-                true => COMPARED_AN_ENTRY * entries.len(),
-                false => usize::MAX,
-            };
-            let first_pair = emitter.count();
-            let is_swept = tubes.columns().sweep(sorted, most_compared, &mut emitter);
+            let sorted = self.push(tube, &entries);
+            self.stopwatch.enter(Phase::Sweep);
+            emitter.begin_tube(most_an_entry.saturating_mul(entries.len()));
+            let is_swept = self.columns().sweep(sorted, emitter);
             if emitter.is_over() {
                 break;
             }
             if !is_swept {
-                emitter.take_back(first_pair);
-                let crowd = Crowd::search(entries, keeps, &mut emitter);
-                if keeps {
-                    tubes.crowds.push((tube, crowd));
+                emitter.take_tube_back();
+                let crowd = Crowd::search(&entries, self.keeps, emitter);
+                if let Some(tube) = self.tubes.last_mut() {
+                    tube.crowd = Some(Box::new(crowd));
                 }
             }
-            stopwatch.enter(Phase::Sort);
+            self.stopwatch.enter(Phase::Sort);
         }
-        stopwatch.enter(Phase::Sweep);
-        self.tally = emitter.finish();
-        stopwatch.leave();
+        self.stopwatch.leave();
+        self.entries = entries;
     }
 
-    /// Frees what only a run needs.
-    pub(super) fn free_scratch(&mut self) {
-        self.entries = Vec::new();
-        self.pairs = Vec::new();
-        self.tubes.order = Order::default();
+    /// Adds the next tube that has entries, and returns where they are.
+    pub(super) fn push(&mut self, number: u32, entries: &[Entry<R, D>]) -> Range<usize> {
+        let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
+        let end = start + entries.len();
+        self.make_room(end + 1 + PADDING);
+        self.sort(start, entries);
+        if self.keeps {
+            self.tubes.push(Tube {
+                number,
+                start: start as u32,
+                end: end as u32,
+                reach: [R::ZERO; 2],
+                strips: None,
+                crowd: None,
+            });
+        }
+        start..end
+    }
+
+    /// Makes the arrays at least this long. What follows the last sentinel is unspecified.
+    #[inline]
+    fn make_room(&mut self, len: usize) {
+        fn grow<T: Copy>(array: &mut Vec<T>, len: usize, filler: T) {
+            if array.is_empty() {
+                // Arrays of tubes that are kept seldom grow.
+                array.reserve_exact(len);
+            }
+            array.resize(len, filler);
+        }
+        if self.owners.len() < len {
+            for array in self.mins.iter_mut().chain(&mut self.maxs) {
+                grow(array, len, R::NAN);
+            }
+            grow(&mut self.owners, len, Owner::NOBODY);
+        }
+    }
+
+    /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.
+    fn sort(&mut self, start: usize, entries: &[Entry<R, D>]) {
+        let (mins, maxs, owners) = (&mut self.mins, &mut self.maxs, &mut self.owners);
+        let order = self
+            .sorter
+            .sort(entries.iter().map(|entry| entry.aabb.mins[0]));
+        let end = start + entries.len();
+        // Slices of one length need one bounds check.
+        let lows = mins.each_mut().map(|column| &mut column[start..end]);
+        let highs = maxs.each_mut().map(|column| &mut column[start..end]);
+        let owners_here = &mut owners[start..end];
+        // Four numbers are written at once.
+        let mut position = 0;
+        while let Some(four) = order[position..].first_chunk::<4>() {
+            let four = four.map(|(_, i)| &entries[i as usize]);
+            for k in 0..D {
+                *four_at(lows[k], position) = four.map(|entry| entry.aabb.mins[k]);
+                *four_at(highs[k], position) = four.map(|entry| entry.aabb.maxs[k]);
+            }
+            *four_at(owners_here, position) = four.map(|entry| entry.owner);
+            position += 4;
+        }
+        for (position, &(_, i)) in order.iter().enumerate().skip(position) {
+            let entry = &entries[i as usize];
+            for k in 0..D {
+                lows[k][position] = entry.aabb.mins[k];
+                highs[k][position] = entry.aabb.maxs[k];
+            }
+            owners_here[position] = entry.owner;
+        }
+        for column in mins.iter_mut().chain(maxs.iter_mut()) {
+            column[end] = R::NAN;
+        }
+        owners[end] = Owner::NOBODY;
     }
 }
 
-/// Reads the boxes of some entries of a tube, which are anywhere in memory. They are copied before they are sorted, so that no read
-/// waits for anything but the memory.
-#[inline]
-fn gather<R: Real, const D: usize>(
-    boxes: &[Aabb<R, D>],
-    owners: impl Iterator<Item = Owner>,
-    entries: &mut Vec<Entry<R, D>>,
-) {
-    entries.extend(owners.map(|owner| Entry {
-        aabb: boxes[owner.index() as usize],
-        owner,
-    }));
-}
-
-/// Puts the entries of a tube together in the order that they have in a single part.
-#[inline]
-fn gather_parts<R: Real, const D: usize>(
-    boxes: &[Aabb<R, D>],
-    parts: &[Part],
-    tube: u32,
-    entries: &mut Vec<Entry<R, D>>,
-) {
-    if let [part] = parts {
-        return gather(boxes, part.tube(tube).iter().copied(), entries);
-    }
-    let tubes = parts.iter().map(|part| part.tube(tube));
-    let halves = tubes.map(|tube| tube.split_at(tube.partition_point(|owner| owner.is_at_home())));
-    for (homes, _) in halves.clone() {
-        gather(boxes, homes.iter().copied(), entries);
-    }
-    for (_, ghosts) in halves {
-        gather(boxes, ghosts.iter().copied(), entries);
-    }
+/// The four items from `start` on.
+#[inline(always)]
+fn four_at<T>(items: &mut [T], start: usize) -> &mut [T; 4] {
+    items[start..]
+        .first_chunk_mut()
+        .expect("there are as many places as entries")
 }

@@ -1,28 +1,27 @@
-//! The sweep: sorted entries against those that follow, eight at a time; and a window for one box that is looked up. Processors without
-//! vectors take one entry after the other, and find the same pairs in the same order.
+//! The sweep compares sorted entries with those that follow, eight at a time; a window compares one box with them. Processors
+//! without vectors take one entry after the other, and find the same pairs in the same order.
 
 use std::ops::Range;
 
 use super::emitter::Emitter;
-use super::owner::Owner;
-use super::tubes::Tubes;
+use super::entry::Owner;
+use super::slab::Slab;
 use crate::aabb::Aabb;
 use crate::lanes::{ARE_VECTORS, LANES, Lanes};
 use crate::real::Real;
-use crate::tuning::kernel::COMPARED_A_PAIR;
 
-/// How many blocks of eight candidates a box may have before it is swept on its own.
+/// The most blocks of eight candidates that eight entries share; entries with more go on alone.
 const BLOCKS: usize = 4;
 
-/// The columns of the entries, all of one length, so that one bounds check is enough for all of them.
+/// The arrays of the entries, of one length, so that one bounds check covers all of them.
 #[derive(Clone, Copy)]
 pub(super) struct Columns<'a, R, const D: usize> {
     mins: [&'a [R]; D],
     maxs: [&'a [R]; D],
-    owners: &'a [Owner],
+    pub(super) owners: &'a [Owner],
 }
 
-impl<R: Real, const D: usize> Tubes<R, D> {
+impl<R: Real, const D: usize> Slab<R, D> {
     #[inline(always)]
     pub(super) fn columns(&self) -> Columns<'_, R, D> {
         let n = self.owners.len();
@@ -34,50 +33,42 @@ impl<R: Real, const D: usize> Tubes<R, D> {
     }
 }
 
-/// Eight entries that follow each other, each in its lane.
-struct Eight<R: Real, const D: usize> {
-    mins: [R::Lanes; D],
-    maxs: [R::Lanes; D],
-}
-
 impl<R: Real, const D: usize> Columns<'_, R, D> {
-    /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which
-    /// another tube reports.
+    /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which another tube
+    /// reports. The pairs are in the order of the entries and of those that follow each.
     ///
-    /// In the order of the entries, and of those that follow each of them. Gives up, and returns false, as soon as it has compared the
-    /// entries with more others than `most` and a multiple of the pairs among them.
-    pub(super) fn sweep(self, tube: Range<usize>, most: usize, emitter: &mut Emitter) -> bool {
-        let budget = &Budget::new(most, emitter);
+    /// Gives up and returns false once the emitter's budget for the tube is exceeded.
+    pub(super) fn sweep(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
         match ARE_VECTORS {
-            true => self.sweep_by_eights(tube, budget, emitter),
-            false => self.sweep_singly(tube, budget, emitter),
+            true => self.sweep_by_eights(tube, emitter),
+            false => self.sweep_singly(tube, emitter),
         }
     }
 
     /// Compares each entry with those that follow it.
-    fn sweep_singly(self, tube: Range<usize>, budget: &Budget, emitter: &mut Emitter) -> bool {
+    fn sweep_singly(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
         for i in tube {
-            let compared = self.window_singly::<false>(i + 1, &self.entry(i), |j| {
+            let compared = self.window_singly::<false>(i + 1, &self.entry(i), |j, _| {
                 emitter.emit_one(self.owners[i], self.owners[j], true);
             });
-            emitter.compared += compared;
-            if budget.is_exceeded(emitter) {
+            emitter.tally.compared += compared;
+            if emitter.is_budget_exceeded() {
                 return false;
             }
         }
         true
     }
 
-    /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the next but one, until
-    /// none of the eight reaches that far along the first axis.
-    fn sweep_by_eights(self, tube: Range<usize>, budget: &Budget, emitter: &mut Emitter) -> bool {
+    /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
+    /// until none of the eight reaches that far along the first axis.
+    fn sweep_by_eights(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
         let mut first = tube.start;
         while first < tube.end {
-            let eight = Eight {
+            let eight = Aabb {
                 mins: core::array::from_fn(|k| load::<R>(self.mins[k], first)),
                 maxs: core::array::from_fn(|k| load::<R>(self.maxs[k], first)),
             };
-            // The lanes of entries that still reach the one that is compared with.
+            // The lanes of the entries that still reach those they are compared with.
             let mut alive = (1_u32 << (tube.end - first).min(LANES)) - 1;
             let mut blocks = [0; BLOCKS];
             let mut depth = 0;
@@ -85,7 +76,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 blocks[depth] = self.compare(&eight, first + 1 + depth * LANES, &mut alive);
                 depth += 1;
             }
-            emitter.compared += depth * LANES * LANES;
+            emitter.tally.compared += depth * LANES * LANES;
             if depth == 1 {
                 emitter.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
             } else if depth == 2 {
@@ -94,7 +85,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 }
             } else {
                 self.emit_blocks(first, &blocks, alive, emitter);
-                if budget.is_exceeded(emitter) {
+                if emitter.is_budget_exceeded() {
                     return false;
                 }
             }
@@ -103,11 +94,11 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         true
     }
 
-    /// Compares eight entries with those shifted by one to eight places. A byte for each of the eight, with a bit for each
-    /// shift.
+    /// Compares eight entries, each in its lane, with those one to eight places further on. The result has a byte for each of the
+    /// eight, with a bit for each distance.
     #[inline(always)]
-    fn compare(self, these: &Eight<R, D>, next: usize, alive: &mut u32) -> u64 {
-        // Of one length, so that bounds are checked here and nowhere below.
+    fn compare(self, these: &Aabb<R::Lanes, D>, next: usize, alive: &mut u32) -> u64 {
+        // Arrays need their bounds checked here only.
         let mins: [&[R; 2 * LANES]; D] = self.mins.map(|column| many(column, next));
         let maxs: [&[R; 2 * LANES]; D] = self.maxs.map(|column| many(column, next));
         let mut hits = 0;
@@ -128,7 +119,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         transposed(hits)
     }
 
-    /// Reports the pairs of eight entries of which some have more than sixteen candidates, one entry after the other.
+    /// Reports the pairs of eight entries, one entry after the other, if some have more than sixteen candidates.
     #[inline(never)]
     fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, emitter: &mut Emitter) {
         for lane in 0..LANES {
@@ -141,10 +132,10 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             if alive >> lane & 1 == 1 {
                 let i = first + lane;
                 let (start, owner) = (i + 1 + BLOCKS * LANES, self.owners[i]);
-                let compared = self.window_by_eights::<false>(start, &self.entry(i), |j, hits| {
-                    emitter.emit(owner, eight(self.owners, j), hits);
+                let compared = self.window::<false>(start, &self.entry(i), |j, hits| {
+                    emitter.emit(owner, many(self.owners, j), hits);
                 });
-                emitter.compared += compared;
+                emitter.tally.compared += compared;
             }
         }
     }
@@ -158,58 +149,35 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         }
     }
 
-    /// Reports every entry from `start` on that overlaps the box of an owner, up to the first whose `mins[0]` lies beyond it. Returns how
-    /// many it has compared.
+    /// Compares a box with the entries from `start` on, up to the first whose `mins[0]` lies beyond it. Returns how many were
+    /// compared.
+    ///
+    /// Calls `visit` with the position of an entry and with a bit for it and each of the seven that follow, which is set if they
+    /// overlap. Without `BOTH_SIDES`, all entries must reach the box along the first axis.
     #[inline(always)]
-    pub(super) fn report(
+    pub(super) fn window<const BOTH_SIDES: bool>(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
-        owner: Owner,
-        emitter: &mut Emitter,
+        visit: impl FnMut(usize, u32),
     ) -> usize {
         match ARE_VECTORS {
-            true => self.window_by_eights::<true>(start, aabb, |j, hits| {
-                emitter.emit(owner, eight(self.owners, j), hits);
-            }),
-            false => self.window_singly::<true>(start, aabb, |j| {
-                emitter.emit_one(owner, self.owners[j], true);
-            }),
+            true => self.window_by_eights::<BOTH_SIDES>(start, aabb, visit),
+            false => self.window_singly::<BOTH_SIDES>(start, aabb, visit),
         }
     }
 
-    /// Calls `visit` with every entry from `start` on that overlaps the box, up to the first whose `mins[0]` lies beyond it.
-    /// Returns how many it has compared.
-    #[inline(always)]
-    pub(super) fn find(
-        self,
-        start: usize,
-        aabb: &Aabb<R, D>,
-        mut visit: impl FnMut(usize),
-    ) -> usize {
-        match ARE_VECTORS {
-            true => self.window_by_eights::<true>(start, aabb, |j, mut hits| {
-                while hits != 0 {
-                    visit(j + hits.trailing_zeros() as usize);
-                    hits &= hits - 1;
-                }
-            }),
-            false => self.window_singly::<true>(start, aabb, visit),
-        }
-    }
-
-    /// The same, one entry after the other. If not `BOTH_SIDES` are asked, all entries reach the box along
-    /// the first axis.
+    /// A window that visits each overlapping entry alone.
     #[inline(always)]
     fn window_singly<const BOTH_SIDES: bool>(
         self,
         start: usize,
         aabb: &Aabb<R, D>,
-        mut visit: impl FnMut(usize),
+        mut visit: impl FnMut(usize, u32),
     ) -> usize {
         let Aabb { mins, maxs } = aabb;
         for j in start..self.owners.len() {
-            // At the sentinel as well.
+            // False at the sentinel.
             let is_reached = self.mins[0][j] <= maxs[0];
             if !is_reached {
                 return j - start;
@@ -219,13 +187,13 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 overlaps &= (self.mins[k][j] <= maxs[k]) & (self.maxs[k][j] >= mins[k]);
             }
             if overlaps {
-                visit(j);
+                visit(j, 1);
             }
         }
         0
     }
 
-    /// The same, eight entries at a time, of which `visit` gets the first, and a bit for each.
+    /// A window that visits eight entries at a time.
     #[inline(always)]
     fn window_by_eights<const BOTH_SIDES: bool>(
         self,
@@ -236,7 +204,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
         let mut j = start;
-        // After the last tube there are a sentinel and padding.
+        // The padding after the last sentinel is long enough.
         while j <= self.owners.len().saturating_sub(LANES) {
             let reached = load::<R>(self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;
@@ -261,44 +229,15 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     }
 }
 
-/// How much a sweep may take.
-struct Budget {
-    /// How many may have been compared in the end.
-    most: usize,
-    /// How many pairs there were before.
-    first_pair: usize,
-}
-
-impl Budget {
-    /// To compare this many more.
-    fn new(most: usize, emitter: &Emitter) -> Self {
-        Self {
-            most: emitter.compared.saturating_add(most),
-            first_pair: emitter.count(),
-        }
-    }
-
-    #[inline(always)]
-    fn is_exceeded(&self, emitter: &Emitter) -> bool {
-        emitter.compared > self.most
-            && emitter.compared - self.most > COMPARED_A_PAIR * (emitter.count() - self.first_pair)
-    }
-}
-
 /// The eight numbers from `start` on.
 #[inline(always)]
 fn load<R: Real>(numbers: &[R], start: usize) -> R::Lanes {
-    R::Lanes::load(eight(numbers, start))
+    R::Lanes::load(many(numbers, start))
 }
 
+/// `N` items from `start` on.
 #[inline(always)]
-fn eight<T>(items: &[T], start: usize) -> &[T; LANES] {
-    many(items, start)
-}
-
-/// So many items from `start` on.
-#[inline(always)]
-fn many<T, const N: usize>(items: &[T], start: usize) -> &[T; N] {
+pub(super) fn many<T, const N: usize>(items: &[T], start: usize) -> &[T; N] {
     items[start..]
         .first_chunk()
         .expect("the columns are padded")
@@ -315,7 +254,7 @@ fn interleaved(even: u64, odd: u64) -> [u64; 2] {
     [0, 32].map(|half| spread((even >> half) as u32) | spread((odd >> half) as u32) << 8)
 }
 
-/// Eight rows of eight bits, as columns.
+/// The transpose of eight rows of eight bits.
 #[inline(always)]
 fn transposed(mut rows: u64) -> u64 {
     for (shift, mask) in [
@@ -331,7 +270,7 @@ fn transposed(mut rows: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tubes::Entry;
+    use super::super::entry::Entry;
     use super::*;
 
     #[test]
@@ -339,7 +278,7 @@ mod tests {
         let mut generator = oorandom::Rand64::new(1);
         let mut random = |below: u64| generator.rand_range(0..below);
         for round in 0..300 {
-            // From few candidates a box to more than are collected at once.
+            // From few candidates per box to more than the blocks hold.
             let (count, width) = (1 + random(200), 1 + random(1 << (round % 8)));
             let mut entry = |i: u64| {
                 let mins = [random(100), random(3), random(3)].map(|x| x as f32);
@@ -351,25 +290,19 @@ mod tests {
                 }
             };
             let entries: Vec<_> = (0..count).map(&mut entry).collect();
-            let mut tubes = Tubes::<f32, 3>::default();
-            let tube = tubes.push(0, &entries, false);
-            let columns = tubes.columns();
-            let swept = |sweep: &dyn Fn(&mut Emitter)| {
+            let mut slab = Slab::<f32, 3>::default();
+            let tube = slab.push(0, &entries);
+            let columns = slab.columns();
+            let [by_eights, singly] = [true, false].map(|is_by_eights| {
                 let mut pairs = Vec::new();
                 let mut emitter = Emitter::new(&mut pairs, usize::MAX);
-                sweep(&mut emitter);
+                let is_done = match is_by_eights {
+                    true => columns.sweep_by_eights(tube.clone(), &mut emitter),
+                    false => columns.sweep_singly(tube.clone(), &mut emitter),
+                };
+                assert!(is_done);
                 emitter.finish();
                 pairs
-            };
-            let [by_eights, singly] = [true, false].map(|is_by_eights| {
-                swept(&|emitter| {
-                    let budget = &Budget::new(usize::MAX, emitter);
-                    let is_done = match is_by_eights {
-                        true => columns.sweep_by_eights(tube.clone(), budget, emitter),
-                        false => columns.sweep_singly(tube.clone(), budget, emitter),
-                    };
-                    assert!(is_done);
-                })
             });
             assert_eq!(by_eights, singly);
             let Entry { aabb, .. } = entry(count);
@@ -377,7 +310,7 @@ mod tests {
             columns.window_by_eights::<true>(tube.start, &aabb, |j, hits| {
                 by_eights.extend((0..LANES).filter(|i| hits >> i & 1 == 1).map(|i| j + i));
             });
-            columns.window_singly::<true>(tube.start, &aabb, |j| singly.push(j));
+            columns.window_singly::<true>(tube.start, &aabb, |j, _| singly.push(j));
             assert_eq!(by_eights, singly);
         }
     }

@@ -1,29 +1,24 @@
-//! What the suite over all kernels cannot see: that settings are heeded, and that guesses may be wrong.
+//! Tests of internals, which the suite over all kernels does not see.
 
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::GRID_SAMPLE;
 use oorandom::Rand32;
 
-/// The pairs that a kernel finds, which are also checked.
-fn checked<const D: usize>(
-    kernel: &mut GridSweep<f32, D>,
-    boxes: &[Aabb<f32, D>],
-) -> Vec<[u32; 2]> {
+/// Compares the pairs that a kernel finds with those that brute force finds.
+fn check<const D: usize>(kernel: &mut GridSweep<f32, D>, boxes: &[Aabb<f32, D>]) {
     let [mut found, mut expected] = [Vec::new(), Vec::new()];
     kernel.find_pairs(boxes, &mut found).unwrap();
     BruteForce.find_pairs(boxes, &mut expected).unwrap();
-    let mut sorted = found.clone();
-    sorted.sort_unstable();
-    assert!(sorted == expected);
-    found
+    found.sort_unstable();
+    assert!(found == expected);
 }
 
 fn cube<const D: usize>(mins: [f32; D]) -> Aabb<f32, D> {
     Aabb::new(mins, mins.map(|x| x + 1.0))
 }
 
-/// Every box that is looked at to choose the grid is flat, and most are too large for any grid so chosen.
+/// All boxes of the sample are points, and most others are too large for a grid that suits the sample.
 #[test]
 fn a_sample_that_misleads_costs_time_and_nothing_else() {
     for spread in [0.0, 1e-3, 50.0] {
@@ -34,61 +29,51 @@ fn a_sample_that_misleads_costs_time_and_nothing_else() {
             let corner = [i as f32, spread * (i % 50) as f32];
             boxes[i] = Aabb::new(corner, corner);
         }
-        checked(&mut GridSweep::default(), &boxes);
+        check(&mut GridSweep::default(), &boxes);
     }
 }
 
-/// How many pairs are found among the cubes in so many places.
-fn count_pairs<const D: usize>(count: usize, place: fn(usize) -> [f32; D]) -> usize {
-    let boxes: Vec<_> = (0..count).map(|i| cube(place(i))).collect();
-    let mut pairs = Vec::new();
-    GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
-    pairs.len()
-}
-
-/// The product of the sample and of all does not fit in the 32 bits that some processors have.
+/// The product of the sample's size and the number of boxes does not fit in 32 bits.
 #[test]
 fn millions_are_sampled() {
     const COUNT: usize = 1 << 21;
     const ROW: usize = 1 << 11;
-    let found = [
-        count_pairs(COUNT, |i| [0.75 * i as f32; 2]),
-        count_pairs(COUNT, |i| [0.75 * i as f32; 3]),
-    ];
-    assert_eq!(found, [COUNT - 1; 2]);
+    fn count_pairs<const D: usize>(place: fn(usize) -> [f32; D]) -> usize {
+        let boxes: Vec<_> = (0..COUNT).map(|i| cube(place(i))).collect();
+        let mut pairs = Vec::new();
+        GridSweep::default().find_pairs(&boxes, &mut pairs).unwrap();
+        pairs.len()
+    }
     fn row(i: usize) -> [f32; 2] {
         [0.75 * (i % ROW) as f32, 4.0 * (i / ROW) as f32]
     }
-    let found = [
-        count_pairs(COUNT, row),
-        count_pairs(COUNT, |i| [row(i)[0], row(i)[1], 0.0]),
-    ];
-    assert_eq!(found, [COUNT - COUNT / ROW; 2]);
+    let flat = |i| [row(i)[0], row(i)[1], 0.0];
+    assert_eq!(count_pairs(|i| [0.75 * i as f32; 2]), COUNT - 1);
+    assert_eq!(count_pairs(|i| [0.75 * i as f32; 3]), COUNT - 1);
+    assert_eq!(count_pairs(row), COUNT - COUNT / ROW);
+    assert_eq!(count_pairs(flat), COUNT - COUNT / ROW);
 }
 
-/// Boxes that crowd in one tube, and that the sample says nothing of.
+/// Boxes that crowd in one tube, among others that are far apart.
 #[cfg(feature = "_adapter")]
 #[test]
-fn what_crowds_has_a_grid_of_its_own() {
+fn a_crowd_has_a_grid_of_its_own() {
     let mut random = Rand32::new(5);
-    let mut boxes: Vec<_> = (0..2000)
-        .map(|i| {
-            Aabb::new(
-                [(40 * i) as f32, 0.0, 0.0],
-                [(40 * i + 20) as f32, 20.0, 20.0],
-            )
-        })
+    let distant = (0..2000).map(|i| 40.0 * i as f32);
+    let mut boxes: Vec<_> = distant
+        .map(|x| Aabb::new([x, 0.0, 0.0], [x + 20.0, 20.0, 20.0]))
         .collect();
     let mut speck = || cube([6.0, 60.0, 60.0].map(|x| 1e3 + x * random.rand_float()));
     boxes.extend((0..2000).map(|_| speck()));
     let mut kernel = GridSweep::default();
-    checked(&mut kernel, &boxes);
+    check(&mut kernel, &boxes);
     let crowds = |kernel: &GridSweep<f32, 3>| -> usize {
         let classes = kernel.classes[..kernel.class_count].iter();
         let slabs = classes.flat_map(|class| &class.slabs);
-        slabs.map(|slab| slab.tubes.crowds.len()).sum()
+        let tubes = slabs.flat_map(|slab| &slab.tubes);
+        tubes.filter(|tube| tube.crowd.is_some()).count()
     };
-    // They are kept if boxes will be looked up.
+    // Tubes are not kept unless boxes will be looked up.
     assert_eq!(crowds(&kernel), 0);
     let members: Vec<_> = (0..boxes.len() as u32).collect();
     let [mut found, mut expected] = [Vec::new(), Vec::new()];
@@ -114,7 +99,7 @@ fn what_crowds_has_a_grid_of_its_own() {
 /// Boxes of two sizes, and specks that crowd in one tube.
 #[cfg(feature = "_adapter")]
 #[test]
-fn a_search_that_finds_too_many_pairs_is_given_up_however_it_is_cut() {
+fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
     let mut random = Rand32::new(9);
     let mut at = |spread: [f32; 3], size: f32| {
         let mins = spread.map(|x| x * random.rand_float());

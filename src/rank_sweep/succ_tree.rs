@@ -1,25 +1,23 @@
-//! The active set: a set of small integers that knows its order.
+//! The active set: an ordered set of small integers.
 //!
-//! The paper's SuccTree: a tree of bits, which finds the neighbour of a value, and the stored values linked in order as
-//! well (section 4 of the paper), so that walking from one to the next is a single step, however far apart they are.
+//! This is the SuccTree of the paper: a tree of bits finds the neighbour of a value, and the stored values are linked in order (section
+//! 4 of the paper), so that the next one is a single step away at any distance.
 //!
-//! The tree is perfect and 64-ary, with one bit per node: a bit of the lowest level says that a value is stored, a bit of a
-//! higher one that at least one value is stored below it. The 64 children of a node are one machine word, so the neighbour
-//! of a value is found with a few shifts and bit scans per level, and there are few levels: four for two million values.
-//! This is the tree of Capannini and Larsson, *Efficient collision culling by a succinct bi-dimensional sweep and prune
-//! algorithm* (2016).
+//! The tree is perfect and 64-ary, with one bit per node. A bit of the lowest level is set if its value is stored, and a bit of a higher
+//! level if at least one value is stored below it. The 64 children of a node are one machine word. So finding a neighbour takes a few
+//! shifts and bit scans per level, and there are few levels: four for two million values. The tree is that of Capannini and Larsson,
+//! *Efficient collision culling by a succinct bi-dimensional sweep and prune algorithm* (2016).
 
-/// Bits of a value that one level decides.
+/// How many bits of a value one level decides.
 const LEVEL_BITS: u32 = 6;
 
-/// What is known of a stored value.
+/// A stored value.
 #[derive(Clone, Copy, Debug, Default)]
 struct Node {
-    /// The next greater stored value, or the universe's size.
+    /// The next greater stored value, or the size of the universe.
     next: u32,
-    /// The next smaller stored value, or the universe's size.
+    /// The next smaller stored value, or the size of the universe.
     prev: u32,
-    /// The label it was inserted with.
     label: u32,
 }
 
@@ -28,14 +26,14 @@ struct Node {
 pub(super) struct SuccTree {
     /// The bits of all levels, the lowest first. The highest level is one word.
     words: Vec<u64>,
-    /// Where in `words` each level starts.
+    /// The start of each level in `words`.
     starts: Vec<usize>,
-    /// By value. The last one is not a value; it closes the list to a ring: its `next` is the least stored value.
+    /// By value. The last node is not a value. It closes the list to a ring: its `next` is the least stored value.
     nodes: Vec<Node>,
 }
 
 impl SuccTree {
-    /// Empties the set and makes room for the values below `universe`.
+    /// Removes all values, and makes room for those below `universe`.
     ///
     /// Computes in **O(universe)** time.
     pub(super) fn reset(&mut self, universe: u32) {
@@ -52,19 +50,19 @@ impl SuccTree {
         (end.next, end.prev) = (universe, universe);
     }
 
-    /// The next greater stored value after a stored one, or the universe's size.
+    /// Returns the next greater stored value after a stored one, or the size of the universe.
     #[inline]
     pub(super) fn next(&self, value: u32) -> u32 {
         self.nodes[value as usize].next
     }
 
-    /// The label of a stored value.
+    /// Returns the label of a stored value.
     #[inline]
     pub(super) fn label(&self, value: u32) -> u32 {
         self.nodes[value as usize].label
     }
 
-    /// Stores a value that is not stored and returns the next greater one, or the universe's size.
+    /// Stores a value that is not stored, and returns the next greater stored value or the size of the universe.
     ///
     /// Computes in **O(log₆₄ universe)** time.
     #[inline]
@@ -74,7 +72,7 @@ impl SuccTree {
         next
     }
 
-    /// Stores a value that is not stored, of which the next greater one is known.
+    /// Stores a value that is not stored, if the next greater stored value is known.
     ///
     /// Computes in **O(log₆₄ universe)** time, and **O(1)** where the set is dense.
     #[inline]
@@ -113,13 +111,13 @@ impl SuccTree {
         }
     }
 
-    /// The least stored value greater than one that is not stored, or the universe's size if there is none.
+    /// Returns the least stored value greater than one that is not stored, or the size of the universe.
     #[inline]
     fn successor(&self, value: u32) -> u32 {
         let mut at = value as usize;
         for (level, start) in self.starts.iter().enumerate() {
             let word = self.words[start + (at >> LEVEL_BITS)];
-            // Shifted in two steps: shifting by 64 is not defined.
+            // Two shifts, because a shift by 64 is not defined.
             let above = word & (!0 << (at & 63) << 1);
             if above != 0 {
                 at = at & !63 | above.trailing_zeros() as usize;

@@ -1,4 +1,4 @@
-//! What the suite over all kernels cannot see: what is not tested, and what is done at once.
+//! Tests of internals, which the suite over all kernels does not see.
 
 use super::*;
 
@@ -12,7 +12,7 @@ fn squares(count: usize, extent: f32, size: f32) -> Vec<Aabb<f32, 2>> {
         .collect()
 }
 
-/// The sum is monotone, however it rounds: no box ends before one that begins earlier.
+/// The sum is monotone for any rounding: no box ends before one that begins earlier.
 #[test]
 fn boxes_of_one_size_are_not_tested() {
     let boxes = squares(5000, 1e5, 9.1);
@@ -29,7 +29,7 @@ fn boxes_of_one_size_are_not_tested() {
 
 #[cfg(feature = "parallel")]
 #[test]
-fn both_axes_at_once_are_as_one_after_the_other() {
+fn sorting_both_axes_at_once_changes_nothing() {
     let boxes = squares(SORT_BOTH_AXES_FROM, 300.0, 1.0);
     let [one, two] = [1, 2].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
@@ -40,5 +40,5 @@ fn both_axes_at_once_are_as_one_after_the_other() {
         (kernel.axes[1].order.is_empty(), pairs)
     });
     assert!(one.0 && !two.0);
-    assert!(one.1 == two.1, "another answer, or another order");
+    assert!(one.1 == two.1, "other pairs, or another order");
 }

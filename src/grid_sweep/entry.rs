@@ -1,9 +1,16 @@
-//! Whose an entry is: of which box, and whether it is a ghost there.
+//! Entries: a box in a tube, as its own or as a ghost.
 
-/// The index of the box of an entry, in the lower 30 bits, and above them the cut axes on which the entry is a ghost: bit 30 for
-/// the first of them, bit 31 for the second.
-///
-/// Both in one number, because they are always wanted together.
+use crate::aabb::Aabb;
+
+/// A box on its way into a tube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry<R, const D: usize> {
+    pub(super) aabb: Aabb<R, D>,
+    pub(super) owner: Owner,
+}
+
+/// The box that an entry belongs to: its index in the lower 30 bits, and above them the cut axes on which the entry is a ghost
+/// (bit 30 for the first cut axis, bit 31 for the second). Every use needs both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Owner(pub(super) u32);
 
@@ -13,17 +20,17 @@ const INDEX_BITS: u32 = 30;
 const GHOST: [u32; 2] = [1 << INDEX_BITS, 2 << INDEX_BITS];
 
 impl Owner {
-    /// Beyond the last entry of a tube.
+    /// The owner of the sentinel after each tube.
     pub(super) const NOBODY: Self = Self(u32::MAX);
 
-    /// The owner of the entry in the tube of these strips of a box whose `mins` lie in the strips `home`.
+    /// The owner of the entry in the tube at `strips`, for a box whose `mins` lie in the strips `home`.
     #[inline(always)]
     pub(super) fn of(index: u32, strips: [u32; 2], home: [u32; 2]) -> Self {
         let [row, column] = [0, 1].map(|cut| GHOST[cut] * u32::from(strips[cut] > home[cut]));
         Self(index | row | column)
     }
 
-    /// The strips of the tube in which this is an entry, of a box whose `mins` lie in the strips `home`.
+    /// The strips of the tube that holds this entry, for a box whose `mins` lie in the strips `home`.
     #[inline(always)]
     pub(super) fn strips(self, home: [u32; 2]) -> [u32; 2] {
         [0, 1].map(|cut| home[cut] + u32::from(self.0 & GHOST[cut] != 0))
@@ -34,12 +41,13 @@ impl Owner {
         self.0 & ((1 << INDEX_BITS) - 1)
     }
 
+    /// Whether the entry is no ghost.
     #[inline(always)]
     pub(super) fn is_at_home(self) -> bool {
         self.0 >> INDEX_BITS == 0
     }
 
-    /// Whether both are ghosts on the same axis.
+    /// Whether both entries are ghosts on the same axis.
     #[inline(always)]
     pub(super) fn shares_axis(self, other: Self) -> bool {
         (self.0 & other.0) >> INDEX_BITS != 0
@@ -53,17 +61,19 @@ pub(super) struct Ghost {
     pub(super) owner: Owner,
 }
 
-/// A box that is at most two strips wide spans at most three tubes besides its own.
+/// A box that is at most two strips wide has entries in at most three tubes besides its own.
 pub(super) const MAX_GHOSTS: usize = 3;
 
 impl Ghost {
-    /// Writes the ghosts of a box that is at most two strips wide to the front of `list`, and returns their number. Entries past
-    /// the count are unspecified. The box goes on into the next tube along each of the cut axes where `beyond` is one, and along both.
+    /// Writes the ghosts of a box to the front of `list` and returns their number. Entries past that number are unspecified.
+    ///
+    /// The arguments are the next tube along each cut axis and along both, and whether the box reaches the next strip on each
+    /// cut axis (1) or not (0).
     #[inline(always)]
     pub(super) fn write_all<const D: usize>(
         index: u32,
         [next_row, next_column, next_both]: [u32; 3],
-        beyond: [u32; 2],
+        [is_row, is_column]: [u32; 2],
         list: &mut [Self; MAX_GHOSTS],
     ) -> usize {
         let mut count = 0;
@@ -72,7 +82,6 @@ impl Ghost {
             list[count] = Self { tube, owner };
             count += exists as usize;
         };
-        let [is_row, is_column] = beyond;
         write(next_row, GHOST[0], is_row);
         if D > 2 {
             write(next_column, GHOST[1], is_column);

@@ -1,29 +1,31 @@
-//! The order of a tube's entries along the first axis.
+//! A stable sort of a few numbers that are spread about evenly.
 //!
-//! Most of the work of finding pairs is sorting, so it is done where it is cheap: a tube fits in the first- or
-//! second-level cache. Entries are sorted into twice as many buckets as there are entries by a linear guess. What the
-//! guess misplaces, about one in eight, is put right by insertion.
+//! A linear guess puts the numbers into twice as many buckets as there are numbers. About one in eight is then out of place, and
+//! insertion moves it. Numbers and buckets should fit in the first or second level of cache.
 
+use crate::aabb::{max, min};
 use crate::counting_sort::{starts_from_counts, take_place};
 use crate::lanes::Lanes;
 use crate::real::Real;
 use crate::tuning::kernel::{BUCKETS_AN_ENTRY, CROWDED_BUCKET, INSERTION_UP_TO};
 
-/// Sorts numbers into an order; keeps its memory between calls.
+/// The scratch memory of the sort.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Order<R> {
+pub(crate) struct BucketSort<R> {
     /// The numbers and their positions.
     sorted: Vec<(R, u32)>,
     /// The bucket of each number.
     buckets: Vec<u32>,
-    /// For each bucket how many numbers it has, then where the next of them goes.
+    /// By bucket: how many numbers it has, then the place of its next number.
     cursors: Vec<u32>,
 }
 
-impl<R: Real> Order<R> {
-    /// The numbers with their positions, ascending; equal ones by position. There must be no NaN.
+impl<R: Real> BucketSort<R> {
+    /// Returns the numbers with their positions, ascending; equal numbers by position. No number may be NaN.
+    ///
+    /// Computes in **O(n)** time if the numbers are spread evenly, and in **O(n log n)** otherwise.
     #[inline]
-    pub(super) fn sort(
+    pub(crate) fn sort(
         &mut self,
         numbers: impl ExactSizeIterator<Item = R> + Clone,
     ) -> &[(R, u32)] {
@@ -37,7 +39,7 @@ impl<R: Real> Order<R> {
         &self.sorted
     }
 
-    /// Brings the numbers nearly into order: a stable counting sort by buckets, which ascend.
+    /// Brings the numbers nearly into order, by a stable counting sort into ascending buckets.
     #[inline]
     fn sort_by_buckets(&mut self, numbers: impl ExactSizeIterator<Item = R> + Clone) {
         let (sorted, buckets, cursors) = (&mut self.sorted, &mut self.buckets, &mut self.cursors);
@@ -50,7 +52,7 @@ impl<R: Real> Order<R> {
         cursors.resize(bucket_count, 0);
         let cursors = &mut cursors[..];
         let last = cursors.len() - 1;
-        // Non-decreasing in the numbers, like the strips of a grid.
+        // Non-decreasing in the numbers, as the strips of a grid are. If some are infinite, all have one bucket.
         let buckets_of = |numbers: [R; FOUR]| {
             let offsets = numbers.map(|x| (x - low) * per_length);
             R::Lanes::truncated(offsets).map(|bucket| (bucket as usize).min(last))
@@ -69,7 +71,7 @@ impl<R: Real> Order<R> {
         }
         let most = cursors.iter().copied().max().unwrap_or_default();
         starts_from_counts(cursors);
-        // All of it is written below.
+        // Every place is written below.
         sorted.resize(count, (R::ZERO, 0));
         let sorted = &mut sorted[..count];
         for (number, &bucket) in numbers.zip(0..).zip(&buckets[..count]) {
@@ -91,35 +93,26 @@ impl<R: Real> Order<R> {
 /// How many numbers are handled at once.
 const FOUR: usize = 4;
 
-/// The least and the greatest of the finite numbers. Infinite ones must not spoil the guess.
+/// The least and the greatest number.
 #[inline]
-fn range<R: Real>(numbers: impl Iterator<Item = R> + Clone) -> [R; 2] {
-    fn widest<R: Real>(mut numbers: impl Iterator<Item = R>) -> [R; 2] {
-        let less = |a: R, b: R| if a < b { a } else { b };
-        let more = |a: R, b: R| if a > b { a } else { b };
-        // In four rows: in one, each comparison would wait for the last.
-        let mut lows = [R::MAX; FOUR];
-        let mut highs = [R::ZERO - R::MAX; FOUR];
-        'all: loop {
-            for k in 0..FOUR {
-                let Some(x) = numbers.next() else {
-                    break 'all;
-                };
-                (lows[k], highs[k]) = (less(x, lows[k]), more(x, highs[k]));
-            }
+fn range<R: Real>(mut numbers: impl Iterator<Item = R>) -> [R; 2] {
+    // In one row, each comparison would wait for the last.
+    let mut rows = [[R::INFINITY, R::NEG_INFINITY]; FOUR];
+    'all: loop {
+        for [low, high] in &mut rows {
+            let Some(x) = numbers.next() else {
+                break 'all;
+            };
+            (*low, *high) = (min(x, *low), max(x, *high));
         }
-        let low = lows.into_iter().reduce(less);
-        let high = highs.into_iter().reduce(more);
-        [low, high].map(|x| x.expect("four rows"))
     }
-    let found = widest(numbers.clone());
-    if found.iter().all(|x| x.is_finite()) {
-        return found;
-    }
-    widest(numbers.filter(|x| x.is_finite()))
+    let range = rows
+        .into_iter()
+        .reduce(|a, b| [min(a[0], b[0]), max(a[1], b[1])]);
+    range.expect("there are four rows")
 }
 
-/// Sorts by insertion: fast when few numbers are far from their place. Stable.
+/// Sorts by insertion: fast if few numbers are far from their place. Stable.
 fn insertion_sort<R: Real>(numbers: &mut [(R, u32)]) {
     for i in 1..numbers.len() {
         let number = numbers[i];

@@ -1,0 +1,156 @@
+//! A search: its input, its output, and how threads share its parts.
+
+use std::ops::Range;
+
+use super::emitter::{Emitter, Tally};
+use crate::aabb::Aabb;
+use crate::parallel::Section;
+use crate::real::Real;
+use crate::stopwatch::Stopwatch;
+use crate::tuning::prices::LOOKED_UP;
+
+/// Some of the boxes, or all.
+#[derive(Clone, Copy)]
+pub(super) struct Members<'a, R, const D: usize> {
+    pub(super) boxes: &'a [Aabb<R, D>],
+    /// Indices of valid boxes, each once, in any order. `None` means all boxes, some of which may be invalid.
+    pub(super) indices: Option<&'a [u32]>,
+}
+
+impl<R: Real, const D: usize> Members<'_, R, D> {
+    pub(super) fn count(self) -> usize {
+        self.indices.map_or(self.boxes.len(), <[u32]>::len)
+    }
+
+    /// The index of the `i`-th member's box.
+    #[inline(always)]
+    pub(super) fn index(self, i: usize) -> u32 {
+        self.indices.map_or(i as u32, |indices| indices[i])
+    }
+
+    /// Calls `visit` with each member of a range: its place in the range, its index, and its box. `ALL` says whether all boxes are
+    /// members. Compiles to better code than an iterator.
+    #[inline(always)]
+    pub(super) fn for_each<const ALL: bool>(
+        self,
+        range: Range<usize>,
+        mut visit: impl FnMut(usize, u32, &Aabb<R, D>),
+    ) {
+        let start = range.start;
+        if ALL {
+            for (i, aabb) in self.boxes[range].iter().enumerate() {
+                visit(i, (start + i) as u32, aabb);
+            }
+        } else {
+            for (i, &index) in self.indices.unwrap_or_default()[range].iter().enumerate() {
+                visit(i, index, &self.boxes[index as usize]);
+            }
+        }
+    }
+}
+
+/// Removes unwanted pairs from the given one on.
+pub(super) type Filter<'a> = &'a (dyn Fn(&mut Vec<[u32; 2]>, usize) + Sync);
+
+/// The input and the output of a search, for all size classes.
+pub(super) struct Search<'a, R, const D: usize> {
+    pub(super) boxes: &'a [Aabb<R, D>],
+    /// Whether the boxes come from a single tube of another grid.
+    pub(super) is_crowd: bool,
+    /// Whether tubes are kept: the caller will look boxes up, or there are several classes.
+    pub(super) keeps: bool,
+    pub(super) pairs: &'a mut Vec<[u32; 2]>,
+    /// `None` means that all pairs are wanted.
+    pub(super) filter: Option<Filter<'a>>,
+    /// How many pairs may overlap, wanted or not. If there are more, the search stops with some of them.
+    pub(super) most: usize,
+    pub(super) tally: Tally,
+    pub(super) stopwatch: &'a mut Stopwatch,
+}
+
+/// The pairs that a part of a search has found.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found {
+    pairs: Vec<[u32; 2]>,
+    tally: Tally,
+}
+
+impl<'a, R, const D: usize> Search<'a, R, D> {
+    /// A search for all pairs, after which nothing is looked up.
+    pub(super) fn new(
+        boxes: &'a [Aabb<R, D>],
+        pairs: &'a mut Vec<[u32; 2]>,
+        stopwatch: &'a mut Stopwatch,
+    ) -> Self {
+        Self {
+            boxes,
+            is_crowd: false,
+            keeps: false,
+            pairs,
+            filter: None,
+            most: usize::MAX,
+            tally: Tally::default(),
+            stopwatch,
+        }
+    }
+
+    /// Whether more pairs overlap than may. The number of slabs makes no difference.
+    pub(super) fn is_over(&self) -> bool {
+        self.tally.emitted > self.most
+    }
+
+    /// Calls `find` with each part, on several threads if there are several parts, and appends the pairs in the order of the parts.
+    /// `found` is where a part keeps its pairs meanwhile.
+    pub(super) fn collect<T: Send>(
+        &mut self,
+        section: Section,
+        parts: &mut [T],
+        found: fn(&mut T) -> &mut Found,
+        find: impl Fn(&mut T, &mut Emitter) + Send + Sync,
+    ) {
+        let most = self.most.saturating_sub(self.tally.emitted);
+        // The pairs of the first part need not be copied.
+        if let Some(first) = parts.first_mut() {
+            std::mem::swap(&mut found(first).pairs, self.pairs);
+        }
+        let filter = self.filter;
+        section.for_each(parts, |part| {
+            let mut pairs = std::mem::take(&mut found(part).pairs);
+            let start = pairs.len();
+            let mut emitter = Emitter::new(&mut pairs, most);
+            find(part, &mut emitter);
+            let tally = emitter.finish();
+            if let Some(filter) = filter {
+                filter(&mut pairs, start);
+            }
+            *found(part) = Found { pairs, tally };
+        });
+        for (i, part) in parts.iter_mut().enumerate() {
+            let Found { pairs, tally } = found(part);
+            self.tally.emitted += tally.emitted;
+            self.tally.compared += tally.compared;
+            match i {
+                0 => std::mem::swap(pairs, self.pairs),
+                _ => self.pairs.append(pairs),
+            }
+        }
+    }
+
+    /// Calls `look_up` with each query, and appends the pairs in the order of the queries. Stops early if more pairs overlap than
+    /// may.
+    pub(super) fn look_up(&mut self, queries: &[u32], look_up: impl Fn(u32, &mut Emitter) + Sync) {
+        let section = Section::of(queries.len(), LOOKED_UP);
+        let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
+        let parts = queries.chunks(queries_a_part);
+        let mut parts: Vec<_> = parts.map(|part| (part, Found::default())).collect();
+        let find = |(queries, _): &mut (&[u32], _), emitter: &mut Emitter| {
+            for &query in *queries {
+                look_up(query, emitter);
+                if emitter.is_over() {
+                    break;
+                }
+            }
+        };
+        self.collect(section, &mut parts, |(_, found)| found, find);
+    }
+}
