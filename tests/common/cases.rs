@@ -3,5 +3,5 @@
 /// `PROPTEST_CASES` if it is set, else `usual`.
 pub(crate) fn cases(usual: u32) -> u32 {
     let cases = std::env::var("PROPTEST_CASES").map(|cases| cases.parse());
-    cases.map_or(usual, |cases| cases.expect("PROPTEST_CASES must be a number"))
+    cases.map_or(usual, |cases| cases.expect("PROPTEST_CASES is a number"))
 }

@@ -14,9 +14,8 @@ pub(crate) struct InSlabs<R, const D: usize> {
 
 impl<R: Number, const D: usize> Default for InSlabs<R, D> {
     fn default() -> Self {
-        let [one, three] = [1, 3].map(|count| {
-            GridSweep::with_slabs(NonZero::new(count).expect("the number is not 0"))
-        });
+        let [one, three] = [1, 3]
+            .map(|count| GridSweep::with_slabs(NonZero::new(count).expect("the number is not 0")));
         Self {
             one,
             three,
