@@ -148,7 +148,8 @@ impl<R: Real, const D: usize> Slab<R, D> {
         self.entries = entries;
     }
 
-    /// Adds the next tube that has entries, and returns where they are.
+    /// Adds the next tube that has entries, and returns where they are. Inlined into the loop over tubes, it would compile to slower code.
+    #[inline(never)]
     pub(super) fn push(&mut self, number: u32, entries: &[Entry<R, D>]) -> Range<usize> {
         let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
         let end = start + entries.len();
@@ -168,8 +169,15 @@ impl<R: Real, const D: usize> Slab<R, D> {
     }
 
     /// Makes the arrays at least this long. What follows the last sentinel is unspecified.
-    #[inline]
+    #[inline(always)]
     fn make_room(&mut self, len: usize) {
+        if self.owners.len() < len {
+            self.grow(len);
+        }
+    }
+
+    #[cold]
+    fn grow(&mut self, len: usize) {
         fn grow<T: Copy>(array: &mut Vec<T>, len: usize, filler: T) {
             if array.is_empty() {
                 // Arrays of tubes that are kept seldom grow.
@@ -177,12 +185,10 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             array.resize(len, filler);
         }
-        if self.owners.len() < len {
-            for array in self.mins.iter_mut().chain(&mut self.maxs) {
-                grow(array, len, R::NAN);
-            }
-            grow(&mut self.owners, len, Owner::NOBODY);
+        for array in self.mins.iter_mut().chain(&mut self.maxs) {
+            grow(array, len, R::NAN);
         }
+        grow(&mut self.owners, len, Owner::NOBODY);
     }
 
     /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.
