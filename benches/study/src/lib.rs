@@ -9,15 +9,18 @@
 //! | `missed` | what do methods miss that trade accuracy for speed, and how much faster are they? |
 //! | `accuracy` | what does the time of a simulation buy, and can unisize be told apart from Rapier's own broad phase? |
 //! | `stability` | where small worlds fail, does unisize fail alone? |
+//! | `asleep` | does a world fall asleep sooner or later than on Rapier's own broad phase? |
 //! | `soak` | does unisize run forever in the same memory? |
 //!
 //! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, append a line of JSON for each row to
 //! `--json FILE`, and draw charts into `--chart FOLDER`. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly
 //! or cannot write. Times are the processor time of one thread.
 //!
-//! The feature `rapier-036` builds `accuracy` and `stability` for a patched copy of Rapier 0.36; `benches/patched/study` is that program.
+//! The feature `rapier-036` builds `accuracy`, `stability` and `asleep` for a patched copy of Rapier 0.36; `benches/patched/study` is
+//! that program.
 
 mod accuracy;
+mod asleep;
 mod finder;
 #[cfg(not(feature = "rapier-036"))]
 mod missed;
@@ -55,6 +58,7 @@ macro_rules! engine {
             use unisize_scenes::$scenes as scenes;
 
             pub(super) mod accuracy;
+            pub(super) mod asleep;
             mod finder;
             #[cfg(not(feature = "rapier-036"))]
             mod grid;
@@ -85,6 +89,7 @@ enum Study {
     Missed(missed::Arguments),
     Accuracy(accuracy::Arguments),
     Stability(stability::Arguments),
+    Asleep(asleep::Arguments),
     #[cfg(not(feature = "rapier-036"))]
     Soak(soak::Arguments),
 }
@@ -96,6 +101,7 @@ pub fn run() -> ExitCode {
         Study::Missed(study) => study.run(),
         Study::Accuracy(study) => study.run(),
         Study::Stability(study) => study.run(),
+        Study::Asleep(study) => study.run(),
         #[cfg(not(feature = "rapier-036"))]
         Study::Soak(study) => study.run(),
     })
