@@ -91,21 +91,15 @@ impl Stage {
     ///
     /// No broad phase knows it yet. Its bodies have a collider each, and neither joints nor a script.
     pub(super) fn settled(mut self) -> Self {
-        let mut broad_phase = install(Observed::new(OwnBroadPhase::new()).sorted());
-        for _ in 0..STEPS_TO_SETTLE {
-            self.world.step(broad_phase.for_step(), &(), &());
+        // A new world has no contact forces of the step before, so that bodies that only just stood come down. The last world has
+        // none of these.
+        for _ in 0..WORLDS_TO_SETTLE {
+            let mut broad_phase = install(Observed::new(OwnBroadPhase::new()).sorted());
+            for _ in 0..STEPS_TO_SETTLE {
+                self.world.step(broad_phase.for_step(), &(), &());
+            }
+            self.world = at_rest(&self.world);
         }
-        let mut settled = World::new(self.world.gravity);
-        for (_, collider) in self.world.colliders.iter() {
-            let Some(parent) = collider.parent() else {
-                settled.colliders.insert(collider.clone());
-                continue;
-            };
-            let mut body = RigidBodyBuilder::dynamic().build();
-            body.set_position(*self.world.bodies[parent].position(), true);
-            settled.insert(body, collider.clone());
-        }
-        self.world = settled;
         self
     }
 
@@ -116,8 +110,24 @@ impl Stage {
     }
 }
 
-/// Ten seconds, after which piles of some thousand bodies rest.
-const STEPS_TO_SETTLE: usize = 600;
+/// The number of worlds that bodies come to rest in, one after the other, and of steps in each.
+const WORLDS_TO_SETTLE: usize = 4;
+const STEPS_TO_SETTLE: usize = 200;
+
+/// A new world with the bodies where they are, at rest and awake.
+fn at_rest(world: &World) -> World {
+    let mut new = World::new(world.gravity);
+    for (_, collider) in world.colliders.iter() {
+        let Some(parent) = collider.parent() else {
+            new.colliders.insert(collider.clone());
+            continue;
+        };
+        let mut body = RigidBodyBuilder::dynamic().build();
+        body.set_position(*world.bodies[parent].position(), true);
+        new.insert(body, collider.clone());
+    }
+    new
+}
 
 /// A world with gravity.
 pub(super) fn falling() -> World {

@@ -127,21 +127,23 @@ macro_rules! scene_tests {
 
             #[test]
             fn boxes_of_chains_overlap_and_few_links_touch() {
-                let (scene, _) = run(SceneKind::Chains, 400, 1, STEPS);
-                let [touching, in_vain] = pairs(&scene);
-                println!("chains: {touching} {in_vain}");
-                // More than the neighbours in a chain, which are joined.
-                assert!(in_vain > 2 * 400, "{in_vain}");
-                assert!(DIM == 2 || touching > 0, "no chains touch");
-                assert!(touching * 10 < in_vain, "{touching} and {in_vain}");
+                let mut most = 0;
+                for steps in [STEPS / 3, STEPS / 2, STEPS] {
+                    let (scene, _) = run(SceneKind::Chains, 400, 1, steps);
+                    let [touching, in_vain] = pairs(&scene);
+                    // More than the neighbours in a chain, which are joined.
+                    assert!(in_vain > 2 * 400, "{in_vain}");
+                    assert!(touching * 10 < in_vain, "{touching} and {in_vain}");
+                    most = most.max(touching);
+                }
+                assert!(DIM == 2 || most > 0, "no chains touch");
             }
 
             #[test]
             fn grains_touch_in_a_hopper_and_every_pair_of_stacks_touches() {
                 let (scene, _) = run(SceneKind::Hopper, 400, 1, STEPS);
                 let [touching, in_vain] = pairs(&scene);
-                println!("hopper: {touching} {in_vain}");
-                assert!(touching > 30, "{touching}");
+                assert!(touching > 50, "{touching} and {in_vain}");
                 let (scene, _) = run(SceneKind::Stacks, 300, 1, STEPS);
                 assert_eq!(pairs(&scene), [300, 0]);
             }
@@ -162,11 +164,13 @@ macro_rules! scene_tests {
                     let (scene, _) = run(kind, 150, 1, STEPS);
                     let [touching, _] = pairs(&scene);
                     assert!(touching > 150, "{name}: {touching}");
-                    for (handle, body) in scene.world.bodies.iter() {
+                    let stays = |&(handle, body): &(_, &RigidBody)| {
                         let [now, then] = [body, &built.world.bodies[handle]].map(place);
-                        let is_there = |axis: usize| (now[axis] - then[axis]).abs() < 0.1;
-                        assert!((0..DIM).all(is_there), "{name}: {now:?}, not {then:?}");
-                    }
+                        (0..DIM).all(|axis| (now[axis] - then[axis]).abs() < 0.05)
+                    };
+                    // In a heap, a few bodies still slide.
+                    let count = scene.world.bodies.iter().filter(stays).count();
+                    assert!(count >= 145, "{name}: {count} of 150 stay");
                 }
             }
 
