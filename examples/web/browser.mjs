@@ -136,7 +136,7 @@ async function switches() {
 
 /** Measures pictures of 10,000 bodies, in both views together. */
 async function drawing() {
-  for (const [scene, space] of [["gas", "3d"], ["gas", "2d"], ["ropes", "3d"], ["stacks", "3d"]]) {
+  for (const [scene, space] of [["gas", "3d"], ["gas", "2d"], ["ropes", "3d"], ["columns", "3d"]]) {
     await withPage({ query: `film=${scene}&space=${space}&bodies=10000` }, async (page) => {
       await page.waitForFunction(() => window.film);
       const taken = await page.evaluate(() => Array.from({ length: 21 }, () => window.film(1)).sort((a, b) => a - b));

@@ -47,7 +47,7 @@ async function golden() {
 
 async function times(steps = 120, bodies = 2000) {
   const page = await import(new URL("site/engine.js", import.meta.url));
-  const scenes = ["ropes", "hopper", "crowd", "gas", "mixed-1.5", "stacks"];
+  const scenes = ["ropes", "hopper", "crowd", "gas", "mixed-1.5", "columns"];
   const widths = [10, 6, 7, 7, 13, 7, 8, 7, 6, 14];
   const row = (cells) => console.log(cells.map((cell, index) => String(cell).padStart(widths[index])).join(" "));
   row(["scene", "space", "Rapier", "build", "Rapier's own", "broad", "unisize", "broad", "ratio", "contacts"]);

@@ -1,8 +1,8 @@
-//! What a row of the table is about: a scene, at its own number of bodies or at another.
+//! The subject of a row of the table: a scene with its own number of bodies or another one.
 
 use unisize_scenes::SceneKind;
 
-/// A scene, and a number of bodies that is its own if none is given.
+/// A scene, and a number of bodies; without one, the scene has its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Case {
     pub(super) kind: SceneKind,
@@ -22,14 +22,14 @@ impl Case {
         SceneKind::ALL.into_iter().map(Self::from)
     }
 
-    /// Some scenes at a larger number of bodies, to tell what comes of size.
+    /// Some scenes with a larger number of bodies, which show the effect of size.
     pub(super) fn large() -> impl Iterator<Item = Self> {
         use SceneKind::{FallingBalls, MixedOneAndAHalf, Pyramid};
         let kinds = [FallingBalls, Pyramid, MixedOneAndAHalf];
         kinds.into_iter().map(|kind| Self::of(kind, 8_000))
     }
 
-    /// The name of the scene, and the number of bodies behind it if it is not the scene's own.
+    /// The name of the scene, followed by the number of bodies if that is not its own.
     pub(super) fn name(self) -> String {
         let name = self.kind.name();
         self.bodies

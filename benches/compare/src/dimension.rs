@@ -20,12 +20,12 @@ pub(crate) fn compare(case: Case, options: &Options) -> Row {
         ..Comparison::new(case.kind, options.bodies(case), options.seed)
     };
     let outcome = if options.pair_filter() == PairFilter::Shapes {
-        // The default's pairs are all of those whose boxes overlap: so first, it is these that must be the same.
+        // The default holds all pairs whose boxes overlap. So these have to be equal first.
         let boxes = Comparison {
             repeats: 0,
             ..comparison
         };
-        let boxes = boxes.run(&candidate(crate::version::FILTER_OF_DEFAULT));
+        let boxes = boxes.run(&candidate(crate::FILTER_OF_DEFAULT));
         let shapes = candidate(PairFilter::Shapes).leaving_out_more();
         let mut outcome = comparison.run(&shapes);
         outcome.first_difference = boxes.first_difference.or(outcome.first_difference);
@@ -43,7 +43,7 @@ fn candidate(filter: PairFilter) -> Candidate<UnisizeBroadPhase> {
         |ours| ours.pairs().collect(),
         UnisizeBroadPhase::as_query_pipeline,
     );
-    // An update that has nothing to do leaves the statistics as they are.
+    // An update without changes leaves the statistics as they are.
     let updates = AtomicU64::new(0);
     candidate.with_sharing(move |ours| {
         let stats = ours.stats();

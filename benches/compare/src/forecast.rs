@@ -1,15 +1,15 @@
-//! What an update will take on more threads than there are here.
+//! A forecast of the time of an update on more threads than this machine has.
 //!
-//! On one thread, unisize tells how much of an update several threads would share, and into how many sections that is cut. The rest of the
-//! time stays as it is. What is shared goes down with the number of threads, but for what it costs to wake them, which was measured on
-//! a server with a core for each thread.
+//! On one thread, unisize measures the part of an update that several threads would split, and its number of sections. The rest of the
+//! time stays as it is. The split part is divided by the number of threads. The costs of waking them were measured on a server with a core
+//! for each thread.
 
 use unisize_scenes::Sharing;
 
 /// The numbers of threads for which there is a forecast.
 pub(super) const THREADS: [usize; 4] = [2, 4, 8, 16];
 
-/// Microseconds to get into the pool from outside, once it is asleep.
+/// Microseconds to enter a sleeping pool from outside.
 const ENTERING: f64 = 40.0;
 
 /// Microseconds for the first section in the pool, with each number of threads.
@@ -18,13 +18,13 @@ const FIRST_SECTION: [f64; 4] = [3.3, 6.5, 8.8, 25.0];
 /// Microseconds for each further one.
 const SECTION: [f64; 4] = [0.2, 1.3, 3.4, 6.3];
 
-/// How often the pool is entered in a step: when boxes are handed over, and in the update.
+/// The number of entries into the pool in a step: when boxes are passed, and in the update.
 const ENTRIES: f64 = 2.0;
 
-/// Milliseconds that a step must be spared for threads to be woken.
+/// Threads are woken if that saves at least this many milliseconds of a step.
 const LEAST_GAIN: f64 = 0.25;
 
-/// Milliseconds of an update on each number of threads, by the updates of so many steps on one.
+/// Milliseconds of an update on each number of threads, from the updates of this many steps on one.
 pub(super) fn forecast(sharing: &Sharing, steps: usize) -> [f64; 4] {
     let [serial, shared, sections] = [
         sharing.ms - sharing.ms_shared,

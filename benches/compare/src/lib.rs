@@ -6,11 +6,10 @@
 //!
 //! simulates every scene in two and three dimensions with both broad phases side by side, compares the pairs
 //! they hold and the contacts after every step, then times whole steps on each broad phase alone, and prints a table
-//! for each dimension.
-//! `benches/scenes/src/engine/comparison.rs` lists what is compared. Exits with 1 if anything differs, and
+//! for each dimension. `benches/scenes/src/engine/comparison.rs` lists the checks. The program exits with 1 if anything differs, and
 //! with 2 on a usage error.
 //!
-//! With the feature `rapier-036` it is of Rapier 0.36, on a patched copy: `benches/patched/compare` is that program.
+//! The feature `rapier-036` builds it for a patched copy of Rapier 0.36; `benches/patched/compare` is that program.
 
 mod case;
 mod forecast;
@@ -18,18 +17,38 @@ mod options;
 mod row;
 mod run;
 mod table;
-#[cfg_attr(feature = "rapier-036", path = "version/rapier_036.rs")]
-#[cfg_attr(not(feature = "rapier-036"), path = "version/rapier_027.rs")]
-mod version;
 
 pub use run::run;
 
-/// What is compared in one dimension.
+use unisize::PairFilter;
+
+/// The version of Rapier.
+const RAPIER: &str = if cfg!(feature = "rapier-036") {
+    "0.36"
+} else {
+    "0.27"
+};
+
+/// The default of `--filter`, as the library has it.
+const FILTER: &str = if cfg!(feature = "rapier-036") {
+    "shapes"
+} else {
+    "off"
+};
+
+/// The level that leaves out the same pairs as the default broad phase.
+const FILTER_OF_DEFAULT: PairFilter = match cfg!(feature = "rapier-036") {
+    true => PairFilter::Groups,
+    false => PairFilter::Off,
+};
+
+/// The comparison in one dimension.
 macro_rules! dimension {
-    ($name:ident, $dim:literal) => {
+    ($name:ident, $dim:literal, $ours:ident, $scenes:ident) => {
         #[path = "."]
         mod $name {
-            use super::version::$name::{ours, scenes};
+            use unisize::$ours as ours;
+            use unisize_scenes::$scenes as scenes;
 
             const DIM: u8 = $dim;
 
@@ -39,8 +58,14 @@ macro_rules! dimension {
     };
 }
 
-dimension!(dim2, 2);
-dimension!(dim3, 3);
+#[cfg(not(feature = "rapier-036"))]
+dimension!(dim2, 2, rapier2d_027, dim2);
+#[cfg(not(feature = "rapier-036"))]
+dimension!(dim3, 3, rapier3d_027, dim3);
+#[cfg(feature = "rapier-036")]
+dimension!(dim2, 2, rapier2d_036, dim2_036);
+#[cfg(feature = "rapier-036")]
+dimension!(dim3, 3, rapier3d_036, dim3_036);
 
 // It does not look into macros.
 #[cfg(rustfmt)]

@@ -7,44 +7,43 @@ use std::path::PathBuf;
 use unisize::PairFilter;
 use unisize_scenes::SceneKind;
 
-/// How many bodies `--quick` gives a scene.
+/// The number of bodies of a scene with `--quick`.
 const QUICK_BODIES: usize = 150;
 
-/// How many steps `--quick` simulates.
+/// The number of steps with `--quick`.
 const QUICK_STEPS: usize = 40;
 
-/// How many steps are simulated otherwise: a second.
+/// The number of steps otherwise: a second.
 const STEPS: usize = 60;
 
-/// How many steps `--full` simulates: five seconds.
+/// The number of steps with `--full`: five seconds.
 const FULL_STEPS: usize = 300;
 
 /// Compares unisize with Rapier's own broad phase, on every scene.
 ///
-/// The default broad phase drives the simulation, and unisize gets the same updates. After every step the pairs
-/// that they hold, the contacts and intersections that follow, and what rays hit are compared. Exits with 1 if
-/// anything differs.
+/// The default broad phase drives the simulation, and unisize gets the same updates. After every step the program compares the pairs
+/// that both hold, the contacts and intersections that follow, and the hits of rays. It exits with 1 if anything differs.
 ///
-/// Then whole steps are timed, with the queries made in them: each scene is simulated on either broad phase alone, the
-/// two worlds stepped by turns. Their trajectories part after a while, since the solver depends on the order of
-/// events; the scene stays as hard as it was, so the times are comparable in the mean. Each repeat has another seed.
-/// The ratio is the median over repeats, with the lower and the upper quartile.
+/// Then it times whole steps with their queries: it simulates each scene on either broad phase alone, and steps the two worlds even/odd
+/// interleaved. Their trajectories diverge after a while, since the solver depends on the order of events; the scene stays as hard as it
+/// was, so the times are comparable in the mean. Each repeat has another seed. The ratio is the median over repeats, with the lower and
+/// the upper quartile.
 ///
-/// `without contact` are the pairs that the narrow phase of either world holds at the end, of the first repeat, and of which
-/// nothing comes: no active contact, and no intersection. `limit` is what a broad phase that takes no time would give: D / (D - B),
-/// with D the default's whole step and B the part of its broad phase. Both are of one more world on the default alone, stepped
-/// by itself with its broad phase clocked, so that they belong together; D is not that of the column before.
+/// `without contact` is the number of pairs without an active contact and without an intersection in the narrow phase of either world at
+/// the end of the first repeat. `limit` is the ratio with a broad phase that takes no time: D / (D - B), with D the default's whole step
+/// and B the part of its broad phase. Both are of one more world on the default alone, whose broad phase is timed; D is not the number of
+/// the column before.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
-    /// A scene to compare on, or one of so many bodies, as in pyramid-8000; may be given several times [default: every
+    /// A scene, or one with a number of bodies, as in pyramid-8000; may be given several times [default: every
     /// scene, and some with 8000 bodies too unless there is --bodies or --quick]
     #[arg(long = "scene", value_name = "NAME", value_parser = parse_case)]
     cases: Vec<Case>,
     /// In how many dimensions, 2 or 3 [default: both]
     #[arg(long, value_parser = clap::value_parser!(u8).range(2..=3))]
     dim: Option<u8>,
-    /// About how many bodies in every scene that does not say so in its name [default: each scene's own number]
+    /// The approximate number of bodies in every scene whose name has none [default: each scene's own number]
     #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
     bodies: Option<usize>,
     /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
@@ -53,17 +52,17 @@ pub(super) struct Options {
     /// Which whole steps are timed, as in 600..720; the steps before are made on unisize alone [default: from the first one on]
     #[arg(long, value_name = "A..B", value_parser = parse_window, conflicts_with = "steps")]
     window: Option<Window>,
-    /// Which pairs unisize leaves out because they can have no effect: none, those of one body and of types of bodies that cannot
-    /// meet, also those whose groups forbid it, or also those whose shapes cannot meet
-    #[arg(long, default_value = crate::version::FILTER, value_parser = ["off", "bodies", "groups", "shapes"])]
+    /// Which pairs without an effect unisize leaves out: none, those of one body and of types of bodies that cannot meet, also those whose
+    /// groups forbid it, or also those whose shapes cannot meet
+    #[arg(long, default_value = crate::FILTER, value_parser = ["off", "bodies", "groups", "shapes"])]
     pub(super) filter: String,
-    /// How many threads unisize may use, which pays only for very many bodies, and Rapier if it is built with `parallel`
+    /// The number of threads for unisize, and for Rapier if it is built with `parallel`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = between(1, 1_024))]
     pub(super) threads: usize,
-    /// How many rays are cast after each step, in the tree of the broad phase, beside those of the scene itself
+    /// The number of rays per step, in the tree of the broad phase, in addition to those of the scene itself
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = between(0, 1_000_000))]
     pub(super) rays: usize,
-    /// How often whole steps are timed; to tell a few per cent takes nine, and 0 leaves it out [default: 1, or 3 with --full]
+    /// How often whole steps are timed; differences of a few per cent take nine, and 0 leaves it out [default: 1, or 3 with --full]
     #[arg(long, value_name = "N", value_parser = between(0, 1_000))]
     repeats: Option<usize>,
     /// The seed of the scenes' randomness; repeats count up from it
@@ -75,7 +74,7 @@ pub(super) struct Options {
     /// Few bodies and steps, for a check of a minute
     #[arg(long)]
     quick: bool,
-    /// More steps and repeats, for figures to rely on: half an hour
+    /// More steps and repeats, for publishable numbers: half an hour
     #[arg(long, conflicts_with = "quick")]
     full: bool,
 }

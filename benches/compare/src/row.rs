@@ -13,7 +13,7 @@ pub(super) struct Row {
     pub(super) scene: String,
     pub(super) dim: u8,
     seed: u64,
-    /// How many steps were made before whole steps were timed.
+    /// The number of steps before whole steps were timed.
     before: usize,
     filter: String,
     pub(super) threads: usize,
@@ -25,7 +25,7 @@ pub(super) struct Row {
 impl Row {
     pub(super) fn new(case: Case, dim: u8, options: &Options, outcome: Outcome) -> Self {
         Self {
-            rapier: crate::version::RAPIER,
+            rapier: crate::RAPIER,
             scene: case.name(),
             dim,
             seed: options.seed,

@@ -4,7 +4,7 @@ use crate::forecast::forecast;
 use crate::row::Row;
 use unisize_scenes::{Both, End, Repeat, Times, WholeSteps};
 
-/// The two lines of a head. A cell ends where the word of the second line does, but for the first, which begins the line.
+/// The two lines of a head. A cell ends where its word in the second line ends; the first cell begins the line.
 type Head = [&'static str; 2];
 
 const RESULTS: Head = [
@@ -12,19 +12,9 @@ const RESULTS: Head = [
     "scene              bodies colliders   default     ours  ratio quartiles  default    ours contacts intersections equal    default      ours  ratio  default    ours  limit  default/ours",
 ];
 
-const UPDATES: Head = [
-    "                   mean ms             longest ms          all pairs           rays",
-    "updates              default      ours   default      ours   default      ours  compared",
-];
-
 const THREADS: Head = [
     "                   ms an update               forecast of ms an update on threads",
     "threads                  all  serial    of it sections        2        4        8       16",
-];
-
-const ALONE: Head = [
-    "                   asleep          left            energy                 stretch          ms of rays",
-    "alone               default   ours  default   ours     default       ours  default    ours   default      ours",
 ];
 
 /// A line of a table.
@@ -53,7 +43,7 @@ pub(super) fn header(dim: u8) -> String {
     format!(
         "rapier{dim}d {}. Whole steps: each broad phase alone, queries included. The rest: the default drives, unisize \
          follows.\nWithout contact: of each broad phase alone. Limit: the ratio of whole steps with a broad phase that takes no time.\n\n{}",
-        crate::version::RAPIER,
+        crate::RAPIER,
         RESULTS.join("\n")
     )
 }
@@ -100,7 +90,8 @@ pub(super) fn row(row: &Row) -> String {
     line(RESULTS, cells.into_iter().chain(alone))
 }
 
-/// What belongs beneath the table of one dimension: means, differences, updates, and the simulations alone.
+/// The lines beneath the table of one dimension: means, differences, complaints about a simulation on one broad phase alone, and the
+/// forecast.
 pub(super) fn footer(rows: &[Row]) -> String {
     let whole_steps = rows
         .iter()
@@ -118,13 +109,9 @@ pub(super) fn footer(rows: &[Row]) -> String {
             ));
         }
     }
-    lines.push(String::new());
-    lines.extend(UPDATES.map(str::to_owned));
-    lines.extend(rows.iter().map(updates));
+    lines.extend(rows.iter().flat_map(complaints));
     lines.push(String::new());
     lines.extend(threads(rows));
-    lines.extend(alone(rows));
-    lines.push(String::new());
     lines.join("\n")
 }
 
@@ -134,18 +121,8 @@ fn geometric_mean(ratios: impl Iterator<Item = f64>) -> f64 {
     (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
 }
 
-fn updates(row: &Row) -> String {
-    let outcome = &row.outcome;
-    let times = &outcome.broad_phase;
-    let mut cells = vec![row.scene.clone()];
-    cells.extend(both(times, |of| format!("{:.3}", of.ms_per_busy_update)));
-    cells.extend(both(times, |of| format!("{:.3}", of.ms_worst_update)));
-    cells.extend(both(&outcome.pairs_with_dropped, usize::to_string));
-    cells.push(outcome.rays.cast.to_string());
-    line(UPDATES, cells)
-}
-
-/// What threads share of the updates, and what an update would take on more of them; nothing if it ran on several, for then it is measured.
+/// The share of the updates that threads split, and a forecast of an update on more threads. There is none of a run on several threads,
+/// which is a measurement itself.
 fn threads(rows: &[Row]) -> Vec<String> {
     let mut lines = Vec::new();
     for row in rows.iter().filter(|row| row.threads == 1) {
@@ -170,35 +147,16 @@ fn threads(rows: &[Row]) -> Vec<String> {
     lines
 }
 
-/// The ends of the first repeat of each scene, and all complaints.
-fn alone(rows: &[Row]) -> Vec<String> {
+/// What is wrong with the simulations of a scene on either broad phase alone.
+fn complaints(row: &Row) -> Vec<String> {
+    let whole_steps = row.outcome.whole_steps.iter();
     let mut lines = Vec::new();
-    for row in rows {
-        let Some(WholeSteps { repeats, .. }) = &row.outcome.whole_steps else {
-            continue;
-        };
-        if lines.is_empty() {
-            lines.extend(ALONE.map(str::to_owned));
-        }
-        let end = &repeats[0].end;
-        let mut cells = vec![row.scene.clone()];
-        cells.extend(both(end, |end| end.asleep.to_string()));
-        cells.extend(both(end, |end| end.outside.to_string()));
-        cells.extend(both(end, |end| format!("{:.4e}", end.energy)));
-        cells.extend(both(end, stretch));
-        cells.extend(both(end, |end| format!("{:.3}", end.ms_of_rays)));
-        lines.push(line(ALONE, cells));
-        for Repeat { seed, end, .. } in repeats {
-            for (name, end) in [("default", &end.default), ("ours", &end.candidate)] {
-                let complaint = end.complaint.iter();
-                lines.extend(complaint.map(|it| format!("  on {name}, seed {seed}: {it}")));
-            }
+    for Repeat { seed, end, .. } in whole_steps.flat_map(|of| &of.repeats) {
+        for (name, end) in [("default", &end.default), ("ours", &end.candidate)] {
+            let complaint = end.complaint.iter();
+            let place = format!("{} {}D on {name}, seed {seed}", row.scene, row.dim);
+            lines.extend(complaint.map(|complaint| format!("{place}: {complaint}")));
         }
     }
     lines
-}
-
-fn stretch(end: &End) -> String {
-    end.max_rope_stretch
-        .map_or_else(|| "-".to_owned(), |stretch| format!("{stretch:.3}"))
 }

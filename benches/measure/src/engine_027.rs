@@ -1,7 +1,7 @@
-//! How Rapier 0.27 drives a broad phase: by lists of all that is new or has moved, which the broad phase reads by itself.
+//! How Rapier 0.27 drives a broad phase: it lists the colliders that are new or have moved, and the broad phase reads them.
 
-use super::frames::World;
 use super::rapier::prelude::*;
+use super::world::World;
 use crate::time;
 use std::time::Duration;
 
@@ -9,14 +9,14 @@ use std::time::Duration;
 pub(crate) const RAPIER: &str = "0.27";
 
 /// Removes a collider.
-pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world: &mut World) {
-    let bodies = &mut world.bodies;
+pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {
+    let (islands, bodies) = (&mut world.islands, &mut world.bodies);
     world.colliders.remove(handle, islands, bodies, false);
 }
 
 /// A broad phase as its engine drives it.
 pub(crate) trait Driven {
-    /// How long an update takes of colliders that were inserted, moved, and removed since the last one.
+    /// Returns how long an update takes, with the colliders that were inserted, moved and removed since the last one.
     fn follow(
         &mut self,
         world: &mut World,

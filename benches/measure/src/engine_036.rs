@@ -1,9 +1,8 @@
-//! How Rapier 0.36 drives a broad phase: it hands over the boxes of what it has moved, which it computes for any broad phase,
-//! and lists what is new.
+//! How Rapier 0.36 drives a broad phase: it computes and passes the boxes of moved colliders, and lists new ones.
 
-use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use super::world::World;
 use crate::time;
 use std::time::Duration;
 
@@ -11,16 +10,17 @@ use std::time::Duration;
 pub(crate) const RAPIER: &str = "0.36";
 
 /// Removes a collider.
-pub(crate) fn remove(handle: ColliderHandle, islands: &mut IslandManager, world: &mut World) {
-    let (bodies, soft_bodies) = (&mut world.bodies, &mut SoftBodySet::new());
+pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {
+    let (islands, bodies) = (&mut world.islands, &mut world.bodies);
+    let soft_bodies = &mut SoftBodySet::new();
     let colliders = &mut world.colliders;
     colliders.remove(handle, islands, bodies, soft_bodies, false);
 }
 
 /// A broad phase as its engine drives it.
 pub(crate) trait Driven {
-    /// How long an update takes of colliders that were inserted, moved, and removed since the last one. What Rapier's
-    /// own defers, to do it beside the solver, counts as a part of the next update.
+    /// Returns how long an update takes, with the colliders that were inserted, moved and removed since the last one. The work that
+    /// Rapier's own broad phase defers, to do it next to the solver, counts as a part of the next update.
     fn follow(
         &mut self,
         world: &mut World,

@@ -1,99 +1,162 @@
-//! Motions on which broad phases break down: how update time grows, for Rapier's own broad phase and for unisize. One source, compiled
-//! once for each engine and dimension.
+//! How long broad phases take to follow moving cubes, and how many bytes they hold: Rapier's own and unisize. One source, compiled once
+//! for each engine and dimension.
 //!
-//! Times are for one update: the mean and the worst of 60, or of as many as fit in four seconds. *Work* is the mean number of cubes,
-//! held pairs and events together, the least that a broad phase has to process.
+//! *Work* is the mean number of cubes, held pairs and events together, the least that a broad phase has to process. Moving the cubes and
+//! listing them is not timed.
 
 use super::engine::{self, Driven};
-use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
+use super::world::World;
+use crate::bytes_held;
 use crate::growth::{self, Figures};
-use unisize_report::Report;
+use crate::worlds::Case;
+use serde_json::Value;
 use std::collections::HashSet;
 use std::io;
 use std::time::Duration;
+use unisize_report::Report;
 use unisize_scenes::{HardFrames, HardMotion};
 
 /// Numbers of cubes.
 const COUNTS: [usize; 3] = [1 << 12, 1 << 14, 1 << 16];
 
+/// A case stops after 60 updates, or after this time, and is not tried with more cubes then.
 const FRAMES: u32 = 60;
-
-/// A case stops after this time, whatever its number of frames, and is not tried with more cubes.
 const LONG: Duration = Duration::from_secs(4);
 
-/// Measures this engine in this dimension.
+/// Measures how update time grows with the number of cubes, on every motion.
 pub(crate) fn measure(is_small: bool, report: &mut Report) -> io::Result<()> {
     let counts = if is_small { &[1 << 8][..] } else { &COUNTS };
     for motion in HardMotion::ALL {
         let version = engine::RAPIER;
-        let mut grow = |method: String, run: &dyn Fn(usize) -> Option<Figures>| {
+        let mut grow = |method: String, run: &dyn Fn(usize) -> Course| {
             let [name, method] = [motion.name().into(), method.into()];
             let case = [("dim", DIM.into()), ("motion", name), ("method", method)];
-            growth::measure(&case, counts, run, report)
+            growth::measure(&case, counts, |count| Some(run(count).figures()), report)
         };
-        let default = |count| follow(motion, count, DefaultBroadPhase::new());
+        let case = |count| Case {
+            motion,
+            count,
+            settling: 0,
+            frames: FRAMES,
+            longest: LONG,
+            on_bodies: false,
+        };
+        let default = |count| follow(&case(count), DefaultBroadPhase::new());
         grow(format!("Rapier {version}"), &default)?;
-        let ours = |count| follow(motion, count, UnisizeBroadPhase::new());
+        let ours = |count| follow(&case(count), UnisizeBroadPhase::new());
         grow(format!("unisize for {version}"), &ours)?;
     }
     Ok(())
 }
 
-/// Measures one broad phase on one motion.
-fn follow(motion: HardMotion, count: usize, mut broad_phase: impl Driven) -> Option<Figures> {
-    let mut frames = HardFrames::<DIM>::new(motion, count, 7);
-    let mut world = World::new(count);
-    let mut islands = IslandManager::new();
-    let insert = |i| world.colliders.insert(cuboid(&frames, i));
-    let mut handles: Vec<_> = (0..count).map(insert).collect();
+/// The nanoseconds and the bytes per collider of both broad phases.
+pub(crate) fn compare(case: &Case) -> Vec<(&'static str, Value)> {
+    let ours = follow(case, UnisizeBroadPhase::new());
+    let default = follow(case, DefaultBroadPhase::new());
+    let each = |sum: f64| Value::from(sum / case.count as f64);
+    let ns_each = |seconds: f64| each(seconds * 1e9);
+    vec![
+        ("rapier", engine::RAPIER.into()),
+        ("dim", DIM.into()),
+        ("motion", case.motion.name().into()),
+        ("bodies", case.on_bodies.into()),
+        ("count", case.count.into()),
+        ("pairs", ours.pairs.into()),
+        ("default_ns", ns_each(default.seconds)),
+        ("default_longest_ns", ns_each(default.longest)),
+        ("default_bytes", each(default.bytes as f64)),
+        ("ours_ns", ns_each(ours.seconds)),
+        ("ours_longest_ns", ns_each(ours.longest)),
+        ("ours_bytes", each(ours.bytes as f64)),
+    ]
+}
+
+/// One broad phase on one case.
+struct Course {
+    count: usize,
+    updates: u32,
+    /// The mean time of an update, and the longest one.
+    seconds: f64,
+    longest: f64,
+    is_long: bool,
+    /// The pairs held at the end, and the mean number of events of an update.
+    pairs: usize,
+    events: f64,
+    /// The bytes that the broad phase holds at the end, without events, which go into the list of the caller.
+    bytes: usize,
+}
+
+impl Course {
+    fn figures(self) -> Figures {
+        Figures {
+            count: self.count,
+            work: (self.count + self.pairs) as f64 + self.events,
+            seconds: self.seconds,
+            is_long: self.is_long,
+            others: vec![
+                ("updates", self.updates.into()),
+                ("pairs", self.pairs.into()),
+                ("events", self.events.into()),
+                ("mean_ms", (self.seconds * 1e3).into()),
+                ("worst_ms", (self.longest * 1e3).into()),
+            ],
+        }
+    }
+}
+
+fn follow(case: &Case, mut broad_phase: impl Driven) -> Course {
+    let mut frames = HardFrames::<DIM>::new(case.motion, case.count, 7);
+    let mut world = World::new(case.count);
+    let insert = |i| insert(&mut world, &frames, i, case.on_bodies);
+    let mut handles: Vec<_> = (0..case.count).map(insert).collect();
     broad_phase.follow(&mut world, &handles, &[], &[]);
     let (mut held, mut updates, mut events) = (HashSet::new(), 0, 0);
-    let (mut all, mut worst) = (Duration::ZERO, Duration::ZERO);
+    let (mut all, mut longest) = (Duration::ZERO, Duration::ZERO);
     note(&world.events, &mut held);
-    while updates < FRAMES && all < LONG {
-        updates += 1;
+    for frame in 0..case.settling + case.frames {
+        if all >= case.longest {
+            break;
+        }
         frames.advance();
         let mut moved = Vec::new();
         for &i in frames.moved() {
-            world.colliders[handles[i]].set_translation(Vector::from(center(&frames, i)));
+            place(&mut world, handles[i], center(&frames, i));
             moved.push(handles[i]);
         }
         let removed: Vec<_> = frames.replaced().iter().map(|&i| handles[i]).collect();
         for &handle in &removed {
-            engine::remove(handle, &mut islands, &mut world);
+            engine::remove(handle, &mut world);
         }
         let mut inserted = Vec::new();
         for &i in frames.replaced() {
-            handles[i] = world.colliders.insert(cuboid(&frames, i));
+            handles[i] = self::insert(&mut world, &frames, i, case.on_bodies);
             inserted.push(handles[i]);
         }
         world.events.clear();
         let time = broad_phase.follow(&mut world, &inserted, &moved, &removed);
-        all += time;
-        worst = worst.max(time);
-        events += world.events.len();
         note(&world.events, &mut held);
+        if frame >= case.settling {
+            updates += 1;
+            all += time;
+            longest = longest.max(time);
+            events += world.events.len();
+        }
     }
     // Pairs of a removed collider end without an event.
     let is_there = |collider| world.colliders.contains(collider);
     held.retain(|pair| is_there(pair.collider1) && is_there(pair.collider2));
-    let seconds = all.as_secs_f64() / f64::from(updates);
-    let events = events as f64 / f64::from(updates);
-    Some(Figures {
-        count,
-        work: (count + held.len()) as f64 + events,
-        seconds,
-        is_long: all >= LONG,
-        others: vec![
-            ("updates", updates.into()),
-            ("pairs", held.len().into()),
-            ("events", events.into()),
-            ("mean_ms", (seconds * 1e3).into()),
-            ("worst_ms", (worst.as_secs_f64() * 1e3).into()),
-        ],
-    })
+    Course {
+        count: case.count,
+        updates,
+        seconds: all.as_secs_f64() / f64::from(updates),
+        longest: longest.as_secs_f64(),
+        is_long: all >= case.longest,
+        pairs: held.len(),
+        events: events as f64 / f64::from(updates),
+        bytes: bytes_held(broad_phase),
+    }
 }
 
 fn note(events: &[BroadPhasePairEvent], held: &mut HashSet<ColliderPair>) {
@@ -105,13 +168,35 @@ fn note(events: &[BroadPhasePairEvent], held: &mut HashSet<ColliderPair>) {
     }
 }
 
-fn cuboid(frames: &HardFrames<DIM>, i: usize) -> Collider {
+/// Inserts a box with a shape of its own, as different things have, on a dynamic body or without one.
+fn insert(
+    world: &mut World,
+    frames: &HardFrames<DIM>,
+    i: usize,
+    is_on_body: bool,
+) -> ColliderHandle {
     let halves = frames.sides(i).map(|side| side / 2.0);
     let shape = SharedShape::new(Cuboid::new(Vector::from(halves)));
-    ColliderBuilder::new(shape)
-        .active_collision_types(ActiveCollisionTypes::all())
-        .translation(Vector::from(center(frames, i)))
-        .build()
+    let center = Vector::from(center(frames, i));
+    // Without these types, the narrow phase would drop the pairs of colliders without bodies.
+    let collider = ColliderBuilder::new(shape).active_collision_types(ActiveCollisionTypes::all());
+    if !is_on_body {
+        return world.colliders.insert(collider.translation(center));
+    }
+    let body = RigidBodyBuilder::dynamic().translation(center);
+    let body = world.bodies.insert(body);
+    let bodies = &mut world.bodies;
+    world.colliders.insert_with_parent(collider, body, bodies)
+}
+
+/// Moves a box, and its body if it has one.
+fn place(world: &mut World, handle: ColliderHandle, center: [Real; DIM]) {
+    let center = Vector::from(center);
+    let collider = &mut world.colliders[handle];
+    collider.set_translation(center);
+    if let Some(parent) = collider.parent() {
+        world.bodies[parent].set_translation(center, false);
+    }
 }
 
 fn center(frames: &HardFrames<DIM>, i: usize) -> [Real; DIM] {

@@ -1,13 +1,13 @@
-//! What updates of a broad phase take, in time and memory, and why: each question has a table.
+//! The time and the memory of updates of a broad phase, and the reasons: each question has a table.
 //!
 //! ```text
 //! cargo run --release --manifest-path benches/Cargo.toml --package measure -- hard-boxes
 //! ```
 //!
 //! prints a Markdown table, and with `--json FILE` appends its rows to a file as well, as `.ci/tables` reads them. Without a question, it
-//! answers all of them. Whole steps are timed by `benches/compare`, and other libraries measured by `benches/peers`.
+//! answers all of them. `benches/compare` times whole steps, and `benches/peers` measures other libraries.
 //!
-//! One thread works.
+//! Everything runs on one thread.
 
 mod adversary;
 mod growth;
@@ -32,10 +32,9 @@ macro_rules! engine {
 
             #[path = $file]
             mod engine;
-            pub(crate) mod follow;
-            mod frames;
             pub(crate) mod hard_motions;
             $(pub(crate) mod $only;)*
+            mod world;
         }
     };
 }
@@ -48,7 +47,7 @@ engine! { dim3_036, rapier3d_036, rapier3d_036, "engine_036.rs" }
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// Measures what updates of a broad phase take, in time and memory, and why.
+/// Measures the time and the memory of updates of a broad phase, and the reasons.
 #[derive(Debug, Parser)]
 struct Options {
     /// What to measure [default: everything]
@@ -56,9 +55,6 @@ struct Options {
     /// How long to search for hard boxes, in each dimension
     #[arg(long, default_value_t = 2)]
     minutes: u32,
-    /// Where that search begins
-    #[arg(long, default_value_t = 1)]
-    seed: u32,
     /// Append the results to this file, a JSON object a line
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -70,9 +66,9 @@ struct Options {
 /// What can be measured.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Question {
-    /// Bytes a collider, ours and Rapier's own
+    /// Bytes per collider, of unisize and of Rapier's own broad phase
     Memory,
-    /// Time and memory a body from a hundred thousand to four million
+    /// Time and memory per body, from a hundred thousand bodies to four million
     Scale,
     /// Boxes on which methods break down
     HardBoxes,

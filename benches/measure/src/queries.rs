@@ -1,86 +1,81 @@
-//! What a query costs when a step has one: the kept tree brought up to date, and its quality once it has aged. One source, compiled
-//! once in each dimension.
+//! The cost of a query when a step has one: updating the tree, and the quality of a tree that has degraded. One source, compiled once in
+//! each dimension.
 //!
-//! Balls fly about in a container, all of them or a part, and there is one ray in every step. The *first ray* is timed with all that
-//! it takes to bring the tree up to date, at the beginning and at the end. A *further ray* is the mean of rays through the tree as it
-//! is at the end. Rapier's own broad phase keeps its tree up to date in every update, so its rays are all further ones.
-
-use unisize_report::Report;
-use std::io;
-use std::time::{Duration, Instant};
+//! Balls fly about in a container, all of them or a part, and there is one ray in every step. The time of the *first ray* includes the
+//! update of the tree; it is measured at the beginning and at the end. A *further ray* is the mean of rays through the tree at the end.
+//! Rapier's own broad phase maintains its tree in every update, so all of its rays are further ones.
 
 use super::engine::Driven;
-use super::frames::World;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
+use super::world::World;
+use std::io;
+use std::time::{Duration, Instant};
+use unisize_report::Report;
+use unisize_scenes::DriftingBoxes;
 
-/// The part of the container that the balls fill.
+/// The part of the container that the boxes of the balls fill.
 const DENSITY: f64 = 0.2;
 
-/// Radii a step.
-const SPEED: Real = 0.2;
-
-/// Rays of one measurement.
+/// The number of further rays.
 const RAYS: usize = 2000;
 
-/// Balls that fly straight and turn at the walls of their container.
+/// Balls of which some fly straight and bounce from the walls of their container.
 struct Flight {
     world: World,
-    /// Those that move, and how far in a step.
-    movers: Vec<(ColliderHandle, Vector<Real>)>,
+    boxes: DriftingBoxes<DIM>,
+    all: Vec<ColliderHandle>,
+    /// One ball in this many moves.
+    one_in: usize,
     side: Real,
     random: oorandom::Rand32,
 }
 
 impl Flight {
     fn new(count: usize, one_in: usize) -> Self {
-        let side = (count as f64 / DENSITY).powf(1.0 / DIM as f64) as Real;
-        let mut flight = Self {
-            world: World::new(count),
-            movers: Vec::new(),
-            side,
-            random: oorandom::Rand32::new(7),
+        let boxes = DriftingBoxes::new(count, DENSITY, 7);
+        let mut world = World::new(count);
+        let mut insert = |mins: &[Real; DIM]| {
+            let ball = ColliderBuilder::ball(0.5).translation(center(mins));
+            world.colliders.insert(ball)
         };
-        for i in 0..count {
-            let place = flight.any() * side;
-            let ball = ColliderBuilder::ball(0.5).translation(place);
-            let handle = flight.world.colliders.insert(ball);
-            let velocity = (flight.any() - Vector::repeat(0.5)) * SPEED;
-            if i % one_in == 0 {
-                flight.movers.push((handle, velocity));
-            }
+        let all = boxes.mins().iter().map(&mut insert).collect();
+        Self {
+            world,
+            boxes,
+            all,
+            one_in,
+            side: (count as f64 / DENSITY).powf(1.0 / DIM as f64) as Real,
+            random: oorandom::Rand32::new(7),
         }
-        flight
     }
 
-    /// Any point of the unit cube.
-    fn any(&mut self) -> Vector<Real> {
-        Vector::from_fn(|_, _| self.random.rand_float())
+    fn movers(&self) -> Vec<ColliderHandle> {
+        self.all.iter().copied().step_by(self.one_in).collect()
     }
 
     fn advance(&mut self) {
-        for (handle, velocity) in &mut self.movers {
-            let ball = &mut self.world.colliders[*handle];
-            let place = ball.translation() + *velocity;
-            for k in 0..DIM {
-                if !(0.0..self.side).contains(&place[k]) {
-                    velocity[k] = (self.side / 2.0 - place[k]).signum() * velocity[k].abs();
-                }
-            }
-            ball.set_translation(place);
+        self.boxes.advance();
+        let moved = self.all.iter().zip(self.boxes.mins()).step_by(self.one_in);
+        for (&handle, mins) in moved {
+            self.world.colliders[handle].set_translation(center(mins));
         }
     }
 
     /// A ray into the container from one side.
     fn ray(&mut self) -> Ray {
-        let mut from = self.any() * self.side;
+        let mut from = Vector::from_fn(|_, _| self.random.rand_float() * self.side);
         from[0] = -1.0;
         Ray::new(from.into(), Vector::x())
     }
 }
 
-/// The time of rays, each.
+fn center(mins: &[Real; DIM]) -> Vector<Real> {
+    Vector::from(mins.map(|x| x + 0.5))
+}
+
+/// The mean time of these rays.
 fn time(scene: &QueryPipeline<'_>, rays: &[Ray]) -> Duration {
     let start = Instant::now();
     for ray in rays {
@@ -89,7 +84,7 @@ fn time(scene: &QueryPipeline<'_>, rays: &[Ray]) -> Duration {
     start.elapsed() / rays.len() as u32
 }
 
-/// Measures one case: balls, of which one in so many moves.
+/// Measures one case: balls of which one in `one_in` moves.
 pub(crate) fn measure(
     count: usize,
     one_in: usize,
@@ -97,9 +92,7 @@ pub(crate) fn measure(
     report: &mut Report,
 ) -> io::Result<()> {
     let mut flight = Flight::new(count, one_in);
-    let all = flight.world.colliders.iter().map(|(handle, _)| handle);
-    let all: Vec<_> = all.collect();
-    let movers: Vec<_> = flight.movers.iter().map(|&(handle, _)| handle).collect();
+    let (all, movers) = (flight.all.clone(), flight.movers());
     let (mut ours, mut default) = (UnisizeBroadPhase::new(), DefaultBroadPhase::new());
     ours.follow(&mut flight.world, &all, &[], &[]);
     default.follow(&mut flight.world, &all, &[], &[]);
@@ -109,7 +102,7 @@ pub(crate) fn measure(
         flight.advance();
         flight.world.events.clear();
         ours.follow(&mut flight.world, &[], &movers, &[]);
-        // Its tree ages over the same steps, but it need not be looked at in between.
+        // Its tree degrades over the same steps, without a query in between.
         default.follow(&mut flight.world, &[], &movers, &[]);
         let ray = flight.ray();
         let start = Instant::now();
@@ -122,7 +115,7 @@ pub(crate) fn measure(
     let (bodies, colliders) = (&flight.world.bodies, &flight.world.colliders);
     let ours = ours.as_query_pipeline(dispatcher, bodies, colliders, filter);
     let default = default.as_query_pipeline(dispatcher, bodies, colliders, filter);
-    // In turns, so that both see the same machine.
+    // In turns, so that both have the machine at the same times.
     let mut best = [Duration::MAX; 2];
     for _ in 0..5 {
         for (best, scene) in best.iter_mut().zip([&ours, &default]) {

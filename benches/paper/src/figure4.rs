@@ -4,7 +4,6 @@ use crate::Run;
 use crate::published::CONVERGING;
 use crate::race::{self, race, unit_boxes};
 use anyhow::Result;
-use unisize_charts::{Axis, Chart, Panel, Series};
 use unisize_scenes::ConvergingBoxes;
 
 const COUNT: usize = 100_000;
@@ -30,15 +29,8 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         }
     };
     add("the paper, laptop of 2014", CONVERGING);
-    let mut curves = Vec::new();
     for (method, times) in methods.iter().zip(&outcome.times) {
         add(method.name, [times.worst(), times.mean(), times.median()]);
-        let points = (1..).map(f64::from).zip(times.0.iter().copied());
-        curves.push(Series::new(method.name, method.color, points));
     }
-    // The slowest comes first in the table, the fastest in the legend.
-    curves.reverse();
-    let panel = Panel::new("", Axis::linear("frame"), Axis::log("milliseconds"), curves);
-    let title = format!("{count} squares converge on the centre");
-    Chart::new(title, [panel]).write_svg(&run.pictures.join("figure4.svg"))
+    Ok(())
 }

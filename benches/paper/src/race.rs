@@ -1,39 +1,31 @@
-//! A race: all methods that find pairs, the paper's, one that it is compared with, and ours, on the same frames, in turns.
+//! A race of all methods on the same frames, in turns: the paper's, its baseline, and ours.
 
 use anyhow::{Context, Result, ensure};
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder, RankSweep};
-use unisize_charts::{RGBColor, color};
 use unisize_reference::SweepAndPrune;
 use unisize_scenes::DriftingBoxes;
 
 /// A contestant of a race.
 pub(crate) struct Method<const D: usize> {
     pub(crate) name: &'static str,
-    /// The colour of its lines.
-    pub(crate) color: RGBColor,
     pub(crate) finder: Box<dyn PairFinder<f32, D>>,
 }
 
 fn method<const D: usize>(
     name: &'static str,
-    color: RGBColor,
     finder: impl PairFinder<f32, D> + 'static,
 ) -> Method<D> {
     let finder = Box::new(finder);
-    Method {
-        name,
-        color,
-        finder,
-    }
+    Method { name, finder }
 }
 
 /// The methods of the paper and ours.
 pub(crate) fn methods<const D: usize>() -> Vec<Method<D>> {
     vec![
-        method("SweepAndPrune", color::BLACK, SweepAndPrune::default()),
-        method("RankSweep", color::SALMON, RankSweep::default()),
-        method("GridSweep", color::RED, GridSweep::default()),
+        method("SweepAndPrune", SweepAndPrune::default()),
+        method("RankSweep", RankSweep::default()),
+        method("GridSweep", GridSweep::default()),
     ]
 }
 

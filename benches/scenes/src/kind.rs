@@ -1,4 +1,4 @@
-//! The names of the scenes, and what is known of each without building it.
+//! The names of the scenes, and their default numbers of bodies.
 
 named! {
     /// Which world to build.
@@ -8,8 +8,8 @@ named! {
         Gas "gas" "elastic balls in a closed box without gravity"
         Ropes "ropes" "chains of capsules that hang, fall over obstacles and tangle"
         Net "net" "balls joined in rows and columns, held at the edge, over obstacles"
-        Hopper "hopper" "grains poured through a funnel over time"
-        Crowd "crowd" "walkers on a plane, each steering to its goal"
+        Hopper "hopper" "grains poured into a funnel over time"
+        Crowd "crowd" "walkers on the ground, each steering to its goal"
         Swarm "swarm" "kinematic bodies and sensors that all move, without a solver"
         Sleeping "sleeping" "sleeping boxes, and one moving ball to a hundred of them"
         MixedOneAndAHalf "mixed-1.5" "sizes 1 to 1.5 falling onto a half-space"
@@ -24,13 +24,16 @@ named! {
         Ships "ships" "three drifting bodies, each of a third of the colliders"
         Ghosts "ghosts" "overlapping balls that pass through each other, slowly"
         Player "player" "a character and a vehicle that query the world, among falling balls"
-        Stacks "stacks" "columns of fourteen boxes, a twentieth of a box apart"
+        Columns "columns" "columns of fourteen boxes, a twentieth of a box apart"
+        Stacks "stacks" "stacks of ten boxes, a box apart"
         Wall "wall" "a brick wall that is left to stand"
         Pyramids "pyramids" "pyramids of 55 cuboids that come to rest and sleep"
-        Chains "chains" "slanting chains of capsules, held at both ends, side by side"
+        Chains "chains" "slanting chains of capsules, held at both ends, side by side; in 3D they swing into each other"
         Touched "touched" "sleeping balls, all borrowed to be changed at every step, and not changed"
         Restated "restated" "fixed boxes whose positions are set to what they are at every step"
         Breathing "breathing" "balls whose radius changes at every step"
+        SettledPile "settled-pile" "balls in a walled box that have come to rest before the first step"
+        SettledHeap "settled-heap" "a heap of boxes that have come to rest before the first step"
     }
 }
 
@@ -47,7 +50,8 @@ impl SceneKind {
         match self {
             Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping | Self::Restated => 10_000,
             Self::Pyramids | Self::Touched => 8_000,
-            Self::Stacks => 6_776,
+            Self::Columns => 6_776,
+            Self::Stacks => 6_250,
             Self::Wall => 6_000,
             Self::Ships => 5_184,
             Self::Chains | Self::Breathing => 5_000,

@@ -1,4 +1,4 @@
-//! The worlds that unisize is tested, measured and shown on.
+//! The worlds on which unisize is tested, measured and shown.
 //!
 //! `dim2`, `dim3`, `dim2_f64` and `dim3_f64` are one source, compiled once for each engine whose feature is on:
 //! `rapier2d-027`, `rapier3d-027`, `rapier2d-f64-027` and `rapier3d-f64-027`. A `dim3::Scene` is built from a [`SceneKind`], a number
@@ -20,8 +20,8 @@
 //! # }
 //! ```
 //!
-//! What differs between the dimensions beyond Rapier's own aliases is in the folders `dim2` and `dim3`, and what differs between
-//! its versions in `version`. `dim2_036` and the like are for patched copies of Rapier 0.36, and exist if there are such.
+//! The folders `dim2` and `dim3` have the differences between the dimensions beyond Rapier's own aliases, and `version` has those between
+//! its versions. `dim2_036` and the like are for patched copies of Rapier 0.36, and exist only with such a copy.
 //! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`], [`Mixture`] and [`HardFrames`] need no engine.
 
 #[macro_use]
@@ -47,8 +47,8 @@ pub use timing::{Times, Timing, milliseconds};
 
 use arrangements::random;
 
-/// The scenes for one engine, from the source for all of them, from the modules that differ by dimension, of which only later
-/// versions have `soft`, and from the one that differs by version.
+/// The scenes for one engine: the source for all engines, the modules that differ by dimension, and the one that differs by version.
+/// Only later versions have `soft`.
 #[allow(unused_macros)] // Without engines.
 macro_rules! flavour {
     ($name:ident = $engine:ident in $folder:literal, $version:literal $(, $soft:ident)?) => {
@@ -67,6 +67,7 @@ macro_rules! flavour {
             mod version;
 
             pub use engine::*;
+            pub use flavour::spin;
             pub use version::*;
         }
     };

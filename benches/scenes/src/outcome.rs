@@ -39,8 +39,6 @@ pub struct Outcome {
     pub ratio: f64,
     /// How many pairs were held at the end, without those that the narrow phase drops anyway.
     pub pairs: Both<usize>,
-    /// How many pairs were held at the end, all together.
-    pub pairs_with_dropped: Both<usize>,
     /// The colliders that touched, in the run that the default drove.
     pub contacts: Tally,
     /// The sensors that were entered, in the run that the default drove.
@@ -51,20 +49,20 @@ pub struct Outcome {
     pub rays: Rays,
     /// How long the updates took.
     pub broad_phase: Both<Times>,
-    /// How much of the candidate's updates threads share, if it tells.
+    /// How much of the candidate's updates threads split, if it is known.
     pub sharing: Option<Sharing>,
     /// The scene simulated on each broad phase alone, if it was.
     pub whole_steps: Option<WholeSteps>,
 }
 
-/// How much of the updates of a broad phase several threads share, or would if there were several: sums over all steps.
+/// How much of the updates of a broad phase several threads split, or would split if there were several: sums over all steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Sharing {
     /// How long the updates took, in milliseconds.
     pub ms: f64,
-    /// What is shared of that.
+    /// The part of it that threads split.
     pub ms_shared: f64,
-    /// Into how many sections that is cut.
+    /// The number of sections of that part.
     pub sections: u64,
 }
 
@@ -76,12 +74,12 @@ impl std::ops::AddAssign for Sharing {
     }
 }
 
-/// A count of something that may happen in each step.
+/// A count that is taken after each step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
     /// After the last step.
     pub at_end: usize,
-    /// Each counted at every step at which it was there.
+    /// The sum over all steps.
     pub over_all_steps: usize,
 }
 
@@ -96,27 +94,27 @@ pub struct Rays {
     pub hits: usize,
 }
 
-/// Whole steps, with the script, the solver, the queries and everything else, on either broad phase alone.
+/// Whole steps on either broad phase alone, with the script, the solver and the queries.
 #[derive(Clone, Debug, Serialize)]
 pub struct WholeSteps {
     /// The median over all repeats of the mean over their steps.
     pub ms_per_step: Both<f64>,
     /// The default's time over the candidate's, one of each repeat.
     pub ratio: Spread,
-    /// What a broad phase that takes no time would give.
+    /// The ratio with a broad phase that takes no time.
     pub limit: Limit,
     /// All simulations, by seed.
     pub repeats: Vec<Repeat>,
 }
 
-/// What a broad phase that takes no time would give.
+/// The ratio with a broad phase that takes no time.
 ///
 /// The times are the means over the steps of one more world on the default alone, with its broad phase clocked.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Limit {
     /// A whole step.
     pub ms_per_step: f64,
-    /// How much of that the broad phase took.
+    /// The part of the broad phase in it.
     pub ms_of_broad_phase: f64,
     /// The time of a step over what is left of it without the broad phase.
     pub ratio: f64,
@@ -129,7 +127,7 @@ pub struct Repeat {
     pub seed: u64,
     /// The default's time over the candidate's.
     pub ratio: f64,
-    /// What each came to.
+    /// The end of either simulation.
     pub end: Both<End>,
 }
 
@@ -142,20 +140,12 @@ pub struct End {
     pub bodies: usize,
     /// How many of them slept.
     pub asleep: usize,
-    /// How many bodies had left their container.
-    pub outside: usize,
-    /// How many bodies had a pose or a velocity that is not finite.
-    pub not_finite: usize,
     /// The kinetic and the potential energy.
     pub energy: f64,
-    /// How far the most stretched joint of a rope was, in segments; none without ropes.
-    pub max_rope_stretch: Option<f64>,
     /// How many pairs its narrow phase held without an active contact or an intersection.
     pub pairs_without_contact: usize,
-    /// The whole step.
+    /// The whole step, with its rays.
     pub ms_per_step: f64,
-    /// How much of that was for rays, with the tree that is built for them, if one is.
-    pub ms_of_rays: f64,
 }
 
 /// The median and the quartiles of some figures.

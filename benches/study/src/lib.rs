@@ -9,17 +9,18 @@
 //! | `missed` | what do methods miss that trade accuracy for speed, and how much faster are they? |
 //! | `accuracy` | what does the time of a simulation buy, and can unisize be told apart from Rapier's own broad phase? |
 //! | `stability` | where small worlds fail, does unisize fail alone? |
+//! | `asleep` | does a world fall asleep sooner or later than on Rapier's own broad phase? |
 //! | `soak` | does unisize run forever in the same memory? |
 //!
 //! All take `--dimension`, `--steps`, `--seeds` and `--quick`, print tables in Markdown, and append a line of JSON for each row to
 //! `--json FILE`, from which `.ci/chart` draws. They exit with 1 if unisize does not pass, and with 2 if they were called wrongly or
-//! cannot write. What is timed runs on one thread, by the processor time of that thread.
+//! cannot write. Times are the processor time of one thread.
 //!
-//! With the feature `rapier-036` they are of Rapier 0.36, on a patched copy, and there are `accuracy` and `stability`:
-//! `benches/patched/study` is that program.
+//! The feature `rapier-036` builds `accuracy`, `stability` and `asleep` for a patched copy of Rapier 0.36; `benches/patched/study` is
+//! that program.
 
 mod accuracy;
-#[cfg_attr(feature = "rapier-036", allow(dead_code))] // Some methods are of the study of frames.
+mod asleep;
 mod finder;
 #[cfg(not(feature = "rapier-036"))]
 mod missed;
@@ -29,42 +30,56 @@ mod output;
 mod soak;
 mod stability;
 mod statistics;
-#[cfg_attr(feature = "rapier-036", path = "version/rapier_036.rs")]
-#[cfg_attr(not(feature = "rapier-036"), path = "version/rapier_027.rs")]
-mod version;
 
 use clap::Parser;
 use std::process::ExitCode;
+use unisize::PairFilter;
 
-/// What runs in Rapier, in one dimension.
+/// The version of Rapier.
+const RAPIER: &str = if cfg!(feature = "rapier-036") {
+    "0.36"
+} else {
+    "0.27"
+};
+
+/// The level that leaves out the same pairs as the default broad phase. With it, and with events in order, runs on both are equal to the
+/// bit.
+const FILTER_OF_DEFAULT: PairFilter = match cfg!(feature = "rapier-036") {
+    true => PairFilter::Groups,
+    false => PairFilter::Off,
+};
+
+/// The part of the studies that runs in Rapier, in one dimension.
 macro_rules! engine {
-    ($name:ident, $flavour:literal) => {
+    ($name:ident, $ours:ident, $scenes:ident) => {
         #[path = "engine"]
         mod $name {
-            use super::version::$name::{ours, scenes};
+            use unisize::$ours as ours;
+            use unisize_scenes::$scenes as scenes;
 
             pub(super) mod accuracy;
+            pub(super) mod asleep;
             mod finder;
-            #[path = $flavour]
-            mod flavour;
             #[cfg(not(feature = "rapier-036"))]
             mod grid;
             #[cfg(not(feature = "rapier-036"))]
             pub(super) mod missed;
-            mod seldom;
             #[cfg(not(feature = "rapier-036"))]
             pub(super) mod soak;
             mod space;
             pub(super) mod stability;
-            #[cfg_attr(feature = "rapier-036", path = "version/rapier_036.rs")]
-            #[cfg_attr(not(feature = "rapier-036"), path = "version/rapier_027.rs")]
-            mod version;
         }
     };
 }
 
-engine!(dim2, "flavour/dim2.rs");
-engine!(dim3, "flavour/dim3.rs");
+#[cfg(not(feature = "rapier-036"))]
+engine!(dim2, rapier2d_027, dim2);
+#[cfg(not(feature = "rapier-036"))]
+engine!(dim3, rapier3d_027, dim3);
+#[cfg(feature = "rapier-036")]
+engine!(dim2, rapier2d_036, dim2_036);
+#[cfg(feature = "rapier-036")]
+engine!(dim3, rapier3d_036, dim3_036);
 
 /// Studies of what unisize does to a simulation.
 #[derive(Debug, Parser)]
@@ -74,6 +89,7 @@ enum Study {
     Missed(missed::Arguments),
     Accuracy(accuracy::Arguments),
     Stability(stability::Arguments),
+    Asleep(asleep::Arguments),
     #[cfg(not(feature = "rapier-036"))]
     Soak(soak::Arguments),
 }
@@ -85,6 +101,7 @@ pub fn run() -> ExitCode {
         Study::Missed(study) => study.run(),
         Study::Accuracy(study) => study.run(),
         Study::Stability(study) => study.run(),
+        Study::Asleep(study) => study.run(),
         #[cfg(not(feature = "rapier-036"))]
         Study::Soak(study) => study.run(),
     })

@@ -1,7 +1,7 @@
 //! What a study puts out: rows, as tables in Markdown and as lines of JSON.
 
+use crate::RAPIER;
 use crate::options::Common;
-use crate::version::RAPIER;
 use anyhow::{Context, Result};
 use serde_json::Value;
 use std::process::ExitCode;

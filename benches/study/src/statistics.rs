@@ -1,14 +1,14 @@
-//! What a sample says of what it was taken from: middles, bounds of shares, tests of two methods on the same starts, and the correction
-//! for many tests.
+//! Statistics of samples: medians, bounds of shares, tests of two samples or of two methods on the same starts, and the correction for
+//! many tests.
 
 use oorandom::Rand64;
-use statrs::distribution::{Binomial, DiscreteCDF};
+use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 use statrs::statistics::{Data, OrderStatistics, Statistics};
 
-/// How sure a [bound](rarer_than) is.
+/// The confidence of a [bound](rarer_than).
 const CONFIDENCE: f64 = 0.95;
 
-/// How often outcomes are exchanged at random.
+/// The number of random exchanges of outcomes.
 const EXCHANGES: u32 = 100_000;
 
 /// The median; NaN of an empty sample.
@@ -21,14 +21,14 @@ pub(crate) fn geometric_mean(ratios: &[f64]) -> f64 {
     ratios.geometric_mean()
 }
 
-/// The most that the share of failures may be after so many trials without one: about 3 / n, the rule of three. Clopper and Pearson's
-/// exact bound.
+/// The upper bound of the share of failures after this many trials without one: about 3 / n, the rule of three. It is Clopper and
+/// Pearson's exact bound.
 pub(crate) fn rarer_than(trials: usize) -> f64 {
     1.0 - (1.0 - CONFIDENCE).powf(1.0 / trials as f64)
 }
 
-/// The exact sign test: how probable it is that so many or more fall on one side, of those that fall on either, if each is as probable
-/// as the other.
+/// The p-value of the exact one-sided sign test: how probable it is that this many or more fall on one side if both sides are equally
+/// probable.
 pub(crate) fn sign_test(one: usize, other: usize) -> f64 {
     match (Binomial::new(0.5, (one + other) as u64), one.checked_sub(1)) {
         (Ok(on_one), Some(fewer)) => on_one.sf(fewer as u64),
@@ -36,8 +36,31 @@ pub(crate) fn sign_test(one: usize, other: usize) -> f64 {
     }
 }
 
-/// Holm's correction, as with many tests some p-values are small by chance. The adjusted ones, in the order of the given ones: if all
-/// below a level are taken for real, the chance that any of them is not is at most that level. They count as so many tests at least.
+/// The p-value of the two-sided rank-sum test of Wilcoxon, Mann and Whitney: how probable it is that two samples of one distribution
+/// differ by so much in their ranks. It is the normal approximation with corrections for ties and for continuity, which holds from
+/// some eight values on each side on.
+pub(crate) fn rank_sum_test(first: &[f64], second: &[f64]) -> f64 {
+    let [m, n] = [first, second].map(|sample| sample.len() as f64);
+    let count = |sample: &[f64], is_so: &dyn Fn(f64) -> bool| {
+        sample.iter().filter(|&&x| is_so(x)).count() as f64
+    };
+    let below = |x: f64| count(second, &|y| y < x) + count(second, &|y| y == x) / 2.0;
+    let u: f64 = first.iter().map(|&x| below(x)).sum();
+    // Each value adds the square of its ties less one, so that t equal values add t³ - t.
+    let both = || first.iter().chain(second);
+    let ties = |&x: &f64| (count(first, &|y| y == x) + count(second, &|y| y == x)).powi(2) - 1.0;
+    let ties: f64 = both().map(ties).sum();
+    let variance = m * n / 12.0 * (m + n + 1.0 - ties / ((m + n) * (m + n - 1.0)));
+    let distance = ((u - m * n / 2.0).abs() - 0.5).max(0.0);
+    match Normal::new(0.0, variance.sqrt()) {
+        Ok(normal) => 2.0 * normal.sf(distance),
+        // All values are equal, or there are none.
+        Err(_) => 1.0,
+    }
+}
+
+/// Holm's correction, since some p-values of many tests are small by chance. Returns the adjusted p-values in the order of the given ones:
+/// if all below a level are rejected, the probability of a false rejection is at most that level. They count as at least this many tests.
 ///
 /// Holm, "A simple sequentially rejective multiple test procedure", 1979. Tests may depend on each other in any way.
 pub(crate) fn holm(p_values: &[f64], tests: usize) -> Vec<f64> {
@@ -53,17 +76,16 @@ pub(crate) fn holm(p_values: &[f64], tests: usize) -> Vec<f64> {
     adjusted
 }
 
-/// Whether two methods differ in accuracy: the chance that two alike differ by so much, in either direction. The errors are by time
-/// step, then by seed; they may be infinite, but must be numbers. The smallest possible value is one in 100,001.
+/// The two-sided p-value of a permutation test of whether two methods differ in accuracy. The errors are by time step, then by seed; they
+/// may be infinite, but not NaN. The smallest possible value is one in 100,001.
 ///
-/// Each seed is simulated with both methods and all time steps. If it makes no difference which of two methods is which, their
-/// outcomes of a seed can be exchanged. So the test exchanges them at random, very often, and counts how often the two then seem
-/// to differ as much as they do. What is compared are signed ranks, as in the test of Wilcoxon: one error that is a thousand times
-/// as large as all others must not decide alone. Ranks are within a time step, and a seed is exchanged with all its time steps at
-/// once, since they have the start in common.
+/// Each seed is simulated with both methods and all time steps. If the methods do not differ, their outcomes of a seed can be exchanged. So
+/// the test exchanges them at random, very often, and counts how often the two then differ as much as observed. It compares signed ranks,
+/// as in the test of Wilcoxon, so that one error that is a thousand times as large as all others does not decide alone. Ranks are within a
+/// time step, and a seed is exchanged with all its time steps at once, since they have the start in common.
 ///
-/// The test sees that one is worse on the whole, over all time steps. It does **not** see an effect that changes its sign with the
-/// time step, as ranks of opposite signs cancel, nor a change of the spread alone, with as many runs better as worse.
+/// The test detects that one method is worse over all time steps. It does **not** detect an effect that changes its sign with the time
+/// step, since ranks of opposite signs cancel, nor a change of the spread alone, with as many runs better as worse.
 pub(crate) fn paired_test(first: &[Vec<f64>], second: &[Vec<f64>]) -> f64 {
     let scores = scores(first, second);
     let all: f64 = scores.iter().sum();
@@ -84,7 +106,7 @@ pub(crate) fn paired_test(first: &[Vec<f64>], second: &[Vec<f64>]) -> f64 {
     f64::from(as_far + 1) / f64::from(EXCHANGES + 1)
 }
 
-/// By how much the second is worse, for each seed: the sum of its signed ranks over all time steps.
+/// The sum of the signed ranks over all time steps, for each seed. It is positive where the second method is worse.
 fn scores(first: &[Vec<f64>], second: &[Vec<f64>]) -> Vec<f64> {
     let seeds = first.first().map_or(0, Vec::len);
     let mut scores = vec![0.0; seeds];
@@ -151,6 +173,18 @@ mod tests {
             let p = sign_test(one, other);
             assert!((p - expected).abs() < 1e-9, "{one} {other}: {p}");
         }
+    }
+
+    #[test]
+    fn the_rank_sum_test_has_the_values_of_the_textbook() {
+        let (first, second) = ([19.0, 22.0, 16.0, 29.0, 24.0], [20.0, 11.0, 17.0, 12.0]);
+        let p = rank_sum_test(&first, &second);
+        assert!((p - 0.111_346_886).abs() < 1e-6, "{p}");
+        assert_eq!(p, rank_sum_test(&second, &first));
+        let p = rank_sum_test(&[1.0, 2.0, 2.0, 3.0, 5.0], &[2.0, 4.0, 4.0, 6.0, 7.0]);
+        assert!((p - 0.137_563_894).abs() < 1e-6, "{p}");
+        assert_eq!(rank_sum_test(&[1.0; 3], &[1.0; 4]), 1.0);
+        assert_eq!(rank_sum_test(&[], &[]), 1.0);
     }
 
     #[test]

@@ -13,7 +13,7 @@ const SCENES = {
   ships: [3000, "three drifting bodies of very many colliders"],
   chains: [2000, "slanting chains of capsules, held at both ends"],
   "mixed-1.5": [2000, "balls and cubes of sizes 1 to 1.5 fall into a heap"],
-  stacks: [3000, "columns of boxes, a twentieth of a box apart"],
+  columns: [3000, "columns of boxes, a twentieth of a box apart"],
   sleeping: [5000, "sleeping boxes, and a few balls that move"],
 };
 

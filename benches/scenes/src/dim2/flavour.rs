@@ -12,7 +12,7 @@ pub(super) const PLANE: [usize; 2] = [0, 1];
 /// The axis across the way of the movers among sleeping boxes: they pass over them.
 pub(super) const ACROSS: usize = 1;
 
-/// What keeps a walker upright on its plane.
+/// What keeps a walker upright.
 pub(super) const UPRIGHT: LockedAxes = LockedAxes::ROTATION_LOCKED_Z;
 
 /// What a joint of a rope holds together.
@@ -31,6 +31,11 @@ pub(super) fn lying() -> Real {
 /// An angular velocity of random components.
 pub(super) fn turning(mut component: impl FnMut() -> Real) -> Real {
     component()
+}
+
+/// The angular velocity with this component about the third axis. A world of two dimensions has no others.
+pub fn spin([_, _, z]: [Real; 3]) -> Real {
+    z
 }
 
 /// A height field around the origin, `cells` wide and of this extent, with the height of each column.

@@ -13,9 +13,8 @@ pub(super) const PLANE: [usize; 2] = [0, 2];
 /// The axis across the way of the movers among sleeping boxes: they run through the gaps.
 pub(super) const ACROSS: usize = 2;
 
-/// What keeps a walker upright on its plane.
-pub(super) const UPRIGHT: LockedAxes =
-    LockedAxes::ROTATION_LOCKED.union(LockedAxes::TRANSLATION_LOCKED_Y);
+/// What keeps a walker upright.
+pub(super) const UPRIGHT: LockedAxes = LockedAxes::ROTATION_LOCKED;
 
 /// What a joint of a rope holds together.
 pub(super) const PIN: JointAxesMask = JointAxesMask::LOCKED_SPHERICAL_AXES;
@@ -36,6 +35,11 @@ pub(super) fn lying() -> Vector {
 /// An angular velocity of random components.
 pub(super) fn turning(mut component: impl FnMut() -> Real) -> Vector {
     vector(|_| component())
+}
+
+/// The angular velocity with these components.
+pub fn spin(components: [Real; 3]) -> Vector {
+    components.into()
 }
 
 /// A height field around the origin, `cells` wide and of this extent, with the height of each corner.

@@ -1,18 +1,17 @@
-//! Whether a broad phase does the same as Rapier's own, and how fast.
+//! Compares a broad phase with Rapier's own, and times both.
 //!
-//! The default broad phase drives the simulation, through a [`Tee`] that gives each update to the
-//! candidate as well. After each step it is checked that
+//! The default broad phase drives the simulation, through a [`Tee`] that passes each update to the candidate as well. The checks after
+//! each step:
 //!
-//! - both hold the same pairs, apart from those that the narrow phase drops anyway, or the candidate holds no others than the
-//!   default, if it may [leave out more](Candidate::leaving_out_more);
-//! - the candidate's own list of pairs is what its events amount to, and none of them was redundant;
-//! - two [narrow phases](contacts), each fed with the pairs of one, find the same contacts and intersections;
+//! - both hold the same pairs, apart from those that the narrow phase drops anyway; a candidate that may
+//!   [leave out more](Candidate::leaving_out_more) holds a subset of the default's pairs;
+//! - the candidate's own list of pairs agrees with its events, and no event was redundant;
+//! - two [narrow phases](contacts), each with the pairs of one broad phase, find the same contacts and intersections;
 //! - every contact and intersection of the simulation is among the pairs of the candidate;
 //! - [rays], if there are any, hit the same in the trees of both.
 //!
-//! The first difference ends the checks, not the simulation, and is kept as a sentence. Afterwards whole steps are
-//! timed: the scene is simulated on each broad phase [alone], as often as is asked for, and once more on the
-//! default, to tell what part of a step its broad phase takes.
+//! The first difference ends the checks, not the simulation, and is kept as a sentence. Then whole steps are timed: the scene is
+//! simulated on each broad phase [alone], `repeats` times, and once more on the default, which measures the part of its broad phase.
 
 use super::observed::{Observed, Shares, Tee};
 use super::pairs::{Pairs, describe, difference, in_order, is_relevant};
@@ -33,7 +32,7 @@ mod rays;
 #[cfg(test)]
 mod tests;
 
-/// The broad phase that is compared with the default: how to make one, and how it is asked.
+/// The broad phase that is compared with the default, as functions that create and query it.
 pub struct Candidate<C> {
     create: Box<dyn Fn() -> C>,
     pairs: Ask<C, Vec<ColliderPair>>,
@@ -43,11 +42,11 @@ pub struct Candidate<C> {
     leaves_out_more: bool,
 }
 
-/// What a candidate is asked after each step.
+/// A question to a candidate after each step.
 type Ask<C, T> = Box<dyn Fn(&C) -> T>;
 
 impl<C: BroadPhase + 'static> Candidate<C> {
-    /// A candidate from functions that make one, list the pairs that it holds, and ask its tree.
+    /// A candidate from functions that create one, list the pairs that it holds, and query its tree.
     pub fn new(
         create: impl Fn() -> C + 'static,
         pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static,
@@ -63,27 +62,26 @@ impl<C: BroadPhase + 'static> Candidate<C> {
         }
     }
 
-    /// Lets it leave out more pairs than the default, as long as contacts and intersections are the same.
+    /// Allows it to leave out more pairs than the default, as long as contacts and intersections are the same.
     pub fn leaving_out_more(mut self) -> Self {
         self.leaves_out_more = true;
         self
     }
 
-    /// Has it asked after each update how much of that threads share.
+    /// Asks it after each update how much of the update threads split.
     pub fn with_sharing(mut self, shares: impl Fn(&C) -> Sharing + Send + Sync + 'static) -> Self {
         self.shares = Some(Arc::new(shares));
         self
     }
 
-    /// Has its invariants checked after each step by a function that panics where one is broken. The panic
-    /// is caught, and counts as a difference.
+    /// Checks its invariants after each step by a function that panics if one is broken. The panic is caught, and counts as a difference.
     pub fn with_validation(mut self, validate: impl Fn(&C) + 'static) -> Self {
         self.validate = Some(Box::new(validate));
         self
     }
 }
 
-/// What is to be compared: a scene, and how closely to look.
+/// A comparison: a scene, and the extent of the checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// The scene.
@@ -92,14 +90,13 @@ pub struct Comparison {
     pub bodies: usize,
     /// The seed of its randomness.
     pub seed: u64,
-    /// How many steps to simulate. Default: 300, five seconds.
+    /// The number of steps. Default: 300, five seconds.
     pub steps: usize,
-    /// How many steps are made on the candidate alone before whole steps are timed. Default: 0.
+    /// The number of steps on the candidate alone before whole steps are timed. Default: 0.
     pub before: usize,
-    /// How many rays are cast after each step, beside those of the scene. Default: 0.
+    /// The number of rays per step in addition to those of the scene. Default: 0.
     pub rays: usize,
-    /// How often the scene is simulated on each broad phase alone as well, with seeds that count up from `seed`.
-    /// Default: 1.
+    /// How often the scene is simulated on each broad phase alone, with seeds that count up from `seed`. Default: 1.
     pub repeats: usize,
 }
 
@@ -145,7 +142,7 @@ impl Comparison {
         };
         for step in 1..=self.steps {
             scene.prepare_asking(|| version::own_tree(&both.heard.inner));
-            // A candidate that leaves out more has the pairs of the poses that its update has seen, and no others.
+            // A candidate that leaves out more holds only the pairs of the poses in its update.
             let before = candidate.leaves_out_more.then(|| Placed::of(&scene.world));
             scene.world.step(both.for_step(), &(), &());
             let updates = both.heard.take_updates();
@@ -155,7 +152,7 @@ impl Comparison {
             outcome.contacts.record(touching.contacts.len());
             outcome.intersections.record(touching.intersections.len());
             if outcome.first_difference.is_none() {
-                // In a step of several updates, the poses of the last one are not to be had.
+                // In a step of several updates, the poses of the last one are unknown.
                 let check_contacts = before.is_none() || updates.len() == 1;
                 outcome.contact_checks += usize::from(check_contacts);
                 let (world, heard, unheard) = (&scene.world, &both.heard, &both.unheard);
@@ -183,7 +180,6 @@ impl Comparison {
             let relevant = pairs.iter().filter(|&&pair| is_relevant(pair, world));
             relevant.count()
         });
-        outcome.pairs_with_dropped = held.map(Pairs::len);
         outcome.rays = Rays {
             a_step: self.rays,
             ..ray_check.count
@@ -200,14 +196,14 @@ impl Comparison {
     }
 }
 
-/// A broad phase of which all is taken down that is compared.
+/// A broad phase whose times, events and pairs are recorded.
 fn watched<B: BroadPhase>(broad_phase: B) -> Observed<B> {
     let observed = Observed::new(broad_phase).clocked();
     observed.with_events().with_held()
 }
 
 impl<C: BroadPhase + 'static> Candidate<C> {
-    /// The first difference in what is held, all checks but that of the two narrow phases.
+    /// The first difference in all checks but that of the two narrow phases.
     fn difference(
         &self,
         world: &World,
@@ -249,7 +245,7 @@ impl<C: BroadPhase + 'static> Candidate<C> {
             .or_else(|| unheld(&touching.intersections))
     }
 
-    /// How the candidate's own list of what it holds differs from what its events say.
+    /// The difference between the candidate's own list of pairs and its events.
     fn list_difference(&self, world: &World, candidate: &C, held: &Pairs) -> Option<String> {
         let list = (self.pairs)(candidate);
         let listed: Pairs = list.iter().copied().map(in_order).collect();

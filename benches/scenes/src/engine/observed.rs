@@ -1,7 +1,7 @@
 //! A broad phase under observation.
 //!
-//! It stands in the place of the one it wraps, and takes down what was asked for: the time, the lists, the events,
-//! the set of pairs that these amount to. What was not asked for costs nothing.
+//! It takes the place of the broad phase that it wraps, and records on request the time, the lists, the events, and the set of pairs
+//! that the events amount to. It records nothing else, so that a plain one costs nothing.
 
 use super::pairs::{PairEvent, Pairs, in_order};
 use super::rapier::prelude::*;
@@ -34,10 +34,10 @@ pub struct Observed<B> {
 /// How often an event is passed on.
 type Copies = Box<dyn FnMut(PairEvent) -> usize + Send + Sync>;
 
-/// Tells how much of the last update threads shared.
+/// Returns how much of the last update threads split.
 pub(super) type Shares<B> = Arc<dyn Fn(&B) -> Sharing + Send + Sync>;
 
-/// What the events of a broad phase amount to.
+/// The pairs that the events of a broad phase amount to.
 #[derive(Default)]
 struct Held {
     pairs: Pairs,
@@ -45,7 +45,7 @@ struct Held {
     fault: Option<PairEvent>,
 }
 
-/// What a broad phase was given in an update, and what it reported.
+/// The lists and the events of an update.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Update {
     /// The colliders listed as modified; empty unless [lists](Observed::with_lists) were asked for.
@@ -57,7 +57,7 @@ pub struct Update {
 }
 
 impl<B: BroadPhase> Observed<B> {
-    /// A broad phase of which nothing is asked yet.
+    /// Wraps a broad phase, and records nothing yet.
     pub fn new(inner: B) -> Self {
         Self {
             timing: None,
@@ -79,7 +79,7 @@ impl<B: BroadPhase> Observed<B> {
         self
     }
 
-    /// Adds up how much of the updates threads share.
+    /// Adds up how much of the updates threads split.
     pub(super) fn with_sharing(mut self, shares: Shares<B>) -> Self {
         self.shares = Some(shares);
         self
@@ -91,19 +91,19 @@ impl<B: BroadPhase> Observed<B> {
         self
     }
 
-    /// Keeps the events of each update, and what was removed in it, until they are [taken](Self::take_updates).
+    /// Keeps the events of each update, and the removed colliders, until they are [taken](Self::take_updates).
     pub fn with_events(mut self) -> Self {
         self.has_events = true;
         self
     }
 
-    /// Keeps the set of pairs that the events amount to. Without, asking for pairs panics.
+    /// Keeps the set of pairs that the events amount to. Without it, the methods that return pairs panic.
     pub fn with_held(mut self) -> Self {
         self.held = Some(Held::default());
         self
     }
 
-    /// Passes each event on to Rapier as often as this says: what makes a sound broad phase a faulty one.
+    /// Passes each event to Rapier this many times, which makes a faulty broad phase of a sound one.
     pub fn repeating(
         mut self,
         copies: impl FnMut(PairEvent) -> usize + Send + Sync + 'static,
@@ -114,8 +114,8 @@ impl<B: BroadPhase> Observed<B> {
 
     /// Sorts the events of each update: new pairs first, then by handles.
     ///
-    /// Rapier's own broad phase reports the ends of pairs in the order of a hash map with a random seed, and the
-    /// solver's result depends on that order in its last bits. Sorted, a simulation is repeatable.
+    /// Rapier's own broad phase reports the ends of pairs in the order of a hash map with a random seed, and the last bits of the
+    /// solver's result depend on that order. A simulation with sorted events is repeatable.
     pub fn sorted(mut self) -> Self {
         self.is_sorted = true;
         self
@@ -133,7 +133,7 @@ impl<B> Observed<B> {
         self.timing.unwrap_or_default()
     }
 
-    /// How much of the updates threads share, if that was [asked for](Self::with_sharing).
+    /// How much of the updates threads split, if it is [recorded](Self::with_sharing).
     pub fn sharing(&self) -> Option<Sharing> {
         self.shares.is_some().then_some(self.sharing)
     }
@@ -174,7 +174,7 @@ impl Held {
     /// Follows one update.
     fn follow(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
         if !removed.is_empty() {
-            // The pairs of what is removed end without an event.
+            // The pairs of a removed collider end without an event.
             let removed: HashSet<_> = removed.iter().collect();
             self.pairs.retain(|pair| {
                 !removed.contains(&pair.collider1) && !removed.contains(&pair.collider2)
@@ -238,7 +238,7 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
 }
 
 impl<B: BroadPhase> Observed<B> {
-    /// Runs an update, about modified and removed colliders, and writes down what is asked for.
+    /// Runs an update with these modified and removed colliders, and records what is requested.
     fn observe(
         &mut self,
         [modified, removed]: [&[ColliderHandle]; 2],
@@ -249,8 +249,7 @@ impl<B: BroadPhase> Observed<B> {
         let start = self.timing.is_some().then(Instant::now);
         update(&mut self.inner, events);
         if let (Some(timing), Some(start)) = (&mut self.timing, start) {
-            let is_busy = !modified.is_empty() || !removed.is_empty();
-            timing.record(start.elapsed(), is_busy);
+            timing.record(start.elapsed());
         }
 
         if let Some(shares) = &self.shares {

@@ -1,4 +1,4 @@
-//! Vectors and shapes, spelled alike in both dimensions.
+//! Vectors and shapes, with the same names in both dimensions.
 
 use super::rapier::{math::DIM, na::ComplexField, parry::shape::Cuboid, prelude::*};
 use crate::random::Random;
@@ -9,11 +9,11 @@ pub(in super::super) use super::version::{Point, Vector};
 /// The axis along which gravity acts, downward.
 pub(super) const UP: usize = 1;
 
-/// What gravity adds to a velocity in a second.
+/// The acceleration of gravity.
 pub(super) const GRAVITY: Real = 9.81;
 
 /// The vector with these components.
-pub(in super::super) fn vector(mut component: impl FnMut(usize) -> Real) -> Vector {
+pub fn vector(mut component: impl FnMut(usize) -> Real) -> Vector {
     let mut vector = Vector::default();
     for axis in 0..DIM {
         vector[axis] = component(axis);
@@ -22,7 +22,7 @@ pub(in super::super) fn vector(mut component: impl FnMut(usize) -> Real) -> Vect
 }
 
 /// The vector of this length along one axis.
-pub(in super::super) fn along(axis: usize, length: Real) -> Vector {
+pub fn along(axis: usize, length: Real) -> Vector {
     vector(|other| if other == axis { length } else { 0.0 })
 }
 
@@ -37,7 +37,7 @@ pub(super) fn horizontal() -> impl Iterator<Item = usize> {
 }
 
 /// A vector that one version of the engine returns by reference, and another by value.
-pub(in super::super) fn own(vector: impl Borrow<Vector>) -> Vector {
+pub fn own(vector: impl Borrow<Vector>) -> Vector {
     *vector.borrow()
 }
 
@@ -57,7 +57,7 @@ pub(super) fn length_squared(vector: Vector) -> Real {
 }
 
 /// The length of a vector.
-pub(in super::super) fn length(vector: Vector) -> Real {
+pub fn length(vector: Vector) -> Real {
     length_squared(vector).sqrt()
 }
 

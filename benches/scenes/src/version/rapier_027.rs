@@ -7,18 +7,23 @@ use super::rapier::na::DMatrix;
 use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 
-pub(super) use super::rapier::geometry::BroadPhase;
+pub use super::rapier::geometry::BroadPhase;
 
-pub(super) type Vector = math::Vector<Real>;
-pub(super) type Point = math::Point<Real>;
-pub(super) type Pose = Isometry<Real>;
+/// A vector.
+pub type Vector = math::Vector<Real>;
+/// A point.
+pub type Point = math::Point<Real>;
+/// A place and a rotation.
+pub type Pose = Isometry<Real>;
+/// An angular velocity, or a rotation as an angle or a scaled axis.
+pub type AngVector = math::AngVector<Real>;
 
 /// There are no soft bodies yet.
 pub(super) type SoftBodySet = ();
 
-/// The pose of what is moved by this vector, and not turned.
-pub(super) fn shifted(by: Vector) -> Pose {
-    Pose::from(by)
+/// The pose at this place, without a rotation.
+pub fn pose(place: Vector) -> Pose {
+    Pose::from(place)
 }
 
 /// The heights of a square field with so many corners on each side.
@@ -27,13 +32,13 @@ pub(super) fn square(side: usize, mut height: impl FnMut() -> Real) -> DMatrix<R
     DMatrix::from_fn(side, side, |_, _| height())
 }
 
-/// The groups of a collider that meets another if each is a member of what the other meets.
-pub(super) const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+/// The groups of a collider that meets another if each is a member of a group that the other filters for.
+pub const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter)
 }
 
-/// Whether the solver would see a contact of this pair.
-pub(super) fn touches(pair: &ContactPair) -> bool {
+/// Whether the solver sees a contact of this pair.
+pub fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact
 }
 
@@ -101,6 +106,11 @@ pub fn own_tree(own: &OwnBroadPhase) -> &Bvh {
     tree_of(own, OwnBroadPhase::as_query_pipeline)
 }
 
+/// The broad phase itself, since a step of this version asks no tree.
+pub fn on_own_tree<B: BroadPhase>(broad_phase: B) -> B {
+    broad_phase
+}
+
 /// A broad phase that is stepped with alone, and how it is asked.
 pub(super) fn alone<B: BroadPhase>(
     broad_phase: B,
@@ -114,26 +124,6 @@ macro_rules! when_boxes_are_handed_over {
     ($($item:item)*) => {};
 }
 pub(super) use when_boxes_are_handed_over;
-
-/// Finds the contacts of these pairs in a copy of the world.
-pub(super) fn detect(
-    world: &World,
-    mut pairs: impl BroadPhase,
-    narrow_phase: &mut NarrowPhase,
-    bodies: &mut RigidBodySet,
-    colliders: &mut ColliderSet,
-) {
-    let distance = world.params.prediction_distance();
-    CollisionPipeline::new().step(
-        distance,
-        &mut pairs,
-        narrow_phase,
-        bodies,
-        colliders,
-        &(),
-        &(),
-    );
-}
 
 impl World {
     /// Advances the world by one time step.
@@ -157,6 +147,25 @@ impl World {
             hooks,
             events,
         );
+    }
+
+    /// Runs one step of a collision pipeline, without dynamics.
+    pub fn collide(&mut self, broad_phase: &mut AnyBroadPhase, events: &dyn EventHandler) {
+        CollisionPipeline::new().step(
+            self.params.prediction_distance(),
+            broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &(),
+            events,
+        );
+    }
+
+    /// Removes a collider, and wakes its neighbours.
+    pub fn remove_collider(&mut self, handle: ColliderHandle) {
+        let (islands, bodies) = (&mut self.islands, &mut self.bodies);
+        self.colliders.remove(handle, islands, bodies, true);
     }
 
     /// Removes a body with its colliders and joints.

@@ -2,7 +2,7 @@
 //! a patched copy lets be [custom](CustomBroadPhase). It hands over the boxes of what a step has moved.
 
 use super::engine::queries::tree_of;
-use super::engine::{AsQueryPipeline, Steppable, World};
+use super::engine::{AsQueryPipeline, Steppable, Tee, World};
 use super::rapier::math;
 use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
@@ -13,13 +13,18 @@ use std::ops::{Deref, DerefMut};
 pub(super) use super::rapier::dynamics::SoftBodySet;
 pub use super::rapier::geometry::CustomBroadPhase as BroadPhase;
 
-pub(super) type Vector = math::Vector;
-pub(super) type Point = math::Vector;
-pub(super) type Pose = math::Pose;
+/// A vector.
+pub type Vector = math::Vector;
+/// A point.
+pub type Point = math::Vector;
+/// A place and a rotation.
+pub type Pose = math::Pose;
+/// An angular velocity, or a rotation as an angle or a scaled axis.
+pub type AngVector = math::AngVector;
 
-/// The pose of what is moved by this vector, and not turned.
-pub(super) fn shifted(by: Vector) -> Pose {
-    Pose::from_translation(by)
+/// The pose at this place, without a rotation.
+pub fn pose(place: Vector) -> Pose {
+    Pose::from_translation(place)
 }
 
 /// The heights of a square field with so many corners on each side.
@@ -28,13 +33,13 @@ pub(super) fn square(side: usize, mut height: impl FnMut() -> Real) -> Array2<Re
     Array2::new(side, side, (0..side * side).map(|_| height()).collect())
 }
 
-/// The groups of a collider that meets another if each is a member of what the other meets.
-pub(super) const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+/// The groups of a collider that meets another if each is a member of a group that the other filters for.
+pub const fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter, InteractionTestMode::And)
 }
 
-/// Whether the solver would see a contact of this pair.
-pub(super) fn touches(pair: &ContactPair) -> bool {
+/// Whether the solver sees a contact of this pair.
+pub fn touches(pair: &ContactPair) -> bool {
     pair.has_any_active_contact()
 }
 
@@ -147,6 +152,11 @@ pub fn own_tree(own: &OwnBroadPhase) -> &Bvh {
     own.bvh()
 }
 
+/// A broad phase whose pairs count, while a step asks the tree of Rapier's own, through which it sweeps fast bodies.
+pub fn on_own_tree<B: BroadPhase>(broad_phase: B) -> Tee<B, OwnBroadPhase> {
+    Tee::new(broad_phase, OwnBroadPhase::new()).with_tree_of_unheard()
+}
+
 /// A broad phase that is stepped with alone, and how it is asked: where a step takes it, as in a program that uses it.
 pub(super) fn alone<B: BroadPhase>(
     broad_phase: B,
@@ -173,26 +183,6 @@ macro_rules! when_boxes_are_handed_over {
 }
 pub(super) use when_boxes_are_handed_over;
 
-/// Finds the contacts of these pairs in a copy of the world.
-pub(super) fn detect(
-    world: &World,
-    pairs: impl BroadPhase,
-    narrow_phase: &mut NarrowPhase,
-    bodies: &mut RigidBodySet,
-    colliders: &mut ColliderSet,
-) {
-    CollisionPipeline::new().step(
-        world.params.prediction_distance(),
-        &mut world.islands.clone(),
-        &mut DefaultBroadPhase::custom(pairs),
-        narrow_phase,
-        bodies,
-        colliders,
-        &(),
-        &(),
-    );
-}
-
 impl World {
     /// Advances the world by one time step.
     pub fn step(
@@ -216,6 +206,28 @@ impl World {
             hooks,
             events,
         );
+    }
+
+    /// Runs one step of a collision pipeline, without dynamics.
+    pub fn collide(&mut self, broad_phase: &mut AnyBroadPhase, events: &dyn EventHandler) {
+        CollisionPipeline::new().step(
+            self.params.prediction_distance(),
+            &mut self.islands,
+            broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &(),
+            events,
+        );
+    }
+
+    /// Removes a collider, and wakes its neighbours.
+    pub fn remove_collider(&mut self, handle: ColliderHandle) {
+        let (islands, bodies) = (&mut self.islands, &mut self.bodies);
+        let soft_bodies = &mut self.soft_bodies;
+        self.colliders
+            .remove(handle, islands, bodies, soft_bodies, true);
     }
 
     /// Removes a body with its colliders and joints.

@@ -1,5 +1,4 @@
-//! What is simulated, what comes of it, and all of that for one scene in one dimension: an ensemble of runs for every method and time
-//! step.
+//! A simulation and its errors, and the ensembles of one scene in one dimension: the runs of every method and time step.
 
 use super::FREQUENCIES;
 use crate::finder::Finder;
@@ -13,7 +12,7 @@ pub(crate) struct Case {
     pub(crate) finder: Finder,
     /// Steps per simulated second; a multiple of [`FRAMES`].
     pub(crate) frequency: u32,
-    /// What decides the starting positions, up to a little.
+    /// The seed of the small differences between starting positions.
     pub(crate) seed: u64,
     /// About how many bodies.
     pub(crate) bodies: usize,
@@ -21,7 +20,7 @@ pub(crate) struct Case {
     pub(crate) seconds: f64,
 }
 
-/// So often in a simulated second are errors measured, whatever the time step.
+/// Errors are measured this many times per simulated second, with every time step.
 pub(crate) const FRAMES: u32 = 30;
 
 /// The names of the errors.
@@ -32,14 +31,14 @@ pub(crate) const MEAN_DEPTH: &str = "mean penetration, sizes";
 pub(crate) const LOST: &str = "bodies lost, of all";
 pub(crate) const ENERGY: &str = "energy gained, of what was put in";
 
-/// What came of a simulation.
+/// The result of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Run {
-    /// Milliseconds of the processor for one simulated second, without those of measuring.
+    /// Milliseconds of processor time per simulated second, without the time of measuring errors.
     pub(crate) milliseconds: f64,
-    /// By name, the most telling one first. None is NaN; what is not a number is infinitely wrong.
+    /// The errors by name, the most significant one first. None is NaN: an error that is not a number counts as infinite.
     pub(crate) errors: Vec<(&'static str, f64)>,
-    /// A hash of the poses and velocities of all bodies at the end. Where it differs, the runs do.
+    /// A hash of the poses and velocities of all bodies at the end.
     pub(crate) state: u64,
 }
 
@@ -47,7 +46,7 @@ pub(crate) struct Run {
 #[derive(Clone, Debug)]
 pub(crate) struct Ensembles {
     pub(crate) dim: u8,
-    /// What all runs have in common; method, time step and seed are those of none.
+    /// The fields that all runs have in common; its method, time step and seed have no meaning.
     pub(crate) case: Case,
     runs: Vec<(Finder, u32, Run)>,
 }
@@ -96,7 +95,7 @@ impl Ensembles {
         runs.map(|of| &of.2)
     }
 
-    /// The names of the errors, the most telling one first.
+    /// The names of the errors, the most significant one first.
     pub(crate) fn errors(&self) -> Vec<&'static str> {
         let errors = self.runs.first().map(|of| &of.2.errors);
         errors.into_iter().flatten().map(|error| error.0).collect()
@@ -120,7 +119,7 @@ impl Ensembles {
         median(self.runs(finder, frequency).map(|run| run.milliseconds))
     }
 
-    /// Whether all errors of what misses nothing are numbers, as they are unless a simulation has exploded.
+    /// Whether all errors of exact methods are finite, as they are unless a simulation has exploded.
     pub(crate) fn is_finite(&self) -> bool {
         let exact = self.runs.iter().filter(|of| of.0.is_exact());
         let mut errors = exact.flat_map(|of| &of.2.errors);

@@ -1,27 +1,26 @@
-//! What the time buys: errors against the computing time for one simulated second.
+//! Errors against the computing time for one simulated second.
 //!
-//! Scenes are simulated on Rapier's own broad phase, on unisize, and on methods that miss pairs in exchange for speed, with four time
-//! steps, from starts that differ a little by their seed. Errors are measured by Rapier's world alone, so that they show what a broad
-//! phase has lost: joints stretch, bodies are in each other or outside of what should hold them. What comes of it:
+//! The study simulates scenes on Rapier's own broad phase, on unisize, and on methods that miss pairs in exchange for speed, with four
+//! time steps, from starts that differ a little by their seed. It reads errors from Rapier's world alone, so that they show the pairs
+//! that a broad phase has lost: joints stretch, bodies overlap or leave their container. The results:
 //!
-//! - for each **method** the time of whole steps and its errors in the scene where they are largest;
-//! - whether it can be **told apart** from Rapier's own broad phase by any error in any scene: a test on the same starts, corrected for
-//!   the number of tests;
-//! - whether the tests would **notice** a broad phase that loses one pair in a thousand.
+//! - for each **method**, the time of whole steps and its errors in the scene where they are largest;
+//! - whether any error in any scene **differs significantly** from that of Rapier's own broad phase: a test on the same starts,
+//!   corrected for the number of tests;
+//! - whether the tests **notice** a broad phase that loses one pair in a thousand.
 //!
-//! The solver goes through contacts in the order in which their pairs were reported, and in a calm scene another order can have a
-//! tiny effect that is always the same. So the first start of every scene, and all starts of a scene in which unisize is told apart,
-//! are simulated again with the events of both in the same order: if they find the same pairs, the runs are then equal bit for bit, in
-//! all errors, and in the motions of all bodies at the end.
+//! The solver goes through contacts in the order in which their pairs were reported. In a calm scene another order can have a tiny
+//! effect that is always the same. So the first start of every scene, and all starts of a scene in which unisize differs, are simulated
+//! again with the events of both in the same order. If both find the same pairs, the runs are then equal bit for bit, in all errors and
+//! in the motions of all bodies at the end.
 
 pub(crate) mod ensembles;
 mod verdict;
 
-use crate::finder::Finder;
+use crate::finder::{FINDERS, Finder};
 use crate::options::Common;
 use crate::output::Output;
 use crate::statistics::geometric_mean;
-use crate::version::FINDERS;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use clap::Args;
@@ -32,17 +31,17 @@ use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
 use verdict::Verdict;
 
-/// The scenes, which nothing moves but physics. Joints should hold, balls should rest beside each other, columns should stand, and
-/// nothing should leave its container.
+/// The scenes, which only physics moves. Joints should hold, balls should rest next to each other, columns should stand, and no body
+/// should leave its container.
 pub(crate) const SCENES: [SceneKind; 5] = [
     SceneKind::Ropes,
     SceneKind::FallingBalls,
     SceneKind::MixedEight,
-    SceneKind::Stacks,
+    SceneKind::Columns,
     SceneKind::Gas,
 ];
 
-/// About how many bodies there are, and how many seconds are simulated, in a quick run and in a full one.
+/// The approximate number of bodies, and the simulated seconds, in a quick run and in a full one.
 const BODIES: [usize; 2] = [40, 200];
 const SECONDS: [f64; 2] = [0.8, 2.0];
 
@@ -52,14 +51,14 @@ const FREQUENCIES: [u32; 4] = [30, 60, 120, 240];
 /// The time step of the tables, in steps per second.
 const SHOWN: u32 = 60;
 
-/// With fewer seeds nothing is said. With n seeds no p-value is less than 2 / 2<sup>n</sup>: with 11 seeds and some sixty tests, the
-/// correction makes more than 0.05 of it. With a few more, only that all seeds agree would be seen.
+/// With fewer seeds there is no verdict. With n seeds no p-value is less than 2 / 2<sup>n</sup>. With 11 seeds and some sixty tests, the
+/// correction raises it above 0.05; with a few more seeds, the tests see a difference only if all seeds agree.
 const FEWEST_SEEDS: u64 = 15;
 
-/// What does the time of a simulation buy, and can unisize be told apart from Rapier's own broad phase?
+/// How accurate is a simulation for its time, and does unisize differ significantly from Rapier's own broad phase?
 ///
 /// Exits with 1 if simulations on both differ though their events are in the same order, or if the tests do not notice that one pair
-/// in a thousand is lost. Fewer than 15 seeds, and a quick run, give no verdict but on the order.
+/// in a thousand is lost. With fewer than 15 seeds, and in a quick run, the order of events is the only check.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -142,8 +141,8 @@ impl Arguments {
     }
 }
 
-/// Simulates a scene with every method, time step and seed. Methods go in turns, and another one begins with every seed, so that
-/// none has the machine at a better time than the others.
+/// Simulates a scene with every method, time step and seed. Methods take turns, and another one begins with every seed, so that no
+/// method has the machine at a better time than the others.
 fn measure(study: &mut Ensembles, seeds: Range<u64>, bar: &ProgressBar) {
     let mut finders = FINDERS.to_vec();
     for seed in seeds {
@@ -175,7 +174,7 @@ fn is_same_in_order(study: &Ensembles, mut seeds: Range<u64>) -> bool {
     })
 }
 
-/// Writes what each method does to all scenes, and to each of them.
+/// Writes a row for each method in all scenes, and for each error in each scene.
 fn report(studies: &[Ensembles], verdict: &Verdict, output: &mut Output) -> Result<()> {
     for &finder in FINDERS {
         let step = |study: &Ensembles| {

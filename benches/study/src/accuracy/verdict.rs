@@ -1,14 +1,13 @@
-//! The comparison of every error in every scene, and what follows from all of them together.
+//! The comparison of every error in every scene, and the verdict from all of them together.
 
 use super::ensembles::Ensembles;
-use crate::finder::Finder;
+use crate::finder::{FINDERS, Finder};
 use crate::statistics::{holm, paired_test};
-use crate::version::FINDERS;
 
-/// Two methods are told apart if the chance of it is less than that, were they alike: of all tests together.
+/// Two methods differ significantly if the corrected p-value is less than this.
 pub(crate) const LEVEL: f64 = 0.05;
 
-/// One error in one scene, with another broad phase than Rapier's own, compared with it on the same starts.
+/// One error in one scene on a method, compared with Rapier's own broad phase on the same starts.
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     /// The scene, by its index.
@@ -16,12 +15,12 @@ pub(crate) struct Comparison {
     /// The error, by its index.
     pub(crate) error: usize,
     pub(crate) finder: Finder,
-    /// How many runs, of all seeds and time steps, were worse with the other one, and better.
+    /// The number of runs, over all seeds and time steps, that were worse with the method, and better.
     pub(crate) worse: usize,
     pub(crate) better: usize,
-    /// The chance of a difference as large as this, were both alike.
+    /// The p-value of the difference.
     pub(crate) p: f64,
-    /// The same for all tests together.
+    /// The p-value corrected for the number of tests.
     pub(crate) corrected: f64,
 }
 
@@ -45,7 +44,7 @@ impl Comparison {
         }
     }
 
-    /// Whether any run came out differently. If none did, the chance is one, and does not count among the tests.
+    /// Whether any run differs. If none does, the p-value is one, and the comparison does not count as a test.
     fn is_test(&self) -> bool {
         self.worse + self.better > 0
     }
@@ -58,8 +57,8 @@ pub(crate) struct Verdict(pub(crate) Vec<Comparison>);
 impl Verdict {
     /// Compares everything.
     ///
-    /// The tests of each method are corrected by Holm's method. They count as at least as many as unisize has, so that what tells
-    /// another method apart would have told unisize apart.
+    /// The tests of each method are corrected by Holm's method. They count as at least as many as unisize has, so that unisize would be
+    /// held to the same level.
     pub(crate) fn of(studies: &[Ensembles]) -> Self {
         let mut verdict = Self(Vec::new());
         for (scene, study) in studies.iter().enumerate() {
@@ -87,13 +86,13 @@ impl Verdict {
         of_finder.filter(|of| of.is_test()).count()
     }
 
-    /// Whether one error at least of a scene tells a method apart from Rapier's own.
+    /// Whether at least one error of a scene differs significantly between a method and Rapier's own broad phase.
     pub(crate) fn tells_apart(&self, scene: usize, finder: Finder) -> bool {
         let mut all = self.0.iter();
         all.any(|of| (of.scene, of.finder) == (scene, finder) && of.corrected < LEVEL)
     }
 
-    /// In how many of so many scenes it does.
+    /// The number of scenes in which at least one error does.
     pub(crate) fn told_apart(&self, scenes: usize, finder: Finder) -> usize {
         let told_apart = (0..scenes).filter(|&scene| self.tells_apart(scene, finder));
         told_apart.count()
@@ -115,7 +114,7 @@ mod tests {
             let of_step = |frequency| FINDERS.iter().map(move |&finder| (frequency, finder));
             for (frequency, finder) in FREQUENCIES.into_iter().flat_map(of_step) {
                 let factor = match finder {
-                    Finder::Unisize(..) => ours,
+                    Finder::Unisize(_) => ours,
                     Finder::Lossy => control,
                     _ => 1.0,
                 };

@@ -1,5 +1,5 @@
-//! Simulates a scene in one flavour of Rapier, and measures its errors. They are read from the world alone, so that what a broad phase
-//! has lost is seen.
+//! Simulates a scene in one flavour of Rapier, and measures its errors. They are read from the world alone, so that they show the pairs
+//! that a broad phase has lost.
 
 use super::finder::create;
 use super::ours::{Settings, UnisizeBroadPhase};
@@ -23,11 +23,11 @@ pub(crate) fn run(case: &Case) -> Run {
     simulate(case, scene, &mut *broad_phase)
 }
 
-/// Whether Rapier's own broad phase and unisize do the same to the last bit, with the events of each update in order: all errors, and
-/// all bodies at the end.
+/// Whether the runs on Rapier's own broad phase and on unisize are equal to the last bit, with the events of each update in order: all
+/// errors, and all bodies at the end.
 pub(crate) fn is_same_in_order(case: &Case) -> bool {
     let scene = || Scene::build(case.kind, case.bodies, case.seed);
-    let settings = Settings::default().with_filter(crate::version::FILTER_OF_DEFAULT);
+    let settings = Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
     let ours = Observed::new(UnisizeBroadPhase::with_settings(settings));
     let own = Observed::new(OwnBroadPhase::new());
     let own = simulate(case, scene(), &mut install(own.sorted()));
@@ -65,10 +65,10 @@ fn state(world: &World) -> u64 {
     hasher.finish()
 }
 
-/// The largest errors, and a mean, of all looks so far.
+/// The largest errors, and a mean, of all frames so far.
 struct Gauge {
     initial: Sanity,
-    /// The median extent of what can move.
+    /// The median extent of the colliders that can move.
     size: f64,
     /// Where bodies were at the start.
     places: Vec<(RigidBodyHandle, Place)>,
@@ -110,13 +110,13 @@ impl Gauge {
         }
     }
 
-    /// The errors, with those first that a lost pair shows in.
+    /// The errors. A lost pair shows in the first ones.
     fn read(&self, scene: &Scene) -> Vec<(&'static str, f64)> {
         let sanity = scene.sanity();
         let lost = sanity.fallen_through + sanity.not_finite;
         let count = self.places.len().max(1) as f64;
         let mut errors = Vec::new();
-        if scene.kind() == SceneKind::Stacks {
+        if scene.kind() == SceneKind::Columns {
             let way = |&(handle, place): &(RigidBodyHandle, Place)| {
                 distance(place_of(&scene.world.bodies[handle]), place) / self.size
             };
@@ -142,7 +142,8 @@ fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
-/// How deep shapes are in each other that may not be, by Parry's exact queries. Half-spaces do not count: what sinks into one is lost.
+/// The penetration depths of all colliders that should not overlap, by Parry's exact queries. Half-spaces do not count: a body that sinks
+/// into one counts as lost.
 fn depths(world: &World) -> Vec<f64> {
     let mut depths = Vec::new();
     for [(_, a), (_, b)] in near_pairs(world, 0.0) {
@@ -157,7 +158,7 @@ fn depths(world: &World) -> Vec<f64> {
     depths
 }
 
-/// Whether a joint of two colliders' bodies says that these should not push each other apart.
+/// Whether a joint of two colliders' bodies disables their contacts.
 fn are_joined(world: &World, a: &Collider, b: &Collider) -> bool {
     a.parent().zip(b.parent()).is_some_and(|(a, b)| {
         let mut joints = world.impulse_joints.joints_between(a, b);
@@ -208,7 +209,7 @@ mod tests {
     #[test]
     fn errors_are_numbers_and_a_seed_gives_its_own() {
         for kind in SCENES {
-            for &finder in crate::version::FINDERS {
+            for &finder in crate::finder::FINDERS {
                 let run = run(&case(kind, finder));
                 assert!(run.milliseconds > 0.0);
                 assert!(run.errors.iter().all(|(_, error)| error.is_finite()));

@@ -1,16 +1,16 @@
 //! The broad phases of the methods, in one flavour of Rapier.
 
+#[cfg(not(feature = "rapier-036"))]
+use super::grid::HashGrid;
 use super::ours::{Settings, UnisizeBroadPhase};
 use super::scenes::rapier::prelude::*;
-use super::scenes::{OwnBroadPhase, Steppable, install, lossy};
-use super::seldom::Seldom;
-use super::version;
+use super::scenes::{OwnBroadPhase, Seldom, Steppable, install, lossy};
 use crate::finder::{Finder, LOST_ONE_IN};
 
-/// A broad phase that can be a part of another one.
+/// A broad phase of any method.
 pub(super) type Created = Box<dyn Steppable + Send + Sync>;
 
-/// An empty broad phase, of bodies of this typical size. A seed decides what is lost on purpose.
+/// Creates an empty broad phase for bodies of this typical size. The seed decides which pairs `Lossy` loses.
 pub(super) fn create(finder: Finder, typical_size: Real, seed: u64) -> Created {
     let unisize = |margin: Option<f32>| {
         let settings = Settings::default();
@@ -25,12 +25,8 @@ pub(super) fn create(finder: Finder, typical_size: Real, seed: u64) -> Created {
         Finder::Seldom(interval, margin) => {
             Box::new(install(Seldom::new(unisize(margin), interval)))
         }
-        Finder::Grid(cell) => {
-            Box::new(version::hash_grid(cell).expect("this version steps on grids"))
-        }
-        Finder::Lossy => {
-            let (control, _) = lossy(OwnBroadPhase::new(), LOST_ONE_IN, seed);
-            Box::new(install(control))
-        }
+        #[cfg(not(feature = "rapier-036"))]
+        Finder::Grid(cell) => Box::new(HashGrid::new(cell)),
+        Finder::Lossy => Box::new(install(lossy(OwnBroadPhase::new(), LOST_ONE_IN, seed))),
     }
 }

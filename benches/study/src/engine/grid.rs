@@ -1,21 +1,19 @@
-//! A hash grid of centres: each box is in the cell of its centre, and meets those in that cell and in the cells around it.
+//! A hash grid of centres: each box is in the cell of its centre, and is compared with the boxes in that cell and in the adjacent cells.
 //!
-//! Cells have the largest or the median size of what can move. With the median, a pair is missed whose centres are further apart
-//! than its boxes allow for: two that are larger than a cell. Floors and walls, which are larger than anything that can move, are
-//! compared with all others one by one. The cells are not hashed but sorted: the three cells of a row are then neighbours, and each
-//! row of them is followed by an index that only grows.
+//! Cells have the largest or the median size of the colliders that can move. With the median, the grid misses pairs of boxes that are
+//! larger than a cell. Floors and walls, which are larger than every collider that can move, are compared with all boxes. The cells are
+//! sorted instead of hashed: then the three cells of a row are neighbours, and an index that only grows follows each row.
 //!
-//! All pairs are found anew at each update, and compared with those held: **O(n log n + candidates)**.
+//! Each update searches for all pairs, and compares them with the held ones: **O(n log n + candidates)**.
 
 use super::scenes::rapier::{math::DIM, prelude::*};
-use super::version::BroadPhase;
 use crate::finder::Cell;
 use unisize::Aabb;
 
-/// There are no more cells than this along an axis; what is beyond is in the last one.
+/// The largest number of cells along an axis; boxes beyond are in the last one.
 const MOST_CELLS: u64 = 1 << 20;
 
-/// Cells of one size, and what is in them.
+/// Cells of one size, and their colliders.
 pub(super) struct HashGrid {
     cell: Cell,
     /// By the index of the collider's handle.
@@ -92,7 +90,7 @@ impl HashGrid {
             .fold([0.0; DIM], |size: [Real; DIM], extents| {
                 std::array::from_fn(|k| size[k].max(extents[k]))
             });
-        // Those that are larger on some axis than any that can move, and the others.
+        // The boxes that are larger on some axis than all that can move, and the others.
         let boxes = known().map(|(slot, proxy)| (slot, proxy.aabb));
         let (usual, large): (Vec<_>, Vec<_>) = boxes.partition(|(_, aabb)| {
             let extents = extents(aabb);
@@ -136,7 +134,7 @@ fn enter(boxes: &[(u32, Aabb<Real, DIM>)], cell: Real) -> (Vec<Entry>, [u64; DIM
         let center = center(aabb);
         std::array::from_fn(|k| low[k].min(center[k]))
     });
-    // The first and the last cell along an axis stay empty, lest a row goes on in the next one.
+    // The first and the last cell along an axis stay empty, so that no row continues in the next one.
     let cells = |aabb: &Aabb<Real, DIM>| -> [u64; DIM] {
         let center = center(aabb);
         std::array::from_fn(|k| (((center[k] - lowest[k]) / cell) as u64).min(MOST_CELLS - 1) + 1)
@@ -160,7 +158,7 @@ fn enter(boxes: &[(u32, Aabb<Real, DIM>)], cell: Real) -> (Vec<Entry>, [u64; DIM
     (entries, strides)
 }
 
-/// Compares each box with those in three cells of another row, or with those behind it in its own cell and the next.
+/// Compares each box with the boxes in three cells of another row, or with the boxes after it in its own cell and the next.
 fn find_in_row(entries: &[Entry], row: u64, found: &mut Vec<u64>) {
     let mut start = 0;
     for (index, entry) in entries.iter().enumerate() {

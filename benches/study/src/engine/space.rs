@@ -1,8 +1,7 @@
 //! Vectors, spelled alike for every flavour of Rapier, and places in `f64`, which errors are measured in.
 
-use super::scenes::World;
 use super::scenes::rapier::{math::DIM, parry::bounding_volume::BoundingVolume, prelude::*};
-use super::version::Vector;
+use super::scenes::{self, Vector, World};
 use std::borrow::Borrow;
 
 /// The axis along which gravity acts, downward.
@@ -32,11 +31,7 @@ pub(super) fn distance(a: Place, b: Place) -> f64 {
 
 /// Rapier's vector.
 pub(super) fn vector(place: Place) -> Vector {
-    let mut vector = Vector::default();
-    for axis in 0..DIM {
-        vector[axis] = place[axis] as Real;
-    }
-    vector
+    scenes::vector(|axis| place[axis] as Real)
 }
 
 /// The components of a vector, which one version of Rapier returns by reference, and another by value.

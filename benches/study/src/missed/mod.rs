@@ -1,11 +1,10 @@
-//! What methods miss that trade accuracy for speed, and what it saves, all on the same frames.
+//! The pairs that methods miss which trade accuracy for speed, and the time that they save, all on the same frames.
 //!
 //! - **recall**: how many of the pairs whose shapes touch, by Parry's exact queries, are held;
-//! - **cost**: the time of the broad phase, and of the broad and the narrow phase together, because a wide margin moves work from one
-//!   to the other.
+//! - **cost**: the time of the broad and the narrow phase together, because a wide margin moves work from one to the other.
 //!
-//! What cannot miss is told from what happened not to. Of the latter, n frames without a miss say that fewer than about 3 / n of all
-//! frames have one (the rule of three).
+//! The study distinguishes methods that cannot miss from those that happened not to. For the latter, n frames without a miss mean that
+//! fewer than about 3 / n of all frames have one (the rule of three).
 
 use crate::finder::{Cell, Finder};
 use crate::options::Common;
@@ -27,7 +26,7 @@ const SCENES: [SceneKind; 6] = [
     SceneKind::Sleeping,
 ];
 
-/// What is measured, unisize by default first: one of each idea.
+/// The methods, unisize with its default first: one of each idea.
 pub(crate) const FINDERS: [Finder; 10] = [
     Finder::DEFAULT,
     Finder::Unisize(Some(0.0)),
@@ -41,21 +40,21 @@ pub(crate) const FINDERS: [Finder; 10] = [
     Finder::Lossy,
 ];
 
-/// Steps before those that are measured, of a quick run and of a full one: by then, things touch in every scene.
+/// Steps before the measured ones, of a quick run and of a full one: by then, bodies touch in every scene.
 const LEAD_IN: [usize; 2] = [80, 140];
 const STEPS: [usize; 2] = [20, 80];
 
-/// About how many bodies there are, of most scenes, of ropes, and of any in a quick run.
+/// The approximate number of bodies: of most scenes, of ropes, and of all in a quick run.
 const BODIES: usize = 2_000;
 const ROPES: usize = 1_000;
 const QUICK_BODIES: usize = 120;
 
-/// What is compared with the truth: once in so many steps. It is odd, so that each of every two, four or eight is met equally often.
+/// The ground truth is computed every n-th step. The number is odd, so that it meets all phases of an interval of two, four or eight.
 const TRUTH_EVERY: [usize; 2] = [3, 5];
 
 /// What do methods miss that trade accuracy for speed, and how much faster are they?
 ///
-/// Exits with 1 if unisize, or what cannot miss either, misses a pair whose shapes touch, or nearly do.
+/// Exits with 1 if unisize, or another method that cannot miss, misses a pair whose shapes touch or nearly touch.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -65,37 +64,36 @@ pub(crate) struct Arguments {
     only: Vec<String>,
 }
 
-/// Frames, and what is measured on them.
+/// The frames on which all methods are measured.
 pub(crate) struct Course {
     pub(crate) kind: SceneKind,
     pub(crate) bodies: usize,
     pub(crate) seed: u64,
-    /// Steps before those that are measured.
+    /// Steps before the measured ones.
     pub(crate) lead_in: usize,
     pub(crate) steps: usize,
     pub(crate) truth_every: usize,
 }
 
-/// What one method held and missed on a course, and its cost.
+/// The pairs that one method held and missed on a course, and its cost.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Figures {
     /// Pairs of shapes that touch or overlap, and how many of them it missed.
     pub(crate) touching: usize,
     pub(crate) missed: usize,
-    /// How many it missed of those that are nearer than the prediction distance, touching ones included.
+    /// The number of missed pairs nearer than the prediction distance, with the touching ones.
     pub(crate) near_missed: usize,
     /// Frames that were compared with the truth, and those in which a touching pair was missed.
     pub(crate) frames: usize,
     pub(crate) frames_with_misses: usize,
     /// Pairs held, summed over these frames.
     pub(crate) held: usize,
-    /// Milliseconds per step, of the broad phase and of broad and narrow phase together.
-    pub(crate) broad: f64,
+    /// Milliseconds per step of broad and narrow phase together.
     pub(crate) both: f64,
 }
 
 impl Figures {
-    /// Of several seeds: the sum of all counts, and the median of times.
+    /// The sums of the counts over several seeds, and the medians of the times.
     fn of(seeds: &[Self]) -> Self {
         let sum = |count: fn(&Self) -> usize| seeds.iter().map(count).sum();
         Self {
@@ -105,7 +103,6 @@ impl Figures {
             frames: sum(|of| of.frames),
             frames_with_misses: sum(|of| of.frames_with_misses),
             held: sum(|of| of.held),
-            broad: median(seeds.iter().map(|of| of.broad)),
             both: median(seeds.iter().map(|of| of.both)),
         }
     }
@@ -198,7 +195,6 @@ impl Study {
                     ("frames", figures.frames.into()),
                     ("frames_with_misses", figures.frames_with_misses.into()),
                     ("held", figures.held.into()),
-                    ("broad_ms", figures.broad.into()),
                     ("both_ms", figures.both.into()),
                 ],
             )?;
@@ -234,7 +230,7 @@ impl Method {
         FINDERS.into_iter().enumerate().map(of).collect()
     }
 
-    /// How many frames have misses, or may have where none had.
+    /// The number of frames with misses, or its bound if there are none.
     fn misses(&self) -> String {
         let frames = self.frames;
         match self.frames_with_misses {
@@ -258,7 +254,7 @@ impl Method {
     }
 }
 
-/// Whether something touches, and what cannot miss has missed nothing of it; prints what is wrong.
+/// Whether some pairs touch, and no exact method has missed any of them; prints what is wrong.
 fn is_sound(studies: &[Study]) -> bool {
     let mut is_sound = true;
     let mut touching = 0;

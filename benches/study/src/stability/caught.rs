@@ -1,4 +1,4 @@
-//! Panics that are expected: caught, and told without a trace on standard error.
+//! Expected panics: caught and returned, without a trace on standard error.
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};
@@ -11,7 +11,7 @@ thread_local! {
     static PLACE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Runs something that may panic; the error is what the panic said, and where.
+/// Runs a function that may panic. The error is the message of the panic and its place.
 pub(crate) fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {

@@ -1,12 +1,12 @@
 //! Where small worlds fail, does unisize fail alone?
 //!
-//! Small worlds are taken to their limits: high stacks, heavy things on light ones, chains with a heavy end, long time steps, places
-//! far from the origin, tiny and huge sizes, fast spin and flight. What leaves nothing to chance comes first: side by side on both
-//! broad phases, with the events of each update in order, worlds must hold the same pairs after each step and end equal to the bit;
-//! and unisize must not panic where Rapier's own does not.
+//! The study takes small worlds to their limits: high stacks, heavy bodies on light ones, chains with a heavy end, long time steps, places
+//! far from the origin, tiny and huge sizes, fast spin and flight. Some checks leave nothing to chance: side by side on both broad phases,
+//! with the events of each update in order, worlds must hold the same pairs after each step and end equal to the bit; and unisize must not
+//! panic where Rapier's own does not.
 //!
-//! Then, for each family of worlds, a bisection on either broad phase finds its *threshold*: the largest value of its parameter at
-//! which no start fails. Whether unisize fails more often is told for each value, and for all of them together.
+//! For each family of worlds, a bisection on either broad phase finds its *threshold*: the largest value of its parameter at which no
+//! start fails. A test decides whether unisize fails more often, at each value and at all of them together.
 
 pub(crate) mod case;
 pub(crate) mod caught;
@@ -26,10 +26,10 @@ use rayon::ThreadPoolBuilder;
 use std::collections::BTreeMap;
 use unisize_report::progress_bar;
 
-/// How many values there are between the ends of a family's range, of a quick run and of a full one.
+/// The number of values from one end of a family's range to the other, in a quick run and in a full one.
 const VALUES: [usize; 2] = [5, 65];
 
-/// From how many starts both are compared step by step.
+/// The number of starts from which both are compared step by step.
 const COMPARED: [u64; 2] = [1, 5];
 
 /// Where small worlds fail, does unisize fail alone?
@@ -146,7 +146,7 @@ impl Outcome {
         )
     }
 
-    /// In how many runs, of those in which Rapier's own did not panic, both were the same.
+    /// The number of equal runs, of those in which Rapier's own did not panic.
     fn equality(&self) -> String {
         let sum = |count: fn(&Equality) -> usize| -> usize {
             let probes = self.probes.values();
@@ -160,7 +160,7 @@ impl Outcome {
         }
     }
 
-    /// What is wrong at any of its values, which are some of so many.
+    /// The faults at its values, which are a part of `all` values.
     fn faults(&self, all: usize) -> Vec<String> {
         let mut faults = Vec::new();
         for (&index, probe) in self.probes.iter().filter(|(_, of)| !of.is_sound(all)) {
@@ -178,7 +178,7 @@ impl Outcome {
     }
 }
 
-/// Judges all values together, and says how little would have been noticed; whether unisize has passed.
+/// Judges all values together, and prints the smallest effect that the tests would notice. Returns whether unisize has passed.
 fn conclude(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
     let values: usize = outcomes.iter().map(|outcome| outcome.probes.len()).sum();
     let alone = Alone::of(outcomes.iter().flat_map(|outcome| outcome.probes.values()));
@@ -211,11 +211,10 @@ fn conclude(outcomes: &[Outcome], output: &mut Output) -> Result<bool> {
     Ok(is_sound)
 }
 
-/// The last of so many indices that is sound, if the first ones are; `None` if the first one is not. It is asked for about as many
-/// indices as the logarithm of their number.
+/// The last sound index of `count`, if the first indices are sound; `None` if the first one is not. **O(log count)** questions.
 ///
-/// Near the limit worlds are chaotic, so that a larger value may hold where a smaller one fails. What is found is one value that holds
-/// whose neighbour fails, and not the only such value.
+/// Near the limit worlds are chaotic, so that a larger value may hold where a smaller one fails. The result is a value that holds and whose
+/// neighbour fails, but not the only such value.
 fn last_sound(count: usize, mut is_sound: impl FnMut(usize) -> bool) -> Option<usize> {
     let [mut sound, mut failing] = [0, count.checked_sub(1)?];
     if !is_sound(sound) {

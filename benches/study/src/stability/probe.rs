@@ -1,7 +1,7 @@
 //! The outcome of a case in one flavour.
 //!
 //! A world near its limit is chaotic: the last bit of a number decides whether it holds, and the order of events decides the last
-//! bit. So both broad phases are run from the same starts. A start counts if one fails from it and the other does not.
+//! bit. So both broad phases run from the same starts. A start counts if exactly one of the two fails from it.
 
 use crate::statistics::sign_test;
 
@@ -13,24 +13,24 @@ const LEVEL: f64 = 0.01;
 pub(crate) enum End {
     Holds,
     Fails,
-    /// With what the panic said.
+    /// With the message of the panic.
     Panics(String),
 }
 
-/// What two broad phases did to worlds side by side, with their events in order.
+/// The result of two worlds side by side, with the events of both in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Found {
     /// The same pairs after each step, and the same bodies to the bit at the end.
     Equal,
     Difference(String),
-    /// There is a difference, and none once a step finds the tree of Rapier's own.
+    /// There is a difference, but none if a step asks the tree of Rapier's own broad phase.
     ByTree,
     /// Rapier's own broad phase panicked, so that there is nothing to compare with.
     Panic,
 }
 
 impl Found {
-    /// The same with the seed of the run.
+    /// Adds the seed of the run to a difference.
     pub(crate) fn of_seed(self, seed: u64) -> Self {
         match self {
             Self::Difference(difference) => Self::Difference(format!("seed {seed}: {difference}")),
@@ -39,7 +39,7 @@ impl Found {
     }
 }
 
-/// In how many runs what was found.
+/// The number of runs with each result.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Equality {
     pub(crate) equal: usize,
@@ -68,8 +68,8 @@ impl FromIterator<Found> for Equality {
     }
 }
 
-/// The starts from which one broad phase fails alone. Those with a panic are left out: Rapier's own panics from all starts of some
-/// cases, which would outweigh what unisize does in others, and a panic of unisize alone is never sound anyway.
+/// The starts from which one broad phase fails alone. Starts with a panic do not count: Rapier's own panics from all starts of some
+/// cases, which would outweigh the others, and a panic of unisize alone is never sound anyway.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Alone {
     pub(crate) default: usize,
@@ -87,17 +87,17 @@ impl Alone {
         })
     }
 
-    /// How probable it is that so many or more of them fall on unisize, if both fail equally often.
+    /// The p-value of unisize's failures, if both fail equally often.
     pub(crate) fn probability(self) -> f64 {
         sign_test(self.ours, self.default)
     }
 
-    /// Whether unisize fails more often, and not by chance, if this is one of so many tests.
+    /// Whether unisize fails significantly more often, in one of this many tests.
     pub(crate) fn is_worse(self, tests: usize) -> bool {
         self.probability() * (tests as f64) < LEVEL
     }
 
-    /// From how many starts unisize has to fail, where Rapier's own holds from all of them, to be noticed in one of so many tests.
+    /// The number of starts from which unisize has to fail alone to be noticed in one of this many tests.
     pub(crate) fn noticed(tests: usize) -> usize {
         let would_be = |&ours: &usize| Self { default: 0, ours }.is_worse(tests);
         (1..).find(would_be).expect("many enough always are")
@@ -113,7 +113,7 @@ pub(crate) struct Probe {
 }
 
 impl Probe {
-    /// From how many starts it failed on Rapier's own broad phase, and on unisize. A panic is a failure.
+    /// The number of failures on Rapier's own broad phase, and on unisize. A panic is a failure.
     pub(crate) fn failures(&self) -> [usize; 2] {
         let fails = |side: usize| move |ends: &&[End; 2]| ends[side] != End::Holds;
         [0, 1].map(|side| self.ends.iter().filter(fails(side)).count())
@@ -123,7 +123,7 @@ impl Probe {
         Alone::of(std::iter::once(self))
     }
 
-    /// What unisize said at its first panic from a start from which Rapier's own does not panic.
+    /// The message of unisize's first panic from a start from which Rapier's own does not panic.
     pub(crate) fn panic_alone(&self) -> Option<&str> {
         self.ends.iter().find_map(|ends| match ends {
             [End::Holds | End::Fails, End::Panics(message)] => Some(message.as_str()),
@@ -131,8 +131,8 @@ impl Probe {
         })
     }
 
-    /// Whether unisize neither fails alone, if this is one of so many values, nor panics alone, from however few starts, and does
-    /// exactly what Rapier's does where both are compared.
+    /// Whether unisize does not fail significantly more often, at one of this many values, never panics alone, and is equal to Rapier's own
+    /// where both are compared.
     pub(crate) fn is_sound(&self, values: usize) -> bool {
         !self.alone().is_worse(values)
             && self.panic_alone().is_none()

@@ -23,11 +23,11 @@ macro_rules! flavour {
     ($name:ident, $rapier:ident, $unisize:ident, $dim:tt, $version:tt) => {
         #[path = "."]
         mod $name {
-            use flavour::{hinge, mesh_floor, spin};
+            use flavour::{hinge, mesh_floor};
             use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
             use unisize_scenes::$name as scenes;
             use unisize_scenes::$name::{
-                AnyBroadPhase, Installed, Observed, OwnBroadPhase, Steppable, World, install,
+                Installed, Observed, OwnBroadPhase, Steppable, World, install,
             };
             use $rapier as rapier;
 

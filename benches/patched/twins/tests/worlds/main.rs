@@ -11,10 +11,11 @@ macro_rules! flavour {
     ($rapier:ident, $unisize:ident, $name:ident, $dim:tt) => {
         #[path = "."]
         mod $name {
-            use flavour::{hinge, mesh_floor, spin};
+            use flavour::{hinge, mesh_floor};
             use unisize::$unisize::{PairFilter, Settings, Trial, UnisizeBroadPhase};
+            use unisize_scenes::$name as scenes;
             use unisize_scenes::$name::{
-                AnyBroadPhase, Installed, Observed, OwnBroadPhase, Steppable, World, install,
+                Installed, Observed, OwnBroadPhase, Steppable, World, install,
             };
             use $rapier as rapier;
 

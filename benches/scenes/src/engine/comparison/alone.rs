@@ -1,18 +1,16 @@
-//! The scene simulated on each broad phase alone: what a whole step takes.
+//! The scene simulated on each broad phase alone, which times whole steps.
 //!
-//! The two worlds are stepped by turns, and the turn changes at each step, so that whatever else the machine does
-//! slows both down. The queries of a step are part of it: the default keeps its tree up to date in every update,
-//! while others may build one when they are asked.
+//! The two worlds are stepped even/odd interleaved, so that other work of the machine slows both down. The queries of a step are a part
+//! of it: the default maintains its tree in every update, while others may build one for the first query.
 //!
-//! The worlds drift apart, since the order of events decides the order in which the solver works, and with it the
-//! last bits of its result. So their end states are not compared with each other, but each with what physics
-//! demands; see [`Sanity::verdict`].
+//! The worlds diverge, since the order of events decides the order in which the solver works, and with it the last bits of its result.
+//! So their end states are not compared with each other; each is checked by [`Sanity::verdict`].
 //!
-//! If whole steps are timed [later](Comparison::before), both worlds are brought there on the candidate, which does the same in either, so
-//! that both begin with the same piles, and as many asleep. Then each gets a broad phase that is new, and hears of all colliders.
+//! If whole steps are timed [later](Comparison::before), both worlds get there on the candidate, which does the same in either, so that
+//! both begin with the same piles and as many sleeping bodies. Then each gets a new broad phase, and all colliders are listed for it.
 //!
-//! Neither of the two is clocked inside of a step: to be so, Rapier 0.36's own broad phase has to be wrapped, and does not work
-//! beside the solver any more. That is done in a world of its own, of which both times are taken.
+//! Neither broad phase is timed inside of a step: Rapier 0.36's own would have to be wrapped, and a wrapped one does not work next to the
+//! solver. A world of its own has both times.
 
 use super::super::observed::Observed;
 use super::super::queries::{AsQueryPipeline, tree_of};
@@ -79,7 +77,7 @@ impl Comparison {
         Limit::of(step, broad_phase)
     }
 
-    /// Makes the steps before those that are timed.
+    /// Makes the steps before the timed ones.
     fn bring_there<B: Steppable, C: BroadPhase + 'static>(
         &self,
         run: &mut Run<B>,
@@ -97,11 +95,11 @@ impl Comparison {
         for _ in 0..SETTLING.min(self.before) {
             run.step();
         }
-        (run.elapsed, run.casting) = Default::default();
+        run.elapsed = Duration::ZERO;
     }
 }
 
-/// Steps that are not timed, after a broad phase has been exchanged.
+/// The number of steps after the exchange of a broad phase that are not timed.
 const SETTLING: usize = 10;
 
 /// A scene on one broad phase.
@@ -112,7 +110,6 @@ struct Run<B> {
     queries: AsQueryPipeline<B>,
     rays: SomeRays,
     elapsed: Duration,
-    casting: Duration,
 }
 
 impl<B: Steppable> Run<B> {
@@ -130,7 +127,6 @@ impl<B: Steppable> Run<B> {
             broad_phase,
             queries,
             elapsed: Duration::ZERO,
-            casting: Duration::ZERO,
         }
     }
 
@@ -147,30 +143,23 @@ impl<B: Steppable> Run<B> {
         let start = Instant::now();
         let tree = tree_of(&self.broad_phase, self.queries);
         std::hint::black_box(rays::cast(tree, &self.scene.world, rays));
-        let casting = start.elapsed();
-        self.elapsed += casting;
-        self.casting += casting;
+        self.elapsed += start.elapsed();
     }
 
     fn end(self, steps: usize) -> End {
         let sanity = self.scene.sanity();
-        let ms_per_step = |time: Duration| milliseconds(time) / steps as f64;
         End {
             complaint: sanity.verdict(&self.initial).err(),
             bodies: sanity.bodies,
             asleep: sanity.sleeping,
-            outside: sanity.fallen_through,
-            not_finite: sanity.not_finite,
             energy: sanity.energy(),
-            max_rope_stretch: sanity.max_rope_stretch,
             pairs_without_contact: self.scene.world.pairs_without_contact(),
-            ms_per_step: ms_per_step(self.elapsed),
-            ms_of_rays: ms_per_step(self.casting),
+            ms_per_step: milliseconds(self.elapsed) / steps as f64,
         }
     }
 }
 
-/// Says so if the candidate's run went wrong where the default's did not.
+/// The complaint about the candidate's run, if there is none about the default's.
 pub(super) fn difference(repeat: &Repeat) -> Option<String> {
     let Repeat { seed, end, .. } = repeat;
     let complaint = end.candidate.complaint.as_ref()?;

@@ -1,13 +1,13 @@
-//! What two narrow phases make of the pairs of two broad phases.
+//! The contacts that two narrow phases find for the pairs of two broad phases.
 //!
-//! Each gets the events of its broad phase and is then run by Rapier's [`CollisionPipeline`] on a copy of the same
-//! world, so that nothing but the pairs can make a difference, not even the order in which the solver works.
+//! Each gets the events of its broad phase, and Rapier's [`CollisionPipeline`] runs it on a copy of the same world. So only the pairs can
+//! make a difference, and not the order in which the solver works.
 
 use super::super::observed::Update;
 use super::super::pairs::{self, PairEvent, Pairs, in_order};
 use super::super::rapier::prelude::*;
 use super::super::version::{self, BroadPhase};
-use super::super::world::World;
+use super::super::world::{Steppable, World};
 use crate::Both;
 use std::collections::HashSet;
 
@@ -20,7 +20,7 @@ pub(super) struct Touching {
 }
 
 impl Touching {
-    /// What a narrow phase has found last.
+    /// The last findings of a narrow phase.
     pub(super) fn of(narrow_phase: &NarrowPhase) -> Self {
         let pair = |a, b| in_order(ColliderPair::new(a, b));
         let contacts = narrow_phase.contact_pairs();
@@ -38,7 +38,7 @@ impl Touching {
     }
 }
 
-/// A broad phase that reports what another has reported before.
+/// A broad phase that repeats the events of another one.
 struct Replay(Vec<PairEvent>);
 
 impl BroadPhase for Replay {
@@ -96,21 +96,21 @@ impl Placed {
     }
 }
 
-/// A narrow phase that hears of one broad phase.
+/// A narrow phase with the events of one broad phase.
 ///
-/// A collider's removal ends its pairs, whatever was reported of them before. So the removals can be played first and the events
-/// after them, once the events of a collider from before its removal are struck out.
+/// The removal of a collider ends its pairs, whatever events they had before. So the follower passes all removals first and the events after
+/// them, without the events of a collider from before its removal.
 #[derive(Default)]
 pub(super) struct Follower {
     narrow_phase: NarrowPhase,
-    /// The colliders that were removed or disabled since the last look, in order.
+    /// The colliders that were removed or disabled since the last update, in order.
     removed: Vec<ColliderHandle>,
-    /// What was reported after the last removal of either collider, in order.
+    /// The events after the last removal of either collider, in order.
     events: Vec<PairEvent>,
 }
 
 impl Follower {
-    /// Takes down these updates.
+    /// Collects these updates.
     pub(super) fn note(&mut self, updates: &[Update]) {
         for update in updates {
             if !update.removed.is_empty() && !self.events.is_empty() {
@@ -125,32 +125,38 @@ impl Follower {
         }
     }
 
-    /// Brings the narrow phase up to date, with the colliders as they are or as they were placed.
+    /// Updates the narrow phase, with the colliders as they are or as they were placed.
     fn look(&mut self, world: &World, placed: Option<&Placed>) -> Touching {
         // Copies: Rapier 0.36 notes in the bodies which islands the contacts have joined.
-        let mut colliders = world.colliders.clone();
-        let mut bodies = world.bodies.clone();
+        let mut copy = World {
+            params: world.params,
+            islands: world.islands.clone(),
+            narrow_phase: std::mem::take(&mut self.narrow_phase),
+            bodies: world.bodies.clone(),
+            colliders: world.colliders.clone(),
+            ..World::new(world.gravity)
+        };
         if let Some(placed) = placed {
-            placed.restore(&mut colliders);
+            placed.restore(&mut copy.colliders);
         }
-        let narrow_phase = &mut self.narrow_phase;
-        narrow_phase.handle_user_changes(
+        copy.narrow_phase.handle_user_changes(
             None,
             &[],
             &self.removed,
-            &mut colliders,
-            &mut bodies,
+            &mut copy.colliders,
+            &mut copy.bodies,
             &(),
         );
-        mark_modified(&mut colliders);
-        let replay = Replay(std::mem::take(&mut self.events));
-        version::detect(world, replay, narrow_phase, &mut bodies, &mut colliders);
+        mark_modified(&mut copy.colliders);
+        let mut replay = version::install(Replay(std::mem::take(&mut self.events)));
+        copy.collide(replay.for_step(), &());
         self.removed.clear();
-        Touching::of(narrow_phase)
+        self.narrow_phase = copy.narrow_phase;
+        Touching::of(&self.narrow_phase)
     }
 }
 
-/// How the contacts and intersections of both narrow phases differ.
+/// The difference between the contacts and intersections of both narrow phases.
 pub(super) fn difference(
     world: &World,
     placed: Option<&Placed>,
@@ -175,7 +181,7 @@ pub(super) fn difference(
     })
 }
 
-/// Makes Rapier recompute every contact, whatever was modified since the last check.
+/// Makes Rapier recompute every contact.
 fn mark_modified(colliders: &mut ColliderSet) {
     for (_, collider) in colliders.iter_mut() {
         let position = *collider.position();

@@ -72,7 +72,6 @@ fn default_equals_itself() {
         let times = outcome.broad_phase;
         assert_eq!(times.default.updates, times.candidate.updates);
         assert!(times.default.updates >= 40);
-        assert_eq!(times.default.busy_updates, times.candidate.busy_updates);
         let looks = if kind == SceneKind::Player { 16 } else { 0 };
         assert_eq!(outcome.rays.cast, 40 * (10 + looks));
         assert!(outcome.rays.hits > 0, "{name}");
@@ -96,8 +95,7 @@ fn whole_steps_are_sane() {
         assert_eq!(end.candidate.complaint, None);
         assert_eq!(end.default.bodies, end.candidate.bodies);
         assert!(repeat.ratio > 0.0 && repeat.ratio.is_finite());
-        assert!(end.default.ms_of_rays > 0.0);
-        assert!(end.default.ms_of_rays < end.default.ms_per_step);
+        assert!(end.default.ms_per_step > 0.0);
     }
     let limit = whole_steps.limit.ratio;
     assert!(limit > 1.0 && limit.is_finite());

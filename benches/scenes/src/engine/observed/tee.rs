@@ -3,8 +3,7 @@
 use super::super::rapier::prelude::*;
 use super::super::version::{self, BroadPhase};
 
-/// Two broad phases in the place of one: each update goes to both, with the very same arguments, and Rapier hears of
-/// the events of the first.
+/// Two broad phases in the place of one. Both get each update with the same arguments, and Rapier gets the events of the first.
 #[derive(Default)]
 pub struct Tee<A, B> {
     /// The broad phase whose events go on to Rapier.
@@ -13,6 +12,8 @@ pub struct Tee<A, B> {
     pub unheard: B,
     unheard_events: Vec<BroadPhasePairEvent>,
     updates: usize,
+    #[allow(dead_code)] // A step of Rapier 0.27 asks no tree.
+    has_tree_of_unheard: bool,
 }
 
 impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
@@ -23,19 +24,24 @@ impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
             unheard,
             unheard_events: Vec::new(),
             updates: 0,
+            has_tree_of_unheard: false,
         }
     }
-}
 
-impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
+    /// Lets a step ask the tree of the second broad phase. The first one still reports the pairs.
+    pub fn with_tree_of_unheard(mut self) -> Self {
+        self.has_tree_of_unheard = true;
+        self
+    }
+
     /// Runs an update on both.
     fn update_both(
         &mut self,
         events: &mut Vec<BroadPhasePairEvent>,
         update: impl Fn(&mut dyn BroadPhase, &mut Vec<BroadPhasePairEvent>),
     ) {
-        // The one that goes second finds the colliders in the cache. Most steps have two updates, of which only
-        // the second has much to do: the turn has to change from step to step.
+        // The second one finds the colliders in the cache. Most steps have two updates, of which only the second has much to do, so
+        // the order changes from step to step.
         let heard_is_first = self.updates.div_ceil(2) % 2 == 0;
         self.updates += 1;
         self.unheard_events.clear();
@@ -67,7 +73,7 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
 
     version::when_boxes_are_handed_over! {
         fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
-            // Whoever was first in the last update, which reads colliders, is second here.
+            // The one that was first in the last update, which reads colliders, is second here.
             if self.updates.div_ceil(2) % 2 == 0 {
                 self.heard.set_aabbs(params, colliders, boxes);
                 self.unheard.set_aabbs(params, colliders, boxes);
@@ -88,10 +94,13 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
         }
 
         fn bvh(&self) -> &Bvh {
-            self.heard.bvh()
+            match self.has_tree_of_unheard {
+                true => self.unheard.bvh(),
+                false => self.heard.bvh(),
+            }
         }
 
-        // A copy is of the one that is heard.
+        // The copy is of the first one alone.
         fn clone_box(&self) -> Box<dyn BroadPhase> {
             self.heard.clone_box()
         }

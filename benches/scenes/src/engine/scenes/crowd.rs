@@ -1,4 +1,5 @@
-//! A crowd: walkers of one size on a plane, each steering to a goal and bumping into others.
+//! A crowd: walkers of one size, each steering to a goal and bumping into others. In 2D it is seen from above; in 3D gravity keeps
+//! the walkers on the ground.
 
 use super::*;
 
@@ -10,9 +11,9 @@ const HALF_HEIGHT: Real = 0.6;
 const SPACING: Real = 2.5;
 /// The speed at which walkers like to walk.
 const SPEED: Real = 2.0;
-/// The share of the difference to the wanted velocity that is made up for in a step.
+/// The share of the difference to the wanted velocity that a walker makes up for in a step.
 const EAGERNESS: Real = 0.2;
-/// The speed below which a walker takes itself to be stuck, and steps to its right.
+/// The speed below which a walker counts as stuck, and steps to its right.
 const STUCK: Real = 0.5 * SPEED;
 /// The distance at which a goal counts as reached.
 const REACHED: Real = 1.5;
@@ -43,7 +44,7 @@ fn planar(full: Vector) -> Vector {
     planar
 }
 
-/// Half of a box that is so wide in the plane, and as high as a walker.
+/// The half extents of a box with this half width in the plane, and as high as a walker.
 fn flat(half_width: Real) -> Vector {
     let mut half = vector(|_| HALF_HEIGHT);
     for axis in flavour::PLANE {
@@ -60,7 +61,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
         hi: flat(half_width),
     };
     let slippery = |builder: ColliderBuilder| builder.friction(0.0).build();
-    let mut world = floating();
+    let mut world = if DIM == 2 { floating() } else { falling() };
     container.wall_in(&mut world, flavour::PLANE.contains(&UP), slippery);
 
     let mut walkers: Vec<_> = (0..bodies)
@@ -80,7 +81,7 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
             (walker, somewhere(half_width, random))
         })
         .collect();
-    // Steers each walker to its goal, and finds it another one when it is there.
+    // Steers each walker to its goal, and then to another one.
     Stage::new(world, container).with_script(move |world: &mut World, cue: &mut Cue| {
         for (walker, goal) in &mut walkers {
             let body = &world.bodies[*walker];
@@ -94,7 +95,8 @@ pub(super) fn build(bodies: usize, random: &mut Random) -> Stage {
                 way = aside(way);
             }
             let wanted = way * (SPEED / distance.max(REACHED));
-            let velocity = velocity + (wanted - velocity) * EAGERNESS;
+            // Nobody steers a fall.
+            let velocity = velocity + (wanted - planar(velocity)) * EAGERNESS;
             cue.push(world, *walker, velocity);
         }
     })

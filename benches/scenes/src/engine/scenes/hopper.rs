@@ -1,4 +1,5 @@
-//! A hopper: grains that are poured through a funnel in batches, so that the number of bodies grows.
+//! A hopper: grains that are poured into a funnel in batches, so that the number of bodies grows. They hit its sides and each
+//! other from the first batch on, and leave through a narrow outlet.
 
 use super::grains::{SPACING, grain};
 use super::*;
@@ -18,17 +19,17 @@ pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
     // All grains find room below the outlet, and would find room above it.
     let outlet = lattice.height() * 0.9 + 2.0;
     let rim = outlet + half_width * SLOPE.tan();
-    let height = rim + lattice.height() + 1.0;
-
-    let walls = Container::standing(half_width, height + 2.0 * SPACING);
+    let walls = Container::standing(half_width, rim + lattice.height() + 2.0 * SPACING);
     let mut stage = Stage::walled(walls);
     for axis in horizontal() {
         for side in [-1.0, 1.0] {
             insert_panel(&mut stage.world, axis, side, outlet, half_width);
         }
     }
-    // Pours a layer of grains every few steps until all are there.
+    // Pours a layer of grains every few steps until all are there. The spout rises with the grains, so that each layer starts
+    // above the layers before it even if nothing has left the funnel.
     let mut left = bodies;
+    let mut spout = rim;
     stage.with_script(move |world: &mut World, cue: &mut Cue| {
         if cue.step % INTERVAL != 0 {
             return;
@@ -36,11 +37,12 @@ pub(super) fn build(bodies: usize, _random: &mut Random) -> Stage {
         let batch = lattice.per_layer().min(left);
         left -= batch;
         for index in 0..batch {
-            let place = lattice.center(index) + along(UP, height);
+            let place = lattice.center(index) + along(UP, spout);
             let (center, ball) = grain(place, &mut cue.random);
             let body = RigidBodyBuilder::dynamic().translation(center);
             cue.insert(world, body.linvel(along(UP, -SPEED)), ball);
         }
+        spout += SPACING;
     })
 }
 

@@ -1,6 +1,7 @@
-//! What is built and comes to rest: pyramids of cubes, one or many, with contact chains deep or shallow; stacks, columns that
-//! stand so close that the boxes of neighbours nearly touch, and that touch nothing but what is above and below; and a brick
-//! wall in running bond, every other course of which starts and ends with half a brick. In space it is one brick thick.
+//! Boxes that come to rest. Pyramids of cubes, one or many, have deep or shallow chains of contacts. Columns stand so close that a
+//! broad phase pairs the boxes of neighbours, which never touch; stacks stand so far apart that every pair is a contact. A brick
+//! wall in running bond starts and ends every other course with half a brick; in 3D it is one brick thick. A heap is what becomes
+//! of cubes that are dropped on a floor.
 
 use super::*;
 
@@ -13,10 +14,16 @@ const SMALL_BASE: usize = if DIM == 2 { 10 } else { 5 };
 const SMALL: usize = 55;
 /// The distance between two of many pyramids, from middle to middle.
 const APART: Real = SMALL_BASE as Real * PYRAMID_SPACING + 2.0;
-/// The distance between the middles of two columns, which leaves a gap of 0.05.
-const STACK_SPACING: Real = 2.0 * HALF + 0.05;
-/// How high a column is: 22 x 22 of them are 6,776 boxes.
-const STACK_HEIGHT: usize = 14;
+/// Columns leave a gap of 0.05; 22 x 22 of them are 6,776 boxes.
+pub(super) const COLUMNS: Towers = Towers {
+    spacing: 2.0 * HALF + 0.05,
+    height: 14,
+};
+/// Stacks leave a gap of a box; 25 x 25 of them are 6,250 boxes.
+pub(super) const STACKS: Towers = Towers {
+    spacing: 4.0 * HALF,
+    height: 10,
+};
 /// Half the height of a brick, and half its depth in space.
 const HALF_HEIGHT: Real = 0.25;
 const HALF_DEPTH: Real = 0.5;
@@ -28,8 +35,17 @@ const JOINT: Real = 0.02;
 const ASPECT: usize = 6;
 /// How far a cube or a brick may be off its place along each horizontal axis.
 const PYRAMID_OFFSET: Real = 0.01;
-const STACK_OFFSET: Real = 0.002;
+const TOWER_OFFSET: Real = 0.002;
 const WALL_OFFSET: Real = 0.004;
+
+/// Boxes on top of each other, again and again.
+#[derive(Clone, Copy)]
+pub(super) struct Towers {
+    /// The distance between the middles of neighbours.
+    spacing: Real,
+    /// The number of boxes in a tower.
+    height: usize,
+}
 
 /// Builds one pyramid of all bodies.
 pub(super) fn build_pyramid(bodies: usize, random: &mut Random) -> Stage {
@@ -85,15 +101,16 @@ fn insert_pyramid(
     }
 }
 
-pub(super) fn build_stacks(bodies: usize, random: &mut Random) -> Stage {
-    let lattice = Lattice::layer(bodies.div_ceil(STACK_HEIGHT), STACK_SPACING);
+/// Builds towers side by side, in a row or in rows.
+pub(super) fn build_towers(bodies: usize, towers: Towers, random: &mut Random) -> Stage {
+    let lattice = Lattice::layer(bodies.div_ceil(towers.height), towers.spacing);
     let mut stage = Stage::on_floor(lattice.half_width() + 10.0);
     for index in 0..bodies {
         let layer = index / lattice.per_layer();
         let mut center = lattice.center(index);
         center[UP] = (2.0 * layer as Real + 1.0) * HALF;
         for axis in horizontal() {
-            center[axis] += random.range(-STACK_OFFSET, STACK_OFFSET);
+            center[axis] += random.range(-TOWER_OFFSET, TOWER_OFFSET);
         }
         stage.insert(center, cube(HALF));
     }
@@ -127,6 +144,22 @@ pub(super) fn build_wall(bodies: usize, random: &mut Random) -> Stage {
             _ => HALF_DEPTH,
         });
         stage.insert(center, cuboid(half));
+    }
+    stage
+}
+
+/// Drops cubes, turned at random, on a floor that is wide enough for all that roll away.
+pub(super) fn build_heap(bodies: usize, random: &mut Random) -> Stage {
+    // A turned cube needs no more than the spacing.
+    let spacing = 2.0 * HALF * (DIM as Real).sqrt();
+    let lattice = Lattice::heap(bodies, spacing, 0.5);
+    let mut stage = Stage::on_floor(2.0 * lattice.half_width() + 2.0 * lattice.height() + 10.0);
+    for index in 0..bodies {
+        let turn = flavour::turning(|| random.range(-1.0, 1.0));
+        let body = RigidBodyBuilder::dynamic()
+            .translation(lattice.center(index))
+            .rotation(turn);
+        stage.world.insert(body, cube(HALF));
     }
     stage
 }

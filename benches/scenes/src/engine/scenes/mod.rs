@@ -55,13 +55,16 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Ships => ships::build(bodies, random),
         SceneKind::Ghosts => gas::build_ghosts(bodies, random),
         SceneKind::Player => player::build(bodies, random),
-        SceneKind::Stacks => masonry::build_stacks(bodies, random),
+        SceneKind::Columns => masonry::build_towers(bodies, masonry::COLUMNS, random),
+        SceneKind::Stacks => masonry::build_towers(bodies, masonry::STACKS, random),
         SceneKind::Wall => masonry::build_wall(bodies, random),
         SceneKind::Pyramids => masonry::build_pyramids(bodies, random),
         SceneKind::Chains => ropes::build_chains(bodies, random),
         SceneKind::Touched => habits::build_touched(bodies, random),
         SceneKind::Restated => habits::build_restated(bodies, random),
         SceneKind::Breathing => habits::build_breathing(bodies, random),
+        SceneKind::SettledPile => grains::build(bodies, random).settled(),
+        SceneKind::SettledHeap => masonry::build_heap(bodies, random).settled(),
     }
 }
 

@@ -1,9 +1,9 @@
 //! Ropes of capsules that hang or fall over obstacles and tangle; and chains of capsules, each held at both ends, that slant
-//! side by side.
+//! side by side. In 3D, every other row of chains swings the other way across their planes, so that they hit each other.
 //!
 //! Neighbours in a rope overlap at their joint, so that a broad phase reports them at every step although the joint disables
 //! their contact. The box of a slanting link is mostly empty, so that it overlaps those of the chains beside it although no two
-//! capsules touch: a broad phase holds many pairs there that come to nothing.
+//! capsules touch: most pairs of boxes there are no contacts.
 
 use super::*;
 
@@ -14,6 +14,8 @@ const RADIUS: Real = 0.1;
 /// The largest speed of a capsule at the start, along each axis.
 const SPEED_OF_ROPE: Real = 0.5;
 const SPEED_OF_CHAIN: Real = 0.3;
+/// The largest speed at which a chain swings in 3D, along both horizontal axes.
+const SWING: Real = 2.0;
 /// The distance between ropes at the start, along every axis but the first.
 const ROPES_APART: Real = 0.5;
 /// The distance between chains along each horizontal axis, less than the box of a link is wide.
@@ -103,13 +105,14 @@ pub(super) fn build_chains(bodies: usize, random: &mut Random) -> Stage {
     for chain in 0..chains {
         let start = lattice.center(chain) + top + jitter(random, 0.02);
         let mut joint = start;
+        let swing = swing(chain % lattice.columns, random);
         let links = (0..SEGMENTS.min(bodies - chain * SEGMENTS)).map(|link| {
             let share = link as Real / (SEGMENTS - 1) as Real;
             let slope = SLOPES[0] + (SLOPES[1] - SLOPES[0]) * share;
             let half = direction(wide_high(sideways, -slope)) * HALF;
             let body = RigidBodyBuilder::dynamic()
                 .translation(joint + half)
-                .linvel(jitter(random, SPEED_OF_CHAIN));
+                .linvel(swing + jitter(random, SPEED_OF_CHAIN));
             joint += half * 2.0;
             let ends = [-half, half].map(Point::from);
             let link = ColliderBuilder::capsule_from_endpoints(ends[0], ends[1], RADIUS);
@@ -120,4 +123,14 @@ pub(super) fn build_chains(bodies: usize, random: &mut Random) -> Stage {
         }
     }
     stage
+}
+
+/// A horizontal velocity across the plane of a chain in this row. A world of two dimensions has no such direction.
+fn swing(row: usize, random: &mut Random) -> Vector {
+    if DIM == 2 {
+        return Vector::default();
+    }
+    let side = if row % 2 == 0 { 1.0 } else { -1.0 };
+    let speed = side * random.range(SWING / 2.0, SWING);
+    along(0, speed) - along(DIM - 1, speed)
 }

@@ -103,8 +103,8 @@ fn compound() -> ColliderBuilder {
         cuboid(half).build().shared_shape().clone()
     };
     ColliderBuilder::compound(vec![
-        (version::shifted(along(0, 0.35)), bar(0)),
-        (version::shifted(along(UP, 0.35)), bar(UP)),
+        (version::pose(along(0, 0.35)), bar(0)),
+        (version::pose(along(UP, 0.35)), bar(UP)),
     ])
 }
 

@@ -1,46 +1,39 @@
 //! A method at work: a broad phase and a narrow phase of its own, in a world that another simulation moves.
 
 use super::Created;
-use super::scenes::World;
 use super::scenes::rapier::prelude::*;
-use super::version::BroadPhase;
+use super::scenes::{BroadPhase, PairEvent, World};
 use cpu_time::ThreadTime;
 use std::collections::HashSet;
 use std::time::Duration;
 
 /// A broad phase and a narrow phase of its own.
 pub(super) struct Contestant {
-    broad_phase: Clocked,
+    broad_phase: OfMethod,
     narrow_phase: NarrowPhase,
     pipeline: CollisionPipeline,
-}
-
-/// How long a step took, in processor time.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Lap {
-    pub(super) broad: Duration,
-    pub(super) both: Duration,
+    held: HashSet<[(u32, u32); 2]>,
 }
 
 impl Contestant {
     pub(super) fn new(broad_phase: Created) -> Self {
         Self {
-            broad_phase: Clocked {
+            broad_phase: OfMethod {
                 inner: broad_phase,
-                held: HashSet::new(),
-                last: Duration::ZERO,
-                end: Duration::ZERO,
+                events: Vec::new(),
             },
             narrow_phase: NarrowPhase::new(),
             pipeline: CollisionPipeline::new(),
+            held: HashSet::new(),
         }
     }
 
-    /// Finds the contacts of a copy of the world in which these colliders have moved.
+    /// Finds the contacts of a copy of the world in which these colliders have moved, and returns the processor time of that.
     ///
-    /// The time of the narrow phase includes Rapier's handling of changes by the user, which is short: there are none.
-    pub(super) fn step(&mut self, stage: &mut Stage, moved: &[ColliderHandle]) -> Lap {
+    /// The time includes Rapier's handling of changes by the user, which is short: there are none.
+    pub(super) fn step(&mut self, stage: &mut Stage, moved: &[ColliderHandle]) -> Duration {
         stage.mark(moved);
+        let start = ThreadTime::now();
         self.pipeline.step(
             stage.prediction,
             &mut self.broad_phase,
@@ -50,38 +43,35 @@ impl Contestant {
             &JointFilter(&stage.joints),
             &(),
         );
-        let broad = self.broad_phase.last;
-        let narrow = ThreadTime::now().as_duration() - self.broad_phase.end;
-        Lap {
-            broad,
-            both: broad + narrow,
+        let time = start.elapsed();
+        for event in self.broad_phase.events.drain(..) {
+            match event {
+                PairEvent::Add(pair) => self.held.insert(ends(pair)),
+                PairEvent::Delete(pair) => self.held.remove(&ends(pair)),
+            };
         }
+        time
     }
 
     /// How many of these pairs it does not hold.
     pub(super) fn missed(&self, pairs: &[ColliderPair]) -> usize {
-        let held = &self.broad_phase.held;
-        let missed = pairs.iter().filter(|&&pair| !held.contains(&ends(pair)));
+        let missed = pairs.iter().filter(|&&pair| !self.held.contains(&ends(pair)));
         missed.count()
     }
 
     /// How many pairs it holds.
     pub(super) fn held(&self) -> usize {
-        self.broad_phase.held.len()
+        self.held.len()
     }
 }
 
-/// A broad phase whose updates are timed, and the pairs that its events amount to.
-struct Clocked {
+/// The broad phase of a method, and the events of its last update.
+struct OfMethod {
     inner: Created,
-    held: HashSet<[(u32, u32); 2]>,
-    /// The processor time of the last update.
-    last: Duration,
-    /// The processor time of the thread when all was over.
-    end: Duration,
+    events: Vec<PairEvent>,
 }
 
-impl BroadPhase for Clocked {
+impl BroadPhase for OfMethod {
     fn update(
         &mut self,
         params: &IntegrationParameters,
@@ -91,17 +81,9 @@ impl BroadPhase for Clocked {
         removed: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let start = ThreadTime::now();
         let inner = self.inner.for_step();
         inner.update(params, colliders, bodies, modified, removed, events);
-        self.last = start.elapsed();
-        for event in events {
-            match event {
-                BroadPhasePairEvent::AddPair(pair) => self.held.insert(ends(*pair)),
-                BroadPhasePairEvent::DeletePair(pair) => self.held.remove(&ends(*pair)),
-            };
-        }
-        self.end = ThreadTime::now().as_duration();
+        self.events.extend(events.iter().map(PairEvent::from));
     }
 }
 

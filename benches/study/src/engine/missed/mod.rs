@@ -7,13 +7,13 @@ use super::finder::{Created, create};
 use super::scenes::rapier::prelude::*;
 use super::scenes::{Observed, Scene};
 use super::space::typical_size;
-use super::{scenes, space, version};
+use super::{scenes, space};
 
 mod contestant;
 mod truth;
 
 use crate::missed::{Course, FINDERS, Figures};
-use contestant::{Contestant, Lap, Stage};
+use contestant::{Contestant, Stage};
 use oorandom::Rand32;
 use truth::Truth;
 
@@ -41,7 +41,7 @@ pub(crate) fn race(course: &Course, mut on_step: impl FnMut()) -> Vec<Figures> {
         scene.step(&mut driver, &(), &());
         let updates = driver.take_updates().into_iter();
         let moved: Vec<_> = match step {
-            // Nobody has heard of anything yet.
+            // No contestant knows any collider yet.
             1 => scene
                 .world
                 .colliders
@@ -55,11 +55,10 @@ pub(crate) fn race(course: &Course, mut on_step: impl FnMut()) -> Vec<Figures> {
             turns.swap(last, random.rand_range(0..last as u32 + 1) as usize);
         }
         for &turn in &turns {
-            let Lap { broad, both } = contestants[turn].step(&mut stage, &moved);
+            let time = contestants[turn].step(&mut stage, &moved);
             if step > warm_up {
                 let each_ms = 1e3 / (course.steps - warm_up) as f64;
-                figures[turn].broad += broad.as_secs_f64() * each_ms;
-                figures[turn].both += both.as_secs_f64() * each_ms;
+                figures[turn].both += time.as_secs_f64() * each_ms;
             }
         }
         if step % course.truth_every == 0 {
@@ -100,10 +99,7 @@ mod tests {
             let name = finder.name();
             let found = figures.touching - figures.missed;
             assert!(found > 0 && figures.held >= found, "{name}");
-            assert!(
-                figures.broad > 0.0 && figures.both > figures.broad,
-                "{name}"
-            );
+            assert!(figures.both > 0.0, "{name}");
             assert_eq!(figures.frames, 4);
             if finder.is_exact() {
                 let misses = (

@@ -1,16 +1,14 @@
 //! Builds the worlds of the cases.
 
-use super::flavour;
-use super::scenes::World;
 use super::scenes::rapier::{math::DIM, prelude::*};
+use super::scenes::{Point, Vector, World, spin};
 use super::space::{GRAVITY, Place, UP, along, place, vector};
 use super::stage::Stage;
-use super::version::{Point, Vector};
 use crate::stability::case::{Case, Setup};
 use oorandom::Rand32;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// How far from its place a body may start on each horizontal axis, in metres: the seeds differ in that.
+/// The largest distance from its place at which a body starts, on each horizontal axis, in metres. The seeds differ in it.
 const JITTER: f64 = 0.02;
 
 /// Links of a chain.
@@ -120,7 +118,7 @@ impl<'a> Builder<'a> {
         self.stage.world.colliders.insert(collider);
     }
 
-    /// Boxes upon each other, each of a mass by its layer, on a floor whose surface is on height zero.
+    /// Boxes on top of each other, with a mass for each layer, on a floor whose surface is at height zero.
     fn stack(&mut self, boxes: usize, mass: impl Fn(usize) -> f64) {
         let floor = place(|axis| if axis == UP { 0.5 } else { 50.0 });
         self.insert_fixed(along(UP, -0.5), floor);
@@ -134,7 +132,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A chain that lies along the first axis at first, each link with a little velocity of its own.
+    /// A chain that starts along the first axis. Each link has a small velocity of its own.
     fn chain(&mut self, ratio: f64) {
         let hook = RigidBodyBuilder::fixed().translation(self.place([0.0; DIM]));
         let mut last = self.stage.world.bodies.insert(hook);
@@ -144,7 +142,7 @@ impl<'a> Builder<'a> {
             let velocity = place(|_| self.range(-0.5, 0.5));
             let body = RigidBodyBuilder::dynamic()
                 .translation(self.place(center))
-                .rotation(flavour::spin(FRAC_PI_2 as Real, [0.0, 0.0, 1.0]))
+                .rotation(spin([0.0, 0.0, FRAC_PI_2 as Real]))
                 .linvel(self.vector(velocity));
             let [half, radius] = [LINK / 2.0, LINK_RADIUS].map(|x| self.length(x));
             let capsule = ColliderBuilder::capsule_y(half, radius).mass(1.0);
@@ -202,14 +200,17 @@ impl<'a> Builder<'a> {
     }
 
     /// Inserts a box that flies and spins.
-    fn fly(&mut self, center: Place, velocity: Place, spin: f64, has_ccd: bool) {
-        // Some direction, the same for all flavours: its length is 1 but for rounding.
+    fn fly(&mut self, center: Place, velocity: Place, speed_of_spin: f64, has_ccd: bool) {
+        // Any axis, the same for all flavours; in 2D there is only the third one.
         let [a, b] = [0, 1].map(|_| self.range(0.0, TAU));
-        let share = [a.cos() * b.cos(), a.sin() * b.cos(), b.sin()].map(|x| x as Real);
+        let axis = match DIM {
+            2 => [0.0, 0.0, 1.0],
+            _ => [a.cos() * b.cos(), a.sin() * b.cos(), b.sin()],
+        };
         let body = RigidBodyBuilder::dynamic()
             .translation(self.place(center))
             .linvel(self.vector(velocity))
-            .angvel(flavour::spin(spin as Real, share))
+            .angvel(spin(axis.map(|x| speed_of_spin as Real * x as Real)))
             .ccd_enabled(has_ccd);
         let collider = self.cuboid([0.5; DIM]);
         self.stage.world.insert(body, collider);
@@ -235,8 +236,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A stack, and boxes beside it that fly to all sides. Those without CCD spin as well: with CCD, Rapier's search for the time
-    /// of impact of a fast spin does not come to an end, whatever the broad phase is.
+    /// A stack, and boxes next to it that fly to all sides. Those without CCD spin as well: with CCD, Rapier's search for the time of impact
+    /// of a fast spin does not end on any broad phase.
     fn burst(&mut self, speed: f64) {
         self.stage.is_lawless = true;
         self.stack(5, |_| 1.0);

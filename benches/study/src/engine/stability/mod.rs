@@ -1,13 +1,12 @@
 //! Small worlds at their limits, in one flavour of Rapier.
 
-use super::{flavour, ours, scenes, space, version};
+use super::{ours, scenes, space};
 
 mod build;
 mod stage;
 
 use super::scenes::rapier::prelude::*;
-use super::scenes::{Observed, OwnBroadPhase, Steppable, World, install};
-use super::version::BroadPhase;
+use super::scenes::{BroadPhase, Observed, OwnBroadPhase, Steppable, World, install, on_own_tree};
 use crate::stability::case::Case;
 use crate::stability::caught::caught;
 use crate::stability::probe::{End, Found, Probe};
@@ -16,14 +15,14 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use stage::Stage;
 use std::ops::Range;
 
-/// Runs a case from all of these starts, and compares the two broad phases step by step from so many of them. The threads of the
-/// current pool share the work.
+/// Runs a case from all of these starts, and compares the two broad phases step by step from the first `compared` ones. The work is
+/// split across the threads of the current pool.
 pub(crate) fn probe(case: &Case, starts: Range<u64>, compared: u64) -> Probe {
     let ours = |settings| Observed::new(UnisizeBroadPhase::with_settings(settings));
     probe_of(case, starts, compared, ours)
 }
 
-/// The same with another one in the place of unisize.
+/// Like [`probe`], with another broad phase in the place of unisize.
 fn probe_of<B: BroadPhase>(
     case: &Case,
     starts: Range<u64>,
@@ -37,10 +36,10 @@ fn probe_of<B: BroadPhase>(
         [default, ours]
     });
     let found = compared.into_par_iter().map(|seed| {
-        let settings = Settings::default().with_filter(crate::version::FILTER_OF_DEFAULT);
-        let on_tree = || Observed::new(version::on_rapiers_tree(ours(settings)));
+        let settings = Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
+        let on_tree = || Observed::new(on_own_tree(ours(settings)));
         match side_by_side(case, seed, || ours(settings)) {
-            // Rapier 0.36 sweeps fast bodies through the tree, which has its answers in an order of its own.
+            // Rapier 0.36 sweeps fast bodies through the tree, and the order of the tree's answers counts.
             found @ Found::Difference(_) => match side_by_side(case, seed, on_tree) {
                 Found::Equal => Found::ByTree,
                 _ => found.of_seed(seed),
@@ -70,8 +69,8 @@ fn end<S: Steppable>(case: &Case, seed: u64, create: impl FnOnce() -> S) -> End 
     }
 }
 
-/// Steps two worlds side by side, on Rapier's own broad phase and on another one, with the events of each update in order. After
-/// each step both must hold the same pairs, and at the end all bodies must be equal to the bit.
+/// Steps two worlds side by side, on Rapier's own broad phase and on another one, with the events of each update in order. Both must
+/// hold the same pairs after each step, and all bodies must be equal to the bit at the end.
 fn side_by_side<B: BroadPhase>(
     case: &Case,
     seed: u64,
@@ -104,7 +103,7 @@ fn side_by_side<B: BroadPhase>(
     }
 }
 
-/// How the pairs of two broad phases differ, if they do. Pairs that the narrow phase drops anyway do not count.
+/// The difference between the pairs of two broad phases. Pairs that the narrow phase drops anyway do not count.
 fn between<A, B>(world: &World, default: &Observed<A>, ours: &Observed<B>) -> Option<String> {
     if let Some(event) = ours.held_fault() {
         return Some(format!("unisize reports {event:?}, which changes nothing"));
@@ -113,7 +112,7 @@ fn between<A, B>(world: &World, default: &Observed<A>, ours: &Observed<B>) -> Op
         let colliders = [pair.collider1, pair.collider2].map(|handle| world.colliders.get(handle));
         match colliders {
             [Some(a), Some(b)] => world.may_touch(a, b),
-            // Nobody should hold what is not there.
+            // No broad phase should hold a pair of a removed collider.
             _ => true,
         }
     };
@@ -129,7 +128,7 @@ fn between<A, B>(world: &World, default: &Observed<A>, ours: &Observed<B>) -> Op
 
 #[cfg(test)]
 mod tests {
-    use super::super::seldom::Seldom;
+    use super::super::scenes::Seldom;
     use super::*;
     use crate::stability::family::Family;
 
@@ -139,7 +138,7 @@ mod tests {
         Observed::new(UnisizeBroadPhase::with_settings(settings))
     }
 
-    /// What reports no pairs lets everything fall through everything.
+    /// Without pairs, all bodies fall through each other.
     #[test]
     fn a_broken_broad_phase_fails_alone() {
         for name in ["stacks", "mass-ratios", "spins"] {
@@ -163,7 +162,7 @@ mod tests {
         assert!(probe.panic_alone().is_some() && !probe.is_sound(1));
     }
 
-    /// Pairs that come a step late are found out, even where nothing touches yet.
+    /// A pair that comes a step late is a difference, even if the colliders do not touch yet.
     #[test]
     fn one_pair_that_is_late_is_a_difference() {
         let case = Family::named("spins").case(10.0);
@@ -175,12 +174,12 @@ mod tests {
         assert!(difference.contains("alone holds Some"), "{difference}");
     }
 
-    /// Boxes at the largest speed that there is make some versions of Rapier panic.
+    /// Boxes at the largest finite speed make some versions of Rapier panic.
     #[test]
     fn a_panic_is_whose_it_is() {
         let extremes = Family::named("extremes");
         let case = extremes.case(extremes.range[1]);
-        let settings = Settings::default().with_filter(crate::version::FILTER_OF_DEFAULT);
+        let settings = Settings::default().with_filter(crate::FILTER_OF_DEFAULT);
         let alone = end(&case, 1, || {
             install(Observed::new(OwnBroadPhase::new()).sorted())
         });

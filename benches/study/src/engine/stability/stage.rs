@@ -4,19 +4,19 @@ use super::scenes::World;
 use super::scenes::rapier::prelude::*;
 use super::space::{Place, distance, gap, is_finite, motion, place_of};
 
-/// So far from its place, in metres, or apart, in links, has something failed: half a box, and half a link.
+/// A body fails this far from its place, in metres, and a joint this far apart, in links: half a box, and half a link.
 const HALF: f64 = 0.5;
 
 /// A world that was built for a case.
 pub(super) struct Stage {
     pub(super) world: World,
-    /// Where bodies were put that should stay there.
+    /// The places of the bodies that should not move.
     pub(super) places: Vec<(RigidBodyHandle, Place)>,
-    /// What should hold together: a joint and the bodies that it joins.
+    /// The joints that should hold, each with its bodies.
     pub(super) links: Vec<(ImpulseJointHandle, [RigidBodyHandle; 2])>,
-    /// What bodies should stay in, as the lower and the upper corner.
+    /// The lower and the upper corner of the box that no body should leave.
     pub(super) bounds: [Place; 2],
-    /// Whether anything may happen but a panic.
+    /// Whether only a panic counts as a failure.
     pub(super) is_lawless: bool,
     /// The units in a metre, and in a link.
     pub(super) metre: f64,
@@ -24,7 +24,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// Whether something is not finite, has left its place, its joint or its bounds.
+    /// Whether a body is not finite or has left its place or bounds, or a joint is torn.
     pub(super) fn has_failed(&self) -> bool {
         if self.is_lawless {
             return false;
@@ -51,7 +51,7 @@ impl Stage {
             || bodies.iter().any(is_outside)
     }
 
-    /// The pose and the velocities of every body, as texts that differ if a bit does.
+    /// The pose and the velocities of every body as text, which differs if a bit does.
     pub(super) fn motions(&self) -> Vec<String> {
         let bodies = self.world.bodies.iter();
         bodies.map(|(_, body)| motion(body)).collect()
@@ -65,7 +65,7 @@ fn exceeds(figure: f64, bound: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::flavour;
+    use super::super::scenes;
     use super::super::space::{along, vector};
     use super::*;
     use crate::stability::family::Family;
@@ -103,7 +103,7 @@ mod tests {
     #[test]
     fn a_spin_must_be_finite_as_well() {
         let is_finite = |body: RigidBodyBuilder| is_finite(&motion(&body.build()));
-        let spin = |speed| flavour::spin(speed, [0.0, 0.0, 1.0]);
+        let spin = |speed| scenes::spin([0.0, 0.0, speed]);
         let body = RigidBodyBuilder::dynamic;
         assert!(is_finite(
             body().angvel(spin(1.0)).translation(vector(along(0, 1.0)))

@@ -1,8 +1,7 @@
 //! Fast bodies: continuous collision detection, hard and soft.
 
 use super::rapier::prelude::*;
-use super::spin;
-use super::twins::{Twins, at, cuboid, dynamic};
+use super::twins::{Twins, at, cuboid, dynamic, spin};
 
 /// Whether CCD is hard, and how far ahead soft CCD looks. What is faster than that may pass, but must do so in both worlds.
 const KINDS: [(bool, Real); 7] = [

@@ -2,8 +2,8 @@
 //! with each filter, what can be seen is the same as with Rapier's own broad phase.
 
 use super::rapier::prelude::*;
+use super::scenes::groups;
 use super::twins::{Twins, at, cube, dynamic, fixed};
-use super::version::groups;
 use super::{PairFilter, World};
 
 /// How many steps are made after each change.

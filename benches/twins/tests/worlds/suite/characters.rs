@@ -2,8 +2,9 @@
 
 use super::rapier::control::{CharacterCollision, KinematicCharacterController};
 use super::rapier::prelude::*;
+use super::scenes::Vector;
 use super::twins::{Twins, at, cube, dynamic};
-use super::version::{Vector, origin};
+use super::version::origin;
 
 /// Half the height of the character.
 const HALF: Real = 0.6;

@@ -2,7 +2,6 @@
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, fixed};
-use super::version::remove_collider;
 
 /// Inserts a collider without a body that meets everything.
 fn insert_loose(twins: &mut Twins, x: Real, sensor: bool) -> ColliderHandle {
@@ -47,7 +46,7 @@ fn colliders_that_come_and_go() {
     assert!(twins.collide().stopped(solid, other, true));
     twins.change(other, |other| other.set_enabled(true));
     assert!(twins.collide().started(solid, other));
-    twins.both(|world| remove_collider(world, other));
+    twins.both(|world| world.remove_collider(other));
     assert!(twins.collide().stopped(solid, other, true));
     let again = insert_loose(&mut twins, 0.9, false);
     assert!(twins.collide().started(solid, again));

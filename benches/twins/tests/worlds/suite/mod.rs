@@ -1,10 +1,11 @@
 //! The tests: one source for both versions of Rapier and every flavour, which the module that includes it names as `rapier`.
 
 use super::rapier;
+use super::scenes;
 use super::version;
 use super::{Installed, Observed, OwnBroadPhase, PairFilter, Settings, Steppable, Trial};
 use super::{UnisizeBroadPhase, World, install};
-use super::{hinge, mesh_floor, spin};
+use super::{hinge, mesh_floor};
 use crate::cases::cases;
 
 mod bullets;

@@ -14,8 +14,8 @@ use std::fmt::Debug;
 use super::random::Random;
 use super::rapier::parry::query::ShapeCastOptions;
 use super::rapier::prelude::*;
+use super::scenes::groups;
 use super::twins::{Twins, at, cube, fixed, triple};
-use super::version::{self, groups};
 use super::version::{cast_shape, distance, project_feature, project_point};
 use super::{Settings, cases};
 
@@ -105,7 +105,7 @@ impl Asked {
         self.twins.both(|world| {
             let parent = world.colliders[handle].parent();
             match kind {
-                4..8 => return version::remove_collider(world, handle),
+                4..8 => return world.remove_collider(handle),
                 8 | 9 if parent.is_some() => {
                     world.bodies[parent.expect("it has one")].set_position(pose, true);
                     return;

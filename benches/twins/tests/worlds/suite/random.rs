@@ -2,10 +2,10 @@
 
 use oorandom::Rand32;
 
+use super::mesh_floor;
 use super::rapier::prelude::*;
-use super::twins::triple;
-use super::version::{Pose, Vector, pose};
-use super::{mesh_floor, spin};
+use super::scenes::{Pose, Vector, pose};
+use super::twins::{spin, triple};
 
 /// Radii and half extents, tiny and huge ones among them.
 const LENGTHS: [Real; 8] = [0.5, 0.25, 1.0, 0.5, 3.0, 0.01, 0.001, 200.0];

@@ -9,6 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::cases;
 use super::random::Random;
 use super::rapier::prelude::*;
+use super::scenes::groups;
 use super::snapshot::EventLog;
 use super::twins::{Twins, assert_alike, at, cuboid};
 use super::version;
@@ -173,7 +174,7 @@ impl Playground {
             1 => self.change(|it| it.set_translation_wrt_parent(place)),
             2 => self.change(|it| it.set_density(2.0)),
             3 => self.change(|it| it.set_sensor(!on)),
-            4 => self.change(|it| it.set_collision_groups(version::groups(bits, bits))),
+            4 => self.change(|it| it.set_collision_groups(groups(bits, bits))),
             5 => self.change(|it| it.set_enabled(on)),
             6 => self.change(|it| it.set_friction(0.3)),
             _ => {

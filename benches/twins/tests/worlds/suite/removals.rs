@@ -2,7 +2,6 @@
 
 use super::rapier::prelude::*;
 use super::twins::{Twins, cube, dynamic};
-use super::version::remove_collider;
 
 #[test]
 fn removing_the_floor_wakes_what_sleeps_on_it() {
@@ -12,7 +11,7 @@ fn removing_the_floor_wakes_what_sleeps_on_it() {
         let (body, cube) = twins.insert(dynamic(0.0, 0.5), cube());
         twins.step_until(|seen| seen.sleeps(body));
         twins.both(|world| match only_its_collider {
-            true => remove_collider(world, floor),
+            true => world.remove_collider(floor),
             false => world.remove(floor_body),
         });
         let seen = twins.step();

@@ -5,7 +5,8 @@ use std::sync::Mutex;
 
 use super::World;
 use super::rapier::prelude::*;
-use super::version::{self, Pose, Vector, origin};
+use super::scenes::{Pose, Vector, own, touches};
+use super::version::{self, origin};
 
 /// Two colliders, the smaller handle first.
 pub(crate) type Pair = [(u32, u32); 2];
@@ -81,7 +82,7 @@ pub(crate) struct Snapshot {
 /// The pairs with an active contact.
 pub(crate) fn contacts(narrow_phase: &NarrowPhase) -> BTreeSet<Pair> {
     let contacts = narrow_phase.contact_pairs();
-    let contacts = contacts.filter(|contact| version::touches(contact));
+    let contacts = contacts.filter(|contact| touches(contact));
     contacts
         .map(|contact| pair(contact.collider1, contact.collider2))
         .collect()
@@ -96,7 +97,7 @@ impl Snapshot {
             bodies.map(|(handle, body)| (handle.into_raw_parts().0, body))
         };
         let asleep = bodies().filter(|(_, body)| body.is_sleeping());
-        let pose = |body: &RigidBody| (*body.position(), version::linvel(body));
+        let pose = |body: &RigidBody| (*body.position(), own(body.linvel()));
         let poses = bodies().map(|(index, body)| (index, pose(body)));
         let mut events = log.0.into_inner().expect("no handler panics");
         events.sort_unstable();

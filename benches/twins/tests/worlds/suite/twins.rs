@@ -4,11 +4,10 @@ use std::fmt::Debug;
 
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
+use super::scenes::{self, AngVector, Vector, vector};
 use super::snapshot::{EventLog, Snapshot};
-use super::version::{self, Vector};
+use super::version;
 use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
-
-pub(crate) use super::version::triple;
 
 pub(crate) struct Twins {
     pub(crate) ours: World,
@@ -168,8 +167,8 @@ impl Twins {
     /// One step of a collision pipeline, without dynamics.
     pub(crate) fn collide(&mut self) -> Snapshot {
         let logs = [EventLog::default(), EventLog::default()];
-        version::collide(&mut self.ours, self.unisize.for_step(), &logs[0]);
-        version::collide(&mut self.theirs, self.default.for_step(), &logs[1]);
+        self.ours.collide(self.unisize.for_step(), &logs[0]);
+        self.theirs.collide(self.default.for_step(), &logs[1]);
         self.compare(logs)
     }
 
@@ -214,6 +213,16 @@ pub(crate) fn assert_alike(ours: &Snapshot, theirs: &Snapshot) {
         let [ours, theirs] = [ours, theirs].map(|seen| format!("{seen:#?}"));
         assert_eq!(ours, theirs, "with ours (left) and with Rapier's (right)");
     }
+}
+
+/// The vector with these components. A world of two dimensions ignores the last one.
+pub(crate) fn triple(xyz: [Real; 3]) -> Vector {
+    vector(|axis| xyz[axis])
+}
+
+/// A spin of this many radians per second about the third axis, and in 3D also about the others.
+pub(crate) fn spin(speed: Real) -> AngVector {
+    scenes::spin([0.3 * speed, 0.1 * speed, speed])
 }
 
 /// The point or direction in the plane of the first two axes.

@@ -5,9 +5,10 @@ use std::ops::Range;
 
 use super::rapier::parry::bounding_volume::BoundingVolume;
 use super::rapier::prelude::*;
+use super::scenes::Vector;
 use super::snapshot::{Event, EventLog, Snapshot, pair};
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed, triple};
-use super::version::{self, remove_collider};
+use super::version;
 use super::{Installed, PairFilter, Settings, Steppable, UnisizeBroadPhase, World, install};
 
 /// Balls without bodies, which meet all, and a broad phase that is compared with all pairs of them.
@@ -33,7 +34,7 @@ impl Compared {
         compared
     }
 
-    fn insert(&mut self, place: version::Vector) {
+    fn insert(&mut self, place: Vector) {
         let ball = ColliderBuilder::ball(0.5)
             .translation(place)
             .active_collision_types(ActiveCollisionTypes::all());
@@ -41,17 +42,14 @@ impl Compared {
     }
 
     /// Moves the ball of this number.
-    fn place(&mut self, ball: usize, place: version::Vector) {
+    fn place(&mut self, ball: usize, place: Vector) {
         self.world.colliders[self.balls[ball]].set_translation(place);
     }
 
     /// Updates the pairs. Every two enabled colliders must be one whose boxes overlap, and none whose boxes are far apart.
     fn check(&mut self) {
-        version::collide(
-            &mut self.world,
-            self.unisize.for_step(),
-            &EventLog::default(),
-        );
+        self.world
+            .collide(self.unisize.for_step(), &EventLog::default());
         self.unisize.validate();
         let pairs = self.unisize.pairs();
         let held: BTreeSet<_> = pairs.map(|it| pair(it.collider1, it.collider2)).collect();
@@ -112,7 +110,7 @@ fn all_is_removed_and_added_between_two_updates() {
     let mut compared = Compared::new();
     for round in 0..6 {
         for ball in std::mem::take(&mut compared.balls) {
-            remove_collider(&mut compared.world, ball);
+            compared.world.remove_collider(ball);
         }
         for i in 0..20 + round {
             compared.insert(at(0.8 * (i % 5) as Real, 0.8 * (i / 5) as Real));

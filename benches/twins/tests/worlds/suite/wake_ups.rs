@@ -5,10 +5,10 @@
 use super::World;
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
-use super::version::{self, remove_collider};
+use super::{scenes, version};
 
 fn groups(bits: Group) -> InteractionGroups {
-    version::groups(bits, bits)
+    scenes::groups(bits, bits)
 }
 
 fn post() -> ColliderBuilder {
@@ -52,7 +52,7 @@ fn a_part_that_leaves_its_body_for_a_fixed_one() {
 #[test]
 fn a_post_that_is_near_and_does_not_touch() {
     let changes: [fn(&mut World, ColliderHandle); 3] = [
-        remove_collider,
+        World::remove_collider,
         |world, post| world.colliders[post].set_translation_wrt_parent(at(0.001, 0.0)),
         |world, post| world.colliders[post].set_enabled(false),
     ];

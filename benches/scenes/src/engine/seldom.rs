@@ -1,23 +1,24 @@
-//! A broad phase that is updated once in so many steps: in between, it keeps its pairs, and the simulation goes on with them.
+//! A broad phase that is updated only in every n-th step. It keeps its pairs in between, and the simulation goes on with them.
 
-use super::scenes::rapier::prelude::*;
+use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
 
-/// A broad phase that is updated once in so many steps.
+/// A broad phase that is updated only in every n-th step.
 #[derive(Clone)]
-pub(super) struct Seldom<B> {
+pub struct Seldom<B> {
     inner: B,
     interval: usize,
-    /// How many updates there were with something to do.
+    /// The number of updates that listed a collider or followed new boxes.
     busy: usize,
-    /// What was modified since it was last updated.
+    /// The colliders that were modified since the last update.
     pending: Vec<ColliderHandle>,
-    /// Whether boxes were handed over since the last update.
+    /// Whether boxes were passed since the last update.
     has_boxes: bool,
 }
 
 impl<B> Seldom<B> {
-    pub(super) fn new(inner: B, interval: usize) -> Self {
+    /// Updates the broad phase in every `interval`-th step that has something to update.
+    pub fn new(inner: B, interval: usize) -> Self {
         Self {
             inner,
             interval,
@@ -29,7 +30,7 @@ impl<B> Seldom<B> {
 }
 
 impl<B: BroadPhase> Seldom<B> {
-    /// Runs an update, about modified and removed colliders, if one is due: with all that was modified since the last one.
+    /// Runs an update if one is due, with all colliders that were modified since the last one.
     fn update_if_due(
         &mut self,
         [modified, removed]: [&[ColliderHandle]; 2],
@@ -39,7 +40,7 @@ impl<B: BroadPhase> Seldom<B> {
         let is_busy = !modified.is_empty() || std::mem::take(&mut self.has_boxes);
         let is_due = is_busy && self.busy % self.interval == 0;
         self.busy += usize::from(is_busy);
-        // Nobody may hold pairs of what is not there.
+        // No pair of a removed collider may stay.
         if is_due || !removed.is_empty() {
             self.pending
                 .sort_unstable_by_key(|handle| handle.into_raw_parts());
@@ -95,23 +96,24 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ours::UnisizeBroadPhase;
-    use super::super::scenes::rapier::prelude::*;
-    use super::super::scenes::{Observed, Steppable, World, install};
-    use super::super::space::{along, place, vector};
+    use super::super::observed::Observed;
+    use super::super::rapier::prelude::*;
+    use super::super::space::{Vector, along};
+    use super::super::version::{OwnBroadPhase, install};
+    use super::super::world::{Steppable, World};
     use super::Seldom;
 
-    /// Of two balls that fly through each other, the pair is held at these steps.
+    /// The steps at which the pair of two balls that fly through each other is held.
     fn held(interval: usize) -> Vec<bool> {
-        let mut world = World::new(vector(place(|_| 0.0)));
+        let mut world = World::new(Vector::default());
         for side in [-1.0, 1.0] {
             let ball = ColliderBuilder::ball(0.5).sensor(true);
             let body = RigidBodyBuilder::dynamic()
-                .translation(vector(along(0, 0.9 * side)))
-                .linvel(vector(along(0, -12.0 * side)));
+                .translation(along(0, 0.9 * side))
+                .linvel(along(0, -12.0 * side));
             world.insert(body, ball);
         }
-        let seldom = Seldom::new(UnisizeBroadPhase::new(), interval);
+        let seldom = Seldom::new(OwnBroadPhase::new(), interval);
         let mut broad_phase = install(Observed::new(seldom).with_held());
         let step = |_| {
             world.step(broad_phase.for_step(), &(), &());
