@@ -104,7 +104,7 @@ async function check({ sources, lists }) {
     results.push({ name, found: words[4], expected: expected.length, invalid: words[6], same });
     for (const each of [...new Set([...buffers, ...copies])]) each.destroy();
   }
-  return { adapter: adapter.info?.description || adapter.info?.vendor, errors, results };
+  return { adapter: `${adapter.info.vendor} ${adapter.info.architecture}`, errors, results };
 }
 
 /** Numbers from a seed, in 0..1. */

@@ -30,9 +30,7 @@ const ADVANCE: &str = "
 @compute @workgroup_size(256)
 fn advance(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) t: u32) {
   let i = (group.y * 32768u + group.x) * 256u + t;
-  if i >= BOXES {
-    return;
-  }
+  if i >= BOXES { return; }
   for (var k = 0u; k < AXES; k++) {
     let x = boxes[2u * AXES * i + k] + velocities[AXES * i + k];
     if x < 0.0 || x > REACH {
@@ -44,9 +42,7 @@ fn advance(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
   }
 }";
 
-type Outcome<T = ()> = Result<T, Box<dyn Error>>;
-
-fn main() -> Outcome {
+fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::new(None)?;
     let info = gpu.adapter.get_info();
     println!("{} ({:?})", info.name, info.backend);
@@ -62,7 +58,7 @@ fn main() -> Outcome {
             println!(
                 "Medians of {FRAMES} frames, ms: all passes; each of these; upload, download, GridSweep"
             );
-            println!("{:?}", GpuSweep::<2>::PASSES);
+            println!("{:?}", GpuSweep::<2>::passes());
             for power in least.parse()?..=most.parse()? {
                 for keeps_grids in [false, true].map(Some) {
                     frames::<2>(&gpu, power, 0.2, keeps_grids)?;
@@ -83,7 +79,7 @@ fn frames<const D: usize>(
     power: u32,
     density: f64,
     keeps_grids: Option<bool>,
-) -> Outcome {
+) -> Result<(), Box<dyn Error>> {
     let Gpu { device, queue, .. } = gpu;
     let count = 1_u32 << power;
     let (advance, group, boxes) = boxes_that_move::<D>(gpu, count, density);
@@ -94,7 +90,7 @@ fn frames<const D: usize>(
     };
     let mut sweep = GpuSweep::<D>::new(device, capacity)?;
     sweep.keep_grids(keeps_grids == Some(true));
-    let stamps = 2 * GpuSweep::<D>::PASSES.len();
+    let stamps = 2 * GpuSweep::<D>::passes().len();
     let has_times = device.features().contains(Features::TIMESTAMP_QUERY);
     let times = has_times.then(|| {
         device.create_query_set(&wgpu::QuerySetDescriptor {

@@ -5,39 +5,31 @@ use wgpu::{
     ComputePipelineDescriptor, Device, ShaderModuleDescriptor, ShaderSource,
 };
 
-/// How many groups of threads a kernel needs.
+/// How many groups of threads a kernel needs: one, one for so many boxes, one for the cells that a group scans, or as many as the kernel
+/// before it has found work for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Groups {
     One,
-    /// One for so many boxes.
     Boxes(u32),
-    /// One for the cells that a group scans.
     Cells,
-    /// As many as the kernel before it has found work for.
     Indirect,
 }
+
+use Groups::{Boxes, Cells, Indirect, One};
 
 /// A compute shader: its entry point, the bindings that it uses, and its groups.
 pub(crate) type Kernel = (&'static str, &'static [u32], Groups);
 
 /// All kernels.
 pub(crate) const KERNELS: [Kernel; 8] = [
-    ("choose", &[0, 1, 2, 3, 7], Groups::One),
-    ("assign", &[0, 1, 2, 3, 4, 6, 7], Groups::Boxes(256)),
-    ("sum_counts", &[2, 3, 4, 8], Groups::Cells),
-    ("scan_counts", &[2, 4, 8], Groups::Cells),
-    ("scatter", &[0, 1, 5, 6, 9, 10], Groups::Boxes(256)),
-    (
-        "find",
-        &[0, 3, 5, 11, 12, 13, 14, 15, 16],
-        Groups::Boxes(128),
-    ),
-    (
-        "find_long",
-        &[0, 3, 5, 11, 12, 14, 15, 16],
-        Groups::Indirect,
-    ),
-    ("finish", &[0, 3, 17], Groups::One),
+    ("choose", &[0, 1, 2, 3, 7], One),
+    ("assign", &[0, 1, 2, 3, 4, 6, 7], Boxes(256)),
+    ("sum_counts", &[2, 3, 4, 8], Cells),
+    ("scan_counts", &[2, 4, 8], Cells),
+    ("scatter", &[0, 1, 5, 6, 9, 10], Boxes(256)),
+    ("find", &[0, 3, 5, 11, 12, 13, 14, 15, 16], Boxes(128)),
+    ("find_long", &[0, 3, 5, 11, 12, 14, 15, 16], Indirect),
+    ("finish", &[0, 3, 17], One),
 ];
 
 /// Size classes, as in the shaders.

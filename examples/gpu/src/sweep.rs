@@ -60,17 +60,6 @@ struct Bound {
 }
 
 impl<const D: usize> GpuSweep<D> {
-    /// The names of the passes of a frame.
-    pub const PASSES: [&'static str; PASSES.len()] = {
-        let mut names = [""; PASSES.len()];
-        let mut i = 0;
-        while i < PASSES.len() {
-            names[i] = KERNELS[PASSES[i]].0;
-            i += 1;
-        }
-        names
-    };
-
     /// A sweep with memory for so many boxes and pairs.
     ///
     /// # Errors
@@ -104,7 +93,12 @@ impl<const D: usize> GpuSweep<D> {
         self.keeps_grids = keeps;
     }
 
-    /// Writes a timestamp before and after each of the [`PASSES`](Self::PASSES) of the next frames, from the first of the set on.
+    /// The names of the passes of a frame.
+    pub fn passes() -> [&'static str; PASSES.len()] {
+        PASSES.map(|kernel| KERNELS[kernel].0)
+    }
+
+    /// Writes a timestamp before and after each of the [`passes`](Self::passes) of the next frames, from the first of the set on.
     pub fn set_times(&mut self, times: Option<QuerySet>) {
         self.times = times;
     }
@@ -170,10 +164,7 @@ impl<const D: usize> GpuSweep<D> {
     }
 
     fn bind(&self, boxes: &Buffer, count: u32, keeps_grids: bool) -> Bound {
-        let Capacity {
-            boxes: most,
-            pairs: most_pairs,
-        } = self.capacity;
+        let (most, most_pairs) = (self.capacity.boxes, self.capacity.pairs);
         let shares = (most >> 18).max(1);
         let cells = cell_capacity(most);
         let mut words = vec![count, most, most_pairs, cells, keeps_grids.into(), shares];

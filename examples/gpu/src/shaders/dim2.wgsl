@@ -1,6 +1,5 @@
 // Two dimensions: what depends on their number.
 
-alias B = vec2<bool>;
 alias F = vec2<f32>;
 alias I = vec2<i32>;
 alias U = vec2<u32>;

@@ -1,6 +1,5 @@
 // Three dimensions: what depends on their number.
 
-alias B = vec3<bool>;
 alias F = vec3<f32>;
 alias I = vec3<i32>;
 alias U = vec3<u32>;

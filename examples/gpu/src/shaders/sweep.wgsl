@@ -19,7 +19,7 @@ const LONG_RANGE = 16u;
 const LONG_ROW = 256u;
 const LANES = 16u;
 
-// Places saturate at this number of quanta, so that three of them add up to less than an i32 can hold.
+// Places saturate at this number of quanta, so that an i32 can hold the sum of three.
 const FARTHEST = 536870912;
 // The greatest finite number, as a key.
 const LARGEST = 0x7f7fffff;
@@ -179,7 +179,7 @@ fn choose(@builtin(local_invocation_index) t: u32) {
   var rank = U(0u);
   for (var j = 0u; j < samples; j++) {
     let other = sampled[j];
-    rank += select(U(0u), U(1u), (other < start) | ((other == start) & B(j < t)));
+    rank += select(U(0u), U(1u), select(other < start, other <= start, j < t));
   }
   if t < samples {
     let margin = samples / 16u;

@@ -11,15 +11,12 @@ mod numbers;
 #[path = "../../../../tests/oracle/random.rs"]
 mod random;
 
-mod answers;
-
-use answers::Tested;
 use boxes::uniform;
 use inputs::Input;
 use numbers::{alphabet, stepped};
 use random::Random;
 use unisize::{Aabb, BruteForce, GridSweep, InvalidInputReason, PairFinder};
-use unisize_gpu::{Capacity, GpuError, GpuSweep};
+use unisize_gpu::{Capacity, Gpu, GpuError, GpuSweep, read, upload};
 use unisize_scenes as arrangements; // By this name the oracle's inputs ask for them.
 use unisize_scenes::HardBoxes;
 
@@ -36,9 +33,52 @@ fn expected<const D: usize>(
     pairs
 }
 
-fn hard_boxes<const D: usize>(kind: HardBoxes, count: usize) -> Boxes<D> {
-    let boxes = kind.boxes(count, 7).into_iter();
-    boxes.map(|[mins, maxs]| Aabb::new(mins, maxs)).collect()
+/// A sweep with its device.
+struct Tested<const D: usize> {
+    gpu: Gpu,
+    sweep: GpuSweep<D>,
+}
+
+impl<const D: usize> Tested<D> {
+    fn new(boxes: u32, pairs: u32) -> Self {
+        let gpu = Gpu::new(Some(wgpu::Limits::default()));
+        let gpu = gpu.expect("an adapter (Debian: apt-get install mesa-vulkan-drivers)");
+        let sweep = GpuSweep::new(&gpu.device, Capacity { boxes, pairs });
+        let sweep = sweep.expect("there is memory for so little");
+        Self { gpu, sweep }
+    }
+
+    /// The sorted pairs.
+    fn pairs(&mut self, boxes: &[Aabb<f32, D>]) -> Vec<[u32; 2]> {
+        self.try_pairs(boxes).expect("the boxes are valid")
+    }
+
+    fn try_pairs(&mut self, boxes: &[Aabb<f32, D>]) -> Result<Vec<[u32; 2]>, GpuError> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let mut pairs = vec![[7, 7]];
+        let found = self.sweep.find_pairs(device, queue, boxes, &mut pairs);
+        assert!(found.is_ok() || pairs.is_empty(), "pairs after an error");
+        pairs.sort_unstable();
+        found.map(|()| pairs)
+    }
+
+    /// The seven words of a frame of boxes in a buffer, and the pairs, sorted.
+    fn record(&mut self, boxes: &[Aabb<f32, D>]) -> (Vec<u32>, Vec<[u32; 2]>) {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let sides = boxes.iter().flat_map(|b| [b.mins, b.maxs]).flatten();
+        let buffer = upload(device, &sides.collect::<Vec<f32>>());
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let recorded = self.sweep.record(&mut encoder, &buffer, boxes.len() as u32);
+        recorded.expect("so many boxes fit");
+        queue.submit([encoder.finish()]);
+        let read = |from, words| read(device, queue, from, words).expect("the device works");
+        let words = read(self.sweep.count(), 7);
+        let pairs = read(self.sweep.pairs(), 2 * u64::from(words[3]));
+        let pairs = pairs.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
+        let mut pairs: Vec<_> = pairs.collect();
+        pairs.sort_unstable();
+        (words, pairs)
+    }
 }
 
 /// Two tests of each function: in two dimensions and in three.
@@ -79,20 +119,25 @@ fn families<const D: usize>() {
 fn many_boxes<const D: usize>() {
     let mut tested = Tested::<D>::new(1, 1);
     let mut inputs: Vec<(&str, Boxes<D>)> = Vec::new();
-    for kind in HardBoxes::ALL {
-        let count = if kind.are_too_many(10_000) {
-            2_000
-        } else {
-            10_000
-        };
-        inputs.push((kind.name(), hard_boxes(kind, count)));
-    }
-    for kind in [
+    let many = [
         HardBoxes::Uniform,
         HardBoxes::OneToFour,
         HardBoxes::FewLarge,
-    ] {
-        inputs.push((kind.name(), hard_boxes(kind, 200_000)));
+    ];
+    for kind in HardBoxes::ALL {
+        let count = if many.contains(&kind) {
+            200_000
+        } else {
+            10_000
+        };
+        let count = if kind.are_too_many(count) {
+            2_000
+        } else {
+            count
+        };
+        let boxes = kind.boxes(count, 7).into_iter();
+        let boxes = boxes.map(|[mins, maxs]| Aabb::new(mins, maxs));
+        inputs.push((kind.name(), boxes.collect()));
     }
     let mut boxes = uniform::<f32, D>(5, 200_000, 0.2);
     let half = 0.5 * 1e6_f64.powf(1.0 / D as f64) as f32;
@@ -103,11 +148,7 @@ fn many_boxes<const D: usize>() {
     inputs.push(("huge boxes among small ones", boxes));
     for (name, boxes) in inputs {
         let pairs = expected(GridSweep::default(), &boxes);
-        assert!(
-            tested.pairs(&boxes) == pairs,
-            "{} boxes, {name}",
-            boxes.len()
-        );
+        assert!(tested.pairs(&boxes) == pairs, "{name}, {}", boxes.len());
     }
 }
 
@@ -120,9 +161,8 @@ fn random_numbers<const D: usize>() {
         (0, _) => random.pick(&numbers),
         (_, 0) => stepped(before, 1),
         (_, 1) => before,
-        _ => Some(f32::from_bits(random.below(1 << 32) as u32))
-            .filter(|x| !x.is_nan())
-            .unwrap_or(0.0),
+        // Of a NaN and another number, `max` returns the number.
+        _ => f32::from_bits(random.below(1 << 32) as u32).max(f32::NEG_INFINITY),
     };
     for round in 0..80 {
         let sides = |_| {
@@ -143,10 +183,7 @@ fn invalid_boxes<const D: usize>() {
     let mut tested = Tested::<D>::new(1000, 10_000);
     let above_zero = 0.0_f32.next_up();
     let infinity = f32::INFINITY;
-    for (index, axis) in [0, 500, 998]
-        .into_iter()
-        .flat_map(|i| (0..D).map(move |k| (i, k)))
-    {
+    for (index, axis) in (0..3 * D).map(|i| (499 * (i / D), i % D)) {
         let low = valid[index].mins[axis];
         let is_inverted = InvalidInputReason::Inverted { axis };
         let is_no_number = InvalidInputReason::NotANumber { axis };
@@ -197,9 +234,8 @@ fn kept_grids<const D: usize>() {
     tested.sweep.keep_grids(true);
     for (scale, grown) in [(1.0, 0.0), (3.0, 0.5), (0.1, 0.0), (1e30, 1e28), (1.0, 2.0)] {
         let moved = boxes.iter().enumerate().map(|(i, b)| {
-            let maxs = b
-                .maxs
-                .map(|x| x * scale + if i % 3 == 0 { grown } else { 0.0 });
+            let more = if i % 3 == 0 { grown } else { 0.0 };
+            let maxs = b.maxs.map(|x| x * scale + more);
             Aabb::new(b.mins.map(|x| x * scale), maxs)
         });
         let moved: Boxes<D> = moved.collect();
@@ -218,14 +254,9 @@ fn no_boxes_and_too_many<const D: usize>() {
     let mut encoder = device.create_command_encoder(&Default::default());
     let buffer = tested.sweep.pairs().clone();
     let refused = tested.sweep.record(&mut encoder, &buffer, 2);
-    assert!(matches!(
-        refused,
-        Err(GpuError::TooMany {
-            wanted: 2,
-            limit: 1,
-            ..
-        })
-    ));
+    assert!(
+        refused.is_err_and(|it| it.to_string() == "2 boxes are more than 1, which is the limit")
+    );
     for (boxes, pairs) in [((1 << 23) + 1, 1), (u32::MAX, 1), (1, u32::MAX)] {
         let refused = GpuSweep::<D>::new(device, Capacity { boxes, pairs });
         assert!(matches!(refused, Err(GpuError::TooMany { .. })));
