@@ -51,15 +51,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments[..] {
         [] => {
             let is_software = info.device_type == DeviceType::Cpu;
-            frames::<3>(&gpu, if is_software { 17 } else { 20 }, 0.1, None)
+            let power = if is_software { 17 } else { 20 };
+            println!("{} boxes", 1 << power);
+            frames::<3>(&gpu, power, 0.1, None)
         }
         ["--adapter"] => Ok(()),
         ["--sizes", least, most] => {
-            println!(
-                "Medians of {FRAMES} frames, ms: all passes; each of these; upload, download, GridSweep"
-            );
-            println!("{:?}", GpuSweep::<2>::passes());
-            for power in least.parse()?..=most.parse()? {
+            let passes = GpuSweep::<2>::passes().join(", ");
+            println!("medians, ms: all passes; {passes}; upload, download, GridSweep");
+            for power in least.parse()?..=most.parse::<u32>()?.min(23) {
                 for keeps_grids in [false, true].map(Some) {
                     frames::<2>(&gpu, power, 0.2, keeps_grids)?;
                     frames::<2>(&gpu, power, 0.8, keeps_grids)?;
@@ -125,7 +125,7 @@ fn frames<const D: usize>(
         queue.submit([encoder.finish()]);
         // A simulation would go on with shaders that use `sweep.pairs()`. This program only looks how many there are.
         let found = read(device, queue, sweep.count(), 7)?[4];
-        let mut row = vec![milliseconds(clock)];
+        let mut row = vec![1e3 * clock.elapsed().as_secs_f64()];
 
         let halves = read(device, queue, &resolved, 2 * stamps as u64)?;
         let at = |i: usize| u64::from(halves[2 * i]) | u64::from(halves[2 * i + 1]) << 32;
@@ -140,25 +140,23 @@ fn frames<const D: usize>(
         queue.write_buffer(&boxes, 0, bytemuck::cast_slice(&sides));
         queue.submit([]);
         read(device, queue, sweep.count(), 1)?;
-        row.push(milliseconds(clock));
+        row.push(1e3 * clock.elapsed().as_secs_f64());
         let clock = Instant::now();
         read(device, queue, sweep.pairs(), 2 * u64::from(found.min(most)))?;
-        row.push(milliseconds(clock));
+        row.push(1e3 * clock.elapsed().as_secs_f64());
 
         let at = |i: usize| std::array::from_fn(|k| f32::from_bits(sides[i + k]));
         let list = (0..sides.len()).step_by(2 * D);
         let list: Vec<Aabb<f32, D>> = list.map(|i| Aabb::new(at(i), at(i + D))).collect();
         let clock = Instant::now();
         on_processor.find_pairs(&list, &mut pairs)?;
-        row.push(milliseconds(clock));
+        row.push(1e3 * clock.elapsed().as_secs_f64());
         if pairs.len() != found as usize {
             return Err(format!("{found} pairs, but {} by GridSweep", pairs.len()).into());
         }
         if keeps_grids.is_none() {
             let [all, search] = [row[0], row[row.len() - 1]];
-            println!(
-                "frame {frame}: {found} pairs of {count} boxes; GPU {all:.2} ms, GridSweep {search:.2} ms"
-            );
+            println!("frame {frame}: {found} pairs; GPU {all:.2} ms, GridSweep {search:.2} ms");
         }
         rows.push(row);
     }
@@ -175,10 +173,6 @@ fn frames<const D: usize>(
         println!();
     }
     Ok(())
-}
-
-fn milliseconds(since: Instant) -> f64 {
-    since.elapsed().as_secs_f64() * 1e3
 }
 
 /// A shader that moves boxes, its buffers, and the boxes.

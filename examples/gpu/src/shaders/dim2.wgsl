@@ -7,12 +7,10 @@ const D = 2u;
 
 fn box_mins(i: u32) -> I { return I(boxes[4u * i], boxes[4u * i + 1u]); }
 fn box_maxs(i: u32) -> I { return I(boxes[4u * i + 2u], boxes[4u * i + 3u]); }
-
 fn read_entry(p: u32) -> Entry {
   let sides = entries[p];
   return Entry(sides.xy, sides.zw, ids[p]);
 }
-
 fn write_entry(p: u32, entry: Entry) {
   sorted_entries[p] = vec4<i32>(entry.mins, entry.maxs);
   sorted_ids[p] = entry.id;

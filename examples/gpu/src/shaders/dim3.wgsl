@@ -7,12 +7,10 @@ const D = 3u;
 
 fn box_mins(i: u32) -> I { return I(boxes[6u * i], boxes[6u * i + 1u], boxes[6u * i + 2u]); }
 fn box_maxs(i: u32) -> I { return I(boxes[6u * i + 3u], boxes[6u * i + 4u], boxes[6u * i + 5u]); }
-
 fn read_entry(p: u32) -> Entry {
   let low = entries[2u * p];
   return Entry(low.xyz, entries[2u * p + 1u].xyz, u32(low.w));
 }
-
 fn write_entry(p: u32, entry: Entry) {
   sorted_entries[2u * p] = vec4<i32>(entry.mins, i32(entry.id));
   sorted_entries[2u * p + 1u] = vec4<i32>(entry.maxs, 0);

@@ -5,7 +5,6 @@
 
 // Size classes, finest first. The last one accepts boxes of every size.
 const CLASSES = 4u;
-
 const GROUP = 256u;
 const PAIR_GROUP = 128u;
 // A dispatch of more groups than a dimension may have is that many wide.
@@ -18,13 +17,11 @@ const STAGE = 1024u;
 const LONG_RANGE = 16u;
 const LONG_ROW = 256u;
 const LANES = 16u;
-
 // Places saturate at this number of quanta, so that an i32 can hold the sum of three.
 const FARTHEST = 536870912;
 // The greatest finite number, as a key.
 const LARGEST = 0x7f7fffff;
 const NO_CELL = 0xffffffffu;
-
 // Words of `state`.
 const LEVEL = 0u;
 const INVALID = 1u;
@@ -306,13 +303,9 @@ fn assign(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     }
   }
   workgroupBarrier();
-  if t == 0u {
-    group_base = atomicAdd(&state[LEFT + level + 1u], atomicLoad(&group_count));
-  }
+  if t == 0u { group_base = atomicAdd(&state[LEFT + level + 1u], atomicLoad(&group_count)); }
   workgroupBarrier();
-  if is_left {
-    lists[((level + 1u) & 1u) * params.box_capacity + group_base + rank] = id;
-  }
+  if is_left { lists[((level + 1u) & 1u) * params.box_capacity + group_base + rank] = id; }
 }
 
 // ---- Where the entries of each cell start.
@@ -355,8 +348,7 @@ fn choose_partners() {
 }
 
 fn class_count(a: u32) -> f32 {
-  let left = atomicLoad(&state[LEFT + a + 1u]);
-  return f32(atomicLoad(&state[LEFT + a]) - left);
+  return f32(atomicLoad(&state[LEFT + a]) - atomicLoad(&state[LEFT + a + 1u]));
 }
 
 fn lookup_cost(a: u32, b: u32) -> f32 {
@@ -380,16 +372,13 @@ fn scan_counts(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocatio
   atomicAdd(&group_sum, before);
   for (var i = t; i < SCANNED; i += GROUP) {
     let cell = block * SCANNED + i;
-    var count = 0u;
-    if cell < plan.cells { count = atomicLoad(&counts[cell]); }
-    scanned[i] = count;
+    scanned[i] = 0u;
+    if cell < plan.cells { scanned[i] = atomicLoad(&counts[cell]); }
   }
   workgroupBarrier();
   let each = SCANNED / GROUP;
   var sum = 0u;
-  for (var i = 0u; i < each; i++) {
-    sum += scanned[t * each + i];
-  }
+  for (var i = 0u; i < each; i++) { sum += scanned[t * each + i]; }
   thread_sums[t] = sum;
   workgroupBarrier();
   for (var step = 1u; step < GROUP; step *= 2u) {
@@ -470,10 +459,7 @@ fn search(p: u32, thread: u32, threads: u32) -> bool {
     let own_row = cell_index(row_of(low, own), grid.dims);
     let rows = row_count(low, high);
     let is_wide = rows > LONG_RANGE;
-    if is_wide && threads == 1u {
-      is_long = true;
-      continue;
-    }
+    if is_wide && threads == 1u { is_long = true; continue; }
     let lanes = select(threads, LANES, is_wide);
     for (var row = thread / lanes; row < rows; row += threads / lanes) {
       let cell = cell_index(row_start(low, high, row), grid.dims);
@@ -482,10 +468,7 @@ fn search(p: u32, thread: u32, threads: u32) -> bool {
       if is_own && cell < own_row { continue; }
       if is_own && cell == own_row { first = p + 1u; }
       let is_crowded = end - first > LONG_ROW;
-      if threads == 1u && is_crowded {
-        is_long = true;
-        continue;
-      }
+      if is_crowded && threads == 1u { is_long = true; continue; }
       if threads > 1u && !is_crowded && !is_wide { continue; }
       for (var j = first + thread % lanes; j < end; j += lanes) {
         let other = read_entry(j);
