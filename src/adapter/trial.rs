@@ -18,6 +18,7 @@ use super::rapier::geometry::*;
 use super::{Input, Settings, UnisizeBroadPhase, version};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
+use crate::parallel;
 use crate::proxy_table::Lists;
 use crate::stopwatch;
 use cost::Cost;
@@ -129,12 +130,14 @@ impl Trial {
         TrialReport {
             updates,
             colliders: self.tried[0].stats().proxies,
+            threads: parallel::threads(),
             overhead: self.total.saturating_sub(own.total),
             own,
             levels: std::array::from_fn(|i| self.costs[i].measured(Some(LEVELS[i]), updates)),
             default_level: version::PAIR_FILTER,
             compared_level: version::FILTER_OF_OWN,
             first_difference: self.first_difference,
+            steps: None,
         }
     }
 

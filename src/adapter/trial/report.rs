@@ -7,8 +7,8 @@ use super::super::rapier::geometry::ColliderHandle;
 use super::LEVELS;
 use crate::pair_filter::PairFilter;
 
-/// The share of the pairs by which two levels of the filter must differ to matter.
-const WORTHWHILE: f64 = 0.05;
+/// The share of the time by which another level of the filter must beat the default to be recommended.
+const WORTHWHILE: f64 = 0.03;
 
 /// The results of a [`Trial`](super::Trial). `Display` prints them as a table and a recommendation.
 #[derive(Clone, Debug)]
@@ -18,6 +18,8 @@ pub struct TrialReport {
     pub updates: u64,
     /// The number of colliders that unisize has now.
     pub colliders: usize,
+    /// The number of threads that unisize may use: those of the current Rayon pool with the feature `parallel`, else 1.
+    pub threads: usize,
     /// The wall-clock time of the trial without that of Rapier's own broad phase.
     pub overhead: Duration,
     /// Rapier's own broad phase.
@@ -29,6 +31,15 @@ pub struct TrialReport {
     pub compared_level: PairFilter,
     /// The first difference of the pairs, in the first update with one.
     pub first_difference: Option<Difference>,
+    pub(super) steps: Option<Steps>,
+}
+
+/// The time of all steps on Rapier's own broad phase.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Steps {
+    total: Duration,
+    /// The part of the narrow phase.
+    narrow_phase: Option<Duration>,
 }
 
 /// The measurements of one broad phase.
@@ -77,44 +88,108 @@ impl TrialReport {
         &self.levels[level as usize]
     }
 
-    /// Returns the recommended level of the filter, or `None` if Rapier's own broad phase is as fast and has as few pairs.
+    /// Returns the report with the time of whole steps, from which it computes speedups.
     ///
-    /// This is the default level, unless another level has at least a twentieth fewer pairs. Then it is the lowest level whose number of pairs is
-    /// within a twentieth of the smallest. [`PairFilter`] says what changes at levels other than the default.
-    pub fn recommended_filter(&self) -> Option<PairFilter> {
-        let fewest = self.levels.iter().map(|level| level.pairs);
-        let fewest = fewest.fold(f64::INFINITY, f64::min);
-        let is_few = |pairs: f64| pairs * (1.0 - WORTHWHILE) <= fewest;
-        let default = self.level(self.default_level);
-        let lowest = self.levels.iter().find(|level| is_few(level.pairs));
-        let recommended = match lowest {
-            Some(lowest) if !is_few(default.pairs) => lowest,
-            _ => default,
-        };
-        let saves_pairs = recommended.pairs < self.own.pairs * (1.0 - WORTHWHILE);
-        let pays = recommended.mean < self.own.mean || saves_pairs;
-        recommended.level.filter(|_| pays)
+    /// `elapsed` is the wall-clock time of all steps since the trial began. It includes the trial, whose [`overhead`](Self::overhead) the report
+    /// subtracts. `narrow_phase` is the part that the narrow phase took: the sum of `PhysicsPipeline::counters.narrow_phase_time_ms()` over all
+    /// steps, with Rapier's feature `profiler`. Without it, there are lower bounds but no estimates.
+    pub fn with_steps(self, elapsed: Duration, narrow_phase: impl Into<Option<Duration>>) -> Self {
+        // A step takes no less time than its parts.
+        let narrow_phase = narrow_phase.into();
+        let parts = self.own.total + narrow_phase.unwrap_or_default();
+        let total = elapsed.saturating_sub(self.overhead).max(parts);
+        let steps = Some(Steps {
+            total,
+            narrow_phase,
+        });
+        Self { steps, ..self }
     }
 
-    /// Returns a lower bound of the speedup of whole steps at one level of the filter. `steps` is the time of all steps so far on Rapier's own
-    /// broad phase; if the trial ran within the steps, subtract its [`overhead`](Self::overhead).
+    /// Returns a lower bound for the speedup of whole steps at one level of the filter; `None` without [`with_steps`](Self::with_steps).
     ///
-    /// The bound counts only the time of the broad phases. Fewer pairs also save time in the narrow phase. Queries do not count. The result is NaN
-    /// if neither steps nor updates took any time.
-    pub fn min_speedup(&self, steps: Duration, level: PairFilter) -> f64 {
-        // Steps include their broad phase.
-        let steps = steps.max(self.own.total);
-        let exchanged = steps - self.own.total + self.level(level).total;
-        steps.as_secs_f64() / exchanged.as_secs_f64()
+    /// The bound exchanges only the time of the broad phases. Fewer pairs also save time in the narrow phase. Queries do not count.
+    pub fn min_speedup(&self, level: PairFilter) -> Option<f64> {
+        let steps = self.steps?.total;
+        Some(speedup(
+            steps,
+            steps - self.own.total + self.level(level).total,
+        ))
+    }
+
+    /// Returns an estimate of the speedup of whole steps at one level of the filter; `None` without the time of the narrow phase (see
+    /// [`with_steps`](Self::with_steps)).
+    ///
+    /// The estimate assumes that each pair costs the narrow phase the same time. A pair without contact costs less than one with a contact, so
+    /// the speedup is between [`min_speedup`](Self::min_speedup) and the estimate if unisize leaves out pairs.
+    pub fn estimated_speedup(&self, level: PairFilter) -> Option<f64> {
+        let Steps {
+            total,
+            narrow_phase,
+        } = self.steps?;
+        let level = self.level(level);
+        let narrow_phase = narrow_phase?;
+        let share = match self.own.pairs > 0.0 {
+            true => level.pairs / self.own.pairs,
+            false => 1.0,
+        };
+        let rest = total - self.own.total - narrow_phase;
+        let exchanged = rest + level.total + narrow_phase.mul_f64(share);
+        Some(speedup(total, exchanged))
+    }
+
+    /// Returns the level of the filter with which the program takes least time, or `None` if Rapier's own broad phase is as fast.
+    ///
+    /// It goes by the [estimate](Self::estimated_speedup) if there is one, else by the [lower bound](Self::min_speedup), else by the time of the
+    /// updates. Without an estimate, it does not recommend a level with more pairs than the default. A level other than the default must gain 3 %
+    /// over it. [`PairFilter`] says what changes at other levels.
+    pub fn recommended_filter(&self) -> Option<PairFilter> {
+        let gain = |level: PairFilter| {
+            let of_steps = self.estimated_speedup(level).or(self.min_speedup(level));
+            of_steps.unwrap_or_else(|| speedup(self.own.total, self.level(level).total))
+        };
+        let pairs = |level: PairFilter| self.level(level).pairs;
+        let default = self.default_level;
+        // Without the time of the narrow phase, its price for more pairs is unknown.
+        let is_estimated = self.estimated_speedup(default).is_some();
+        let allowed = LEVELS.into_iter();
+        let allowed = allowed.filter(|&level| is_estimated || pairs(level) <= pairs(default));
+        let best = allowed.fold(default, |best, level| {
+            if gain(level) > gain(best) {
+                level
+            } else {
+                best
+            }
+        });
+        let is_better = gain(best) > gain(default) * (1.0 + WORTHWHILE);
+        let recommended = if is_better { best } else { default };
+        // Fewer pairs may pay for a slower update.
+        let may_save_more =
+            !is_estimated && pairs(recommended) < self.own.pairs * (1.0 - WORTHWHILE);
+        (gain(recommended) > 1.0 || may_save_more).then_some(recommended)
+    }
+}
+
+/// The time before divided by the time after; 1 where no time passed, as on a platform without a clock.
+fn speedup(before: Duration, after: Duration) -> f64 {
+    match after.is_zero() {
+        true => 1.0,
+        false => before.as_secs_f64() / after.as_secs_f64(),
     }
 }
 
 impl fmt::Display for TrialReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
-            updates, colliders, ..
+            updates,
+            colliders,
+            threads,
+            ..
         } = self;
-        writeln!(f, "{updates} updates, {colliders} colliders at the end")?;
+        let plural = if *threads == 1 { "" } else { "s" };
+        writeln!(
+            f,
+            "{updates} updates, {colliders} colliders at the end, unisize on {threads} thread{plural}"
+        )?;
         writeln!(f, "{:28}mean, ms  longest, ms      pairs     bytes", "")?;
         for measured in [&self.own].into_iter().chain(&self.levels) {
             writeln!(f, "{measured}")?;
@@ -129,7 +204,19 @@ impl fmt::Display for TrialReport {
             )?,
             Some(difference) => writeln!(f, "{difference}")?,
         }
-        match self.recommended_filter() {
+        let recommended = self.recommended_filter();
+        let level = recommended.unwrap_or(self.default_level);
+        if let Some(least) = self.min_speedup(level) {
+            write!(
+                f,
+                "Speedup of whole steps with PairFilter::{level:?}: at least {least:.2}"
+            )?;
+            if let Some(estimate) = self.estimated_speedup(level) {
+                write!(f, ", by the time of the narrow phase up to {estimate:.2}")?;
+            }
+            writeln!(f, ".")?;
+        }
+        match recommended {
             None => write!(f, "Stay with Rapier's own: unisize gains nothing here."),
             Some(level) if level == self.default_level => {
                 write!(f, "Recommended: the default, PairFilter::{level:?}.")

@@ -59,3 +59,54 @@ fn faults_are_named() {
     };
     assert_eq!(difference(has_a_wrong_box), Some(([0, 2], false)));
 }
+
+/// A report in which Rapier's own updates took 100 ms for 1,000 pairs, and those of unisize this many milliseconds for this many pairs at each
+/// level.
+fn report(levels: [(u64, f64); LEVELS.len()]) -> TrialReport {
+    let mut report = Trial::new().report();
+    (report.own.total, report.own.pairs) = (Duration::from_millis(100), 1000.0);
+    for (measured, (millis, pairs)) in report.levels.iter_mut().zip(levels) {
+        (measured.total, measured.pairs) = (Duration::from_millis(millis), pairs);
+    }
+    report.overhead = Duration::from_millis(500);
+    report
+}
+
+#[test]
+fn speedups_follow_from_the_times_of_steps() {
+    let [elapsed, narrow_phase] = [1500, 400].map(Duration::from_millis);
+    let plain = report([(100, 1000.0), (100, 1000.0), (80, 1000.0), (150, 250.0)]);
+    assert_eq!(plain.min_speedup(PairFilter::Groups), None);
+    assert_eq!(plain.estimated_speedup(PairFilter::Groups), None);
+
+    let bounded = plain.clone().with_steps(elapsed, None);
+    assert_eq!(bounded.min_speedup(PairFilter::Groups), Some(1.0 / 0.98));
+    assert_eq!(bounded.estimated_speedup(PairFilter::Groups), None);
+
+    let timed = plain.with_steps(elapsed, narrow_phase);
+    assert_eq!(timed.min_speedup(PairFilter::Shapes), Some(1.0 / 1.05));
+    assert_eq!(
+        timed.estimated_speedup(PairFilter::Shapes),
+        Some(1.0 / 0.75)
+    );
+    let printed = timed.to_string();
+    assert!(printed.contains("at least"), "{printed}");
+}
+
+#[test]
+fn the_level_that_takes_least_time_is_recommended() {
+    let [elapsed, narrow_phase] = [1500, 400].map(Duration::from_millis);
+    // The narrow phase saves 300 ms with the last level, which costs 50 ms more.
+    let saves_pairs = report([(100, 1000.0), (100, 1000.0), (80, 1000.0), (150, 250.0)]);
+    let timed = saves_pairs.with_steps(elapsed, narrow_phase);
+    assert_eq!(timed.recommended_filter(), Some(PairFilter::Shapes));
+    // It saves 4 ms with it, which costs 120 ms more.
+    let saves_none = report([(90, 1000.0), (90, 1000.0), (50, 1000.0), (220, 990.0)]);
+    let timed = saves_none.with_steps(elapsed, narrow_phase);
+    assert_eq!(timed.recommended_filter(), Some(PairFilter::Groups));
+    // No level is faster.
+    let slower = report([(200, 1000.0); LEVELS.len()]);
+    assert_eq!(slower.recommended_filter(), None);
+    let timed = slower.with_steps(elapsed, narrow_phase);
+    assert_eq!(timed.recommended_filter(), None);
+}
