@@ -1,14 +1,13 @@
 //! An exact and fast broad phase for boxes of about the same size, as a drop-in replacement for
 //! [Rapier](https://rapier.rs)'s.
 //!
-//! Ropes, cables, granular particles, crowds, herds: many scenes are made of many boxes of about one size, and a broad
-//! phase that knows this need not maintain a tree. `unisize` sorts the boxes and sweeps over them, after Capannini and
-//! Larsson, *Output Sensitive Collision Detection for Unisize Boxes*, and goes beyond them: boxes may have any sizes,
-//! and the time grows about linearly with boxes and pairs, in two dimensions and in three.
+//! Many scenes consist of many boxes of about the same size: ropes, cables, grains, crowds, herds. For such boxes, sorting and sweeping is
+//! faster than maintaining a tree. The method began with Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*.
+//! `unisize` extends it to boxes of any sizes. Its time grows about linearly with boxes and pairs, in two dimensions and in three.
 //!
 //! # In Rapier
 //!
-//! Give Rapier another broad phase. Everything else stays as it is, and no contact is lost.
+//! One line of your program changes, and no contact is lost.
 //!
 //! Rapier **0.36.1**, patched by the program `open-rapier` of the same repository, with the feature `rapier2d-036`,
 //! `rapier3d-036`, `rapier2d-f64-036` or `rapier3d-f64-036`:
@@ -26,12 +25,12 @@
 //! +let mut broad_phase = unisize::rapier3d_027::UnisizeBroadPhase::new();
 //! ```
 //!
-//! Programs that drive the collision detection of Rapier 0.36 by themselves need no patched copy: `UnisizeBroadPhase::update`
-//! has the arguments of Rapier's own.
+//! A program that drives Rapier 0.36's collision detection itself needs no patched copy: `UnisizeBroadPhase::update` has the
+//! arguments of Rapier's own.
 //!
 //! # Without an engine
 //!
-//! The core needs no feature and no engine. A [`PairFinder`] takes boxes and returns the pairs that overlap:
+//! The kernels need no feature and no engine. A [`PairFinder`] takes boxes and returns the pairs that overlap:
 //!
 //! ```
 //! use unisize::{Aabb, GridSweep, PairFinder};
@@ -55,12 +54,12 @@
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
 //!
-//! All kernels return the same set of pairs, on every input, bit for bit: closed boxes, compared as the numbers stand
-//! ([`Aabb::intersects`]). They are generic over `f32` and `f64` and over two and three dimensions. None panics, for any
-//! boxes: NaN and inverted boxes are an [`InvalidInput`] error.
+//! All kernels return the same set of pairs for every input. Boxes are closed, and compared without a tolerance
+//! ([`Aabb::intersects`]). Kernels are generic over `f32` and `f64` and over two and three dimensions. None panics on any input: a NaN or
+//! an inverted box is an [`InvalidInput`] error.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// The kernels can do more for a broad phase than a program without an engine asks of them.
+// A part of the kernels serves the broad phases only.
 #![cfg_attr(not(feature = "_adapter"), allow(dead_code))]
 
 mod aabb;
@@ -98,7 +97,7 @@ mod tuning;
 #[cfg(feature = "_adapter")]
 mod volume;
 
-// Never compiled. The formatter does not look into macros, and finds the sources of the flavours by these.
+// Never compiled. The formatter does not look into macros; these lines lead it to the sources of the flavours.
 #[cfg(any())]
 mod adapter;
 #[cfg(any())]
@@ -110,7 +109,7 @@ mod versions {
     mod seam;
 }
 
-/// The broad phases for the flavours of one version of Rapier, each in a module of its own. All include the same source, and name the
+/// Declares a module with the broad phase for each flavour of one version of Rapier. All modules include the same source, which names the
 /// engine `rapier`.
 #[cfg(feature = "_adapter")]
 macro_rules! flavours {
