@@ -22,7 +22,7 @@
 //!
 //! The folders `dim2` and `dim3` have the differences between the dimensions beyond Rapier's own aliases, and `version` has those between
 //! its versions. `dim2_036` and the like are for patched copies of Rapier 0.36, and exist only with such a copy.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`Stampede`], [`HardBoxes`], [`Mixture`] and [`HardFrames`] need no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`HardBoxes`], [`Mixture`] and [`HardFrames`] need no engine.
 
 #[macro_use]
 #[path = "../../../tests/common/boxes/mod.rs"]
@@ -33,7 +33,6 @@ mod converging;
 mod hard_motions;
 mod kind;
 mod outcome;
-mod stampede;
 mod timing;
 
 pub use arrangements::{HardBoxes, Mixture};
@@ -42,7 +41,6 @@ pub use converging::ConvergingBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
 pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Sharing, Spread, Tally, WholeSteps};
-pub use stampede::Stampede;
 pub use timing::{Times, Timing, milliseconds};
 
 use arrangements::random;
