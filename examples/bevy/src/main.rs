@@ -8,7 +8,7 @@ mod scene;
 
 use std::time::Duration;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, anyhow, ensure};
 use bevy::prelude::*;
 use bevy::time::{TimePlugin, TimeUpdateStrategy};
 use bevy_rapier3d::prelude::*;
@@ -48,7 +48,9 @@ fn main() -> Result<()> {
 
     let game = simulation(&mut game)?;
     let active = game.broad_phase.custom_ref::<UnisizeBroadPhase>();
-    let stats = active.context("unisize is not active")?.stats();
+    let stats = active
+        .ok_or_else(|| anyhow!("unisize is not active"))?
+        .stats();
     let pairs = game.narrow_phase.contact_pairs();
     let contacts = pairs.filter(|pair| pair.has_any_active_contact()).count();
     println!(
@@ -58,7 +60,9 @@ fn main() -> Result<()> {
     ensure!(contacts > 0, "nothing touches");
 
     let trial = simulation(&mut trial)?.broad_phase.custom_ref::<Trial>();
-    let report = trial.context("the trial is not active")?.report();
+    let report = trial
+        .ok_or_else(|| anyhow!("the trial is not active"))?
+        .report();
     println!("{report}");
     ensure!(report.pairs_match(), "the pairs are not Rapier's own");
     Ok(())
