@@ -21,8 +21,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::diagnostics::Diagnostics;
-use crate::overrides::Overrides;
+use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{
     BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,

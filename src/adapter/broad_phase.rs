@@ -10,8 +10,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::{Input, Settings, version};
-use crate::diagnostics::Diagnostics;
-use crate::overrides::Overrides;
+use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::parallel;
 use crate::proxy_table::{Changes, ProxyTable};
