@@ -74,8 +74,6 @@ mod grid_sweep;
 mod invalid_input;
 mod lanes;
 #[cfg(feature = "_adapter")]
-mod overrides;
-#[cfg(feature = "_adapter")]
 mod pair_filter;
 mod pair_finder;
 #[cfg(feature = "_adapter")]
@@ -171,7 +169,9 @@ pub use real::Real;
 pub use stopwatch::PhaseTimes;
 #[cfg(feature = "_adapter")]
 pub use {
-    diagnostics::Diagnostics, overrides::Overrides, pair_filter::PairFilter, settings::Settings,
+    diagnostics::{Diagnostics, Overrides},
+    pair_filter::PairFilter,
+    settings::Settings,
     stats::Stats,
 };
 

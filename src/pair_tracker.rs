@@ -27,9 +27,8 @@ mod volumes;
 
 use std::fmt::Debug;
 
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, Overrides};
 use crate::grid_sweep::MAX_BOXES;
-use crate::overrides::Overrides;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::stopwatch::Stopwatch;

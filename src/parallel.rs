@@ -64,7 +64,7 @@ fn is_outside() -> bool {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Section {
     /// In tenths of a nanosecond on one thread.
-    work: u64,
+    pub(crate) work: u64,
 }
 
 impl Section {
@@ -134,18 +134,11 @@ pub(crate) fn shared() -> Shared {
     SHARED.get()
 }
 
-/// Runs a test with this number of threads, or with one without the feature `parallel`.
+/// Runs a test in a pool with this number of threads, of which it uses one without the feature `parallel`.
 #[cfg(test)]
 pub(crate) fn with_threads<T: Send>(count: usize, test: impl FnOnce() -> T + Send) -> T {
-    #[cfg(feature = "parallel")]
-    let run = |test| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-        pool.expect("there are threads to be had").install(test)
-    };
-    #[cfg(feature = "parallel")]
-    return run(test);
-    #[cfg(not(feature = "parallel"))]
-    return (count, test()).1;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+    pool.expect("there are threads to be had").install(test)
 }
 
 #[cfg(test)]

@@ -21,8 +21,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::diagnostics::Diagnostics;
-use crate::overrides::Overrides;
+use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{
     BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
@@ -33,7 +32,6 @@ use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Shared, Stopwatch};
-use crate::tuning::prices::READ;
 use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
 use passing::Pending;
@@ -169,10 +167,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
         let mut slots = Vec::with_capacity(listed.len());
         for &handle in listed {
-            if let Some(slot) = self
-                .slot_of(handle)
-                .filter(|&slot| self.tracker.is_acquainted(slot))
-            {
+            let slot = self.slot_of(handle);
+            if let Some(slot) = slot.filter(|&slot| self.tracker.is_acquainted(slot)) {
                 slots.push(slot);
                 visit(handle, None);
             }
@@ -227,12 +223,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for &handle in lists.removed {
             self.remove(handle);
         }
-        if self
-            .tracker
-            .proxies
-            .volumes_mut()
-            .note_extents(margin, source.reach())
-        {
+        let volumes = self.tracker.proxies.volumes_mut();
+        if volumes.note_extents(margin, source.reach()) {
             self.reset_volumes(source);
         }
         self.admit_pending(lists.removed, source, margin);
@@ -255,8 +247,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     /// An estimate of the work of reading this many colliders, or of setting their boxes, in tenths of a nanosecond.
     pub(crate) fn reading(&self, colliders: usize) -> u64 {
-        let price = self.tracker.proxies.volumes().price(READ);
-        price.saturating_mul(colliders as u64)
+        self.section(colliders).work
     }
 
     /// Whether there is an update to finish, because boxes have been set.

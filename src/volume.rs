@@ -197,24 +197,20 @@ impl<R: Real, const D: usize> Volume<R, D> {
     #[cfg(feature = "serde-serialize")]
     pub(crate) fn of_numbers(kind: VolumeKind, numbers: &[R]) -> Option<Self> {
         let mut volume = Self { kind, ..Self::BOX };
-        let Some((&radius, numbers)) = numbers.split_first() else {
+        let Some((&radius, rest)) = numbers.split_first() else {
             return Some(volume);
         };
+        volume.ball.radius = radius;
+        if !rest.is_empty() {
+            let (center, rest) = rest.split_first_chunk()?;
+            volume.ball.center = *center;
+            let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
+            (half_axes.len() == rest.len()).then(|| half_axes.copy_from_slice(rest))?;
+        }
         let is_boundless = matches!(kind, VolumeKind::Box | VolumeKind::Part);
-        if is_boundless {
-            return (radius == R::ZERO && numbers.is_empty()).then_some(volume);
-        }
-        (radius >= R::ZERO && radius.is_finite()).then(|| volume.ball.radius = radius)?;
-        if numbers.is_empty() {
-            return Some(volume);
-        }
-        let (center, numbers) = numbers.split_first_chunk()?;
-        volume.ball.center = *center;
-        let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
-        let is_complete = half_axes.len() == numbers.len();
-        is_complete.then(|| half_axes.copy_from_slice(numbers))?;
-        let is_finite = center.iter().chain(numbers).all(|x| x.is_finite());
-        is_finite.then_some(volume)
+        let are_of_kind = !is_boundless || numbers == [R::ZERO];
+        let are_valid = radius >= R::ZERO && numbers.iter().all(|x| x.is_finite());
+        (are_of_kind && are_valid).then_some(volume)
     }
 
     /// The volume of a collider with this box: a ball moves to the middle of the box, and other volumes stay where they are. If the box

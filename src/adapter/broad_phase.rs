@@ -10,8 +10,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::{Input, Settings, version};
-use crate::diagnostics::Diagnostics;
-use crate::overrides::Overrides;
+use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::parallel;
 use crate::proxy_table::{Changes, ProxyTable};
@@ -219,24 +218,22 @@ impl UnisizeBroadPhase {
         if input.lists.are_empty() && !self.table.is_begun() {
             return;
         }
-        let work = self.table.work_ahead(&input.lists);
-        parallel::enter(work, || self.run_on_this_thread(input, events));
-    }
-
-    fn run_on_this_thread(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
         let boxes = ColliderBoxes::new(*input, filter_of(&self.settings));
-        let written = self.table.update(&input.lists, &boxes, margin);
-        self.query_tree.note(written);
-        self.query_tree.grow_older();
-        let event = |is_added, [first, second]: [_; 2]| match is_added {
-            true => BroadPhasePairEvent::AddPair(ColliderPair::new(first, second)),
-            false => BroadPhasePairEvent::DeletePair(ColliderPair::new(first, second)),
+        let push = |is_added, [first, second]: [_; 2]| {
+            let pair = ColliderPair::new(first, second);
+            events.push(match is_added {
+                true => BroadPhasePairEvent::AddPair(pair),
+                false => BroadPhasePairEvent::DeletePair(pair),
+            });
         };
-        let push = |is_added, pair| events.push(event(is_added, pair));
-        let slack = 2.0 * margin;
-        self.table
-            .finish(slack, input.is_active, &mut self.changes, push);
+        parallel::enter(self.table.work_ahead(&input.lists), || {
+            let written = self.table.update(&input.lists, &boxes, margin);
+            self.query_tree.note(written);
+            self.query_tree.grow_older();
+            let (slack, changes) = (2.0 * margin, &mut self.changes);
+            self.table.finish(slack, input.is_active, changes, push);
+        });
     }
 }
 

@@ -23,13 +23,14 @@ impl<'a> Input<'a> {
         params: &'a IntegrationParameters,
         colliders: &'a ColliderSet,
         bodies: &'a RigidBodySet,
-        lists: Lists<'a, ColliderHandle>,
+        modified: &'a [ColliderHandle],
+        removed: &'a [ColliderHandle],
     ) -> Self {
         Self {
             params,
             colliders,
             bodies,
-            lists,
+            lists: Lists::new(modified, removed),
             felt: &[],
             is_active: None,
         }

@@ -18,8 +18,6 @@ mod trial;
 
 pub use broad_phase::UnisizeBroadPhase;
 pub(crate) use input::Input;
-#[allow(unused_imports, reason = "only Rapier 0.36 has Trial::observe")]
-pub(crate) use trial::key;
 pub use trial::{Difference, Measured, Trial, TrialReport};
 
 /// [`Settings`](crate::Settings) with the scalar of this engine.

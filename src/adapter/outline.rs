@@ -65,7 +65,7 @@ impl Profile {
             });
         }
         let capsule = shape.as_capsule()?;
-        let [start, end] = [capsule.segment.a, capsule.segment.b].map(version::coordinates);
+        let [start, end] = [capsule.segment.a, capsule.segment.b].map(coordinates);
         let is_centered = start == -end && end != Vector::default();
         is_centered.then(|| round(end, capsule.radius)).flatten()
     }
@@ -89,7 +89,7 @@ impl Outline {
         let center = version::origin(pose);
         let Profile { extent, radius } = profile;
         Some(if profile.is_cuboid() {
-            around(center, version::turned(pose, &extent))
+            around(center, version::rotated_extent(pose, &extent))
         } else if profile.is_ball() {
             Aabb::new(center.into(), center.into()).loosened(radius)
         } else {
@@ -134,13 +134,18 @@ impl Outline {
     }
 }
 
+/// The vector from the origin to a point. In Rapier 0.36, points are vectors.
+fn coordinates(point: impl Into<[Real; DIM]>) -> Vector {
+    Vector::from(point.into())
+}
+
 /// The volume of any other shape, loosened by this distance.
 #[inline(never)]
 fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> Volume<Real, DIM> {
     let origin = version::origin(pose);
     let turned = |vector: Vector| pose.rotation * vector;
     if let Some(capsule) = shape.as_capsule() {
-        let [start, end] = [capsule.segment.a, capsule.segment.b].map(version::coordinates);
+        let [start, end] = [capsule.segment.a, capsule.segment.b].map(coordinates);
         let center = origin + turned((start + end) * 0.5);
         let half = turned((end - start) * 0.5).into();
         let radius = capsule.radius + distance;
@@ -159,7 +164,7 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
         | (_, ShapeType::Voxels | ShapeType::Custom) => return Volume::BOX,
         _ => {
             let aabb = shape.compute_local_aabb();
-            let [mins, maxs] = [aabb.mins, aabb.maxs].map(version::coordinates);
+            let [mins, maxs] = [aabb.mins, aabb.maxs].map(coordinates);
             (
                 origin + turned((mins + maxs) * 0.5),
                 (maxs - mins) * 0.5,

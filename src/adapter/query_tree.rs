@@ -86,23 +86,14 @@ pub(super) struct QueryTree {
 #[derive(Clone)]
 struct Tree {
     bvh: Bvh,
-    workspace: Workspace,
+    /// Scratch memory of Parry's.
+    workspace: BvhWorkspace,
     /// By slot, the box when the tree was last judged, or for which its leaf was last inserted.
     placed: Vec<Aabb>,
     /// The girth of the new tree.
     girth: u64,
     /// The number of leaves that were written alone or removed since the last [refit](Bvh::refit).
     loose: usize,
-}
-
-/// Scratch memory of Parry's, which does not implement `Clone`.
-#[derive(Default)]
-struct Workspace(BvhWorkspace);
-
-impl Clone for Workspace {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
 }
 
 impl Clone for QueryTree {
@@ -138,7 +129,7 @@ impl QueryTree {
         }
     }
 
-    /// Notes an update. A tree that nobody queries is dropped after a while.
+    /// Notes an update. A tree without queries is dropped after a while.
     pub(super) fn grow_older(&mut self) {
         if self.current.get().is_some() {
             self.unused = 0;
@@ -200,7 +191,7 @@ impl Tree {
         Self {
             girth: girth(&bvh),
             bvh,
-            workspace: Workspace::default(),
+            workspace: BvhWorkspace::default(),
             placed: boxes.to_vec(),
             loose: 0,
         }
@@ -209,7 +200,7 @@ impl Tree {
     /// Returns the tree with the leaves of these slots written again.
     ///
     /// A leaf that has moved far since it was inserted makes its ancestors large, and rays then visit more nodes. If few leaves have moved,
-    /// each such leaf is inserted anew. If many have moved, they usually move far at about the same time. Then the tree is built anew,
+    /// each such leaf is inserted again. If many have moved, they usually move far at about the same time. Then the tree is built again,
     /// unless neighbors have moved together.
     fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
         let leaves = self.bvh.leaf_count() as usize;
@@ -236,7 +227,7 @@ impl Tree {
         }
         if self.loose * TIGHTEN_FROM_ONE_IN > leaves {
             self.loose = 0;
-            self.bvh.refit(&mut self.workspace.0);
+            self.bvh.refit(&mut self.workspace);
         } else if !are_few {
             self.bvh.refit_without_opt();
         }
@@ -317,7 +308,7 @@ mod tests {
         boxes.collect()
     }
 
-    /// Whether the tree is built anew once all boxes have moved.
+    /// Whether the tree is built again once all boxes have moved.
     fn is_rebuilt(before: Boxes, now: Boxes) -> bool {
         let mut tree = Tree::new(before);
         // A new tree has no loose leaves.

@@ -74,11 +74,6 @@ pub struct Trial {
     pub(crate) observed: HashMap<ColliderHandle, ColliderKey>,
 }
 
-/// What decides which others a collider may meet, at any level of the filter.
-pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
-    ColliderKey::new(PairFilter::Groups, collider, body_of(collider, bodies))
-}
-
 impl Default for Trial {
     fn default() -> Self {
         Self::with_settings(Settings::default())
@@ -139,6 +134,11 @@ impl Trial {
             first_difference: self.first_difference,
             steps: None,
         }
+    }
+
+    /// What decides which others a collider may meet, at any level of the filter.
+    pub(crate) fn key(collider: &Collider, bodies: &RigidBodySet) -> ColliderKey {
+        ColliderKey::new(PairFilter::Groups, collider, body_of(collider, bodies))
     }
 
     /// The number of updates that had colliders to read.
@@ -212,7 +212,7 @@ impl Trial {
         };
         let pair = differing.find(|&&pair| {
             let colliders = handles(pair).map(|handle| input.colliders.get(handle));
-            let keys = colliders.map(|collider| Some(key(collider?, input.bodies)));
+            let keys = colliders.map(|collider| Some(Self::key(collider?, input.bodies)));
             matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
         })?;
         Some(Difference {

@@ -50,13 +50,11 @@ impl Reader {
                 }
             }
         });
-        let lists = parts.into_iter().map(|(_, _, listed)| listed);
-        *listed = lists
-            .reduce(|mut all, listed| {
-                all.extend_from(&listed);
-                all
-            })
-            .unwrap_or_default();
+        let mut lists = parts.into_iter().map(|(_, _, listed)| listed);
+        *listed = lists.next().unwrap_or_default();
+        for more in lists {
+            listed.extend_from(&more);
+        }
     }
 }
 

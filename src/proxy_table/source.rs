@@ -67,7 +67,7 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read.
     fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo) -> bool;
 
-    /// Whether filter keys differ at all; if not, nobody compares them.
+    /// Whether filter keys differ at all; if not, they are not compared.
     fn has_keys(&self) -> bool;
 
     /// The volume of a collider that was just read, within the box that was read.
@@ -78,7 +78,7 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
         aabb: &Aabb<R, D>,
     ) -> Volume<R, D>;
 
-    /// Whether anybody needs volumes.
+    /// Whether volumes are used.
     fn has_volumes(&self) -> bool;
 
     /// Reads a collider, with its volume if there are volumes.

@@ -9,7 +9,7 @@ use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet, InteractionGroups,
 };
-use super::rapier::math::{DIM, Isometry, Point, Real};
+use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::parry::bounding_volume::BoundingVolume;
 #[cfg(test)]
 use super::rapier::parry::query::intersection_test;
@@ -17,7 +17,6 @@ use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::Lists;
 
 pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
@@ -63,18 +62,13 @@ pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
 
 /// The half extents of the axis-aligned box around a rotated box with these half extents.
 #[inline(always)]
-pub(super) fn turned(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
+pub(super) fn rotated_extent(pose: &Isometry<Real>, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(half_extents)
 }
 
 /// The outward normal of a half-space.
 pub(super) fn normal(half_space: &HalfSpace) -> Vector {
     *half_space.normal
-}
-
-/// The vector from the origin to a point.
-pub(super) fn coordinates(point: Point<Real>) -> Vector {
-    point.coords
 }
 
 /// The box of a collider with soft CCD or without a simple shape, loosened by this distance.
@@ -128,8 +122,8 @@ macro_rules! impl_broad_phase {
                 removed_colliders: &[ColliderHandle],
                 events: &mut Vec<BroadPhasePairEvent>,
             ) {
-                let lists = Lists::new(modified_colliders, removed_colliders);
-                self.run(&Input::new(params, colliders, bodies, lists), events);
+                let (modified, removed) = (modified_colliders, removed_colliders);
+                self.run(&Input::new(params, colliders, bodies, modified, removed), events);
             }
         }
     )*};

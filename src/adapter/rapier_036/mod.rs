@@ -1,6 +1,6 @@
 //! The code for Rapier 0.36, which has no trait for broad phases except in a patched copy (`seam.rs`).
 
-use super::adapter::{Input, Trial, UnisizeBroadPhase, key};
+use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 #[cfg(test)]
 use super::rapier::geometry::Group;
@@ -15,7 +15,6 @@ use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::Lists;
 
 pub(super) use super::rapier::math::{Pose, Vector};
 
@@ -63,18 +62,13 @@ pub(super) fn origin(pose: &Pose) -> Vector {
 
 /// The half extents of the axis-aligned box around a rotated box with these half extents.
 #[inline(always)]
-pub(super) fn turned(pose: &Pose, half_extents: &Vector) -> Vector {
+pub(super) fn rotated_extent(pose: &Pose, half_extents: &Vector) -> Vector {
     pose.absolute_transform_vector(*half_extents)
 }
 
 /// The outward normal of a half-space.
 pub(super) fn normal(half_space: &HalfSpace) -> Vector {
     half_space.normal
-}
-
-/// The vector from the origin to a point.
-pub(super) fn coordinates(point: Vector) -> Vector {
-    point
 }
 
 /// The box of a collider with soft CCD or without a simple shape, loosened by this distance.
@@ -113,8 +107,11 @@ impl UnisizeBroadPhase {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        let lists = Lists::new(modified_colliders, removed_colliders);
-        self.run(&Input::new(params, colliders, bodies, lists), events);
+        let (modified, removed) = (modified_colliders, removed_colliders);
+        self.run(
+            &Input::new(params, colliders, bodies, modified, removed),
+            events,
+        );
     }
 
     /// Sets the box of a collider that has moved, instead of listing the collider as modified. The next [`update`](Self::update) counts it as
@@ -164,7 +161,7 @@ impl Trial {
         let is_finite = |aabb: &RapierAabb| aabb.mins.is_finite() && aabb.maxs.is_finite();
         let aabbs: Vec<_> = boxes.filter(|(_, aabb)| is_finite(aabb)).collect();
         let handles = aabbs.iter().map(|(handle, _)| *handle);
-        let observed = handles.map(|handle| (handle, key(&colliders[handle], bodies)));
+        let observed = handles.map(|handle| (handle, Self::key(&colliders[handle], bodies)));
         let former = std::mem::replace(&mut self.observed, observed.collect());
         // A change of the filter key is not reported, so the collider is removed and inserted.
         let gone = former
@@ -172,10 +169,10 @@ impl Trial {
             .filter(|&(handle, key)| self.observed.get(handle) != Some(key));
         let removed: Vec<_> = gone.map(|(handle, _)| *handle).collect();
         // Removals come first, because another collider may have the index now.
-        let input = Input::new(params, colliders, bodies, Lists::new(&[], &removed));
+        let input = Input::new(params, colliders, bodies, &[], &removed);
         self.run(&input, &mut Vec::new());
         self.set_boxes(params, Some(colliders), &aabbs);
-        let input = Input::new(params, colliders, bodies, Lists::new(&[], &[]));
+        let input = Input::new(params, colliders, bodies, &[], &[]);
         self.run(&input, &mut Vec::new());
     }
 

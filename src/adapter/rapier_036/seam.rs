@@ -48,8 +48,8 @@ macro_rules! impl_custom_broad_phase {
                 removed_colliders: &[ColliderHandle],
                 events: &mut Vec<BroadPhasePairEvent>,
             ) {
-                let lists = Lists::new(modified_colliders, removed_colliders);
-                self.run(&Input::new(params, colliders, bodies, lists), events);
+                let (modified, removed) = (modified_colliders, removed_colliders);
+                self.run(&Input::new(params, colliders, bodies, modified, removed), events);
             }
 
             fn update_in_pipeline(

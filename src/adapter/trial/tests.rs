@@ -23,12 +23,12 @@ fn difference(fault: impl Fn(&mut UnisizeBroadPhase, &Input<'_>)) -> Option<([u3
     let all = [0.0, 0.9, 5.0].map(|x| colliders.insert(ball(x)));
     let mut trial = Trial::new();
     let (params, bodies) = (IntegrationParameters::default(), RigidBodySet::new());
-    let input = Input::new(&params, &colliders, &bodies, Lists::new(&all, &[]));
+    let input = Input::new(&params, &colliders, &bodies, &all, &[]);
     trial.run(&input, &mut Vec::new());
     assert!(trial.report().pairs_match());
 
     colliders[all[2]].set_position(*ball(1.7).position());
-    let input = Input::new(&params, &colliders, &bodies, Lists::new(&all[2..], &[]));
+    let input = Input::new(&params, &colliders, &bodies, &all[2..], &[]);
     fault(&mut trial.tried[version::FILTER_OF_OWN as usize], &input);
     trial.run(&input, &mut Vec::new());
 
