@@ -122,7 +122,8 @@ impl Lbvh {
         }
     }
 
-    /// Records a frame: a pass that makes the tree, and one that finds the pairs. With timestamps before and after each, from one of a set on.
+    /// Records a frame: a pass that makes the tree, and one that finds the pairs. Four timestamps, before and after each, go to a set from
+    /// this place on.
     pub(crate) fn record(&self, encoder: &mut CommandEncoder, times: Option<(&QuerySet, u32)>) {
         encoder.clear_buffer(&self.state, 0, None);
         encoder.clear_buffer(&self.nodes, 0, None);

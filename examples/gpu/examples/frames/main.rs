@@ -4,11 +4,11 @@
 //! cargo run --release --manifest-path examples/gpu/Cargo.toml --example frames
 //! ```
 //!
-//! Prints how long the GPU takes for each frame, and for the same boxes a tree on the GPU, and `GridSweep` on all threads. Fails if they find
-//! other pairs. Where a processor does the work of a GPU, there are fewer boxes.
+//! Prints how long the GPU takes for each frame, and how long a tree on the GPU and `GridSweep` on all threads take for the same boxes.
+//! Fails if they find other pairs. Where a processor does the work of a GPU, there are fewer boxes.
 //!
-//! With `-- --sizes LEAST MOST` it measures 2^LEAST to 2^MOST boxes, by timestamps where the adapter has them; with `-- --adapter` it only
-//! names the adapter. `RAYON_NUM_THREADS` limits the threads.
+//! With `-- --sizes LEAST MOST` it measures 2^LEAST to 2^MOST boxes; with `-- --adapter` it only names the adapter. Passes are measured by
+//! timestamps; where the adapter has none, only the whole frame is. `RAYON_NUM_THREADS` limits the threads.
 
 use std::error::Error;
 use std::time::Instant;
