@@ -2,8 +2,10 @@
 
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
-    Adapter, Buffer, BufferDescriptor, BufferUsages, Device, DeviceDescriptor, Features, Instance,
-    InstanceDescriptor, InstanceFlags, Limits, MapMode, PollType, Queue, RequestAdapterOptions,
+    Adapter, BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, BufferDescriptor,
+    BufferUsages, ComputePipeline, ComputePipelineDescriptor, Device, DeviceDescriptor, Features,
+    Instance, InstanceDescriptor, InstanceFlags, Limits, MapMode, PollType, Queue,
+    RequestAdapterOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
 use crate::error::GpuError;
@@ -52,6 +54,45 @@ pub fn upload(device: &Device, numbers: &[f32]) -> Buffer {
         label: Some("uploaded"),
         contents: bytemuck::cast_slice(numbers),
         usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+    })
+}
+
+/// A pipeline for each of these entry points of a shader in WGSL.
+pub fn pipelines<const N: usize>(
+    device: &Device,
+    source: &str,
+    names: [&str; N],
+) -> [ComputePipeline; N] {
+    let module = device.create_shader_module(ShaderModuleDescriptor {
+        label: None,
+        source: ShaderSource::Wgsl(source.into()),
+    });
+    names.map(|name| {
+        device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module,
+            entry_point: Some(name),
+            compilation_options: Default::default(),
+            cache: None,
+        })
+    })
+}
+
+/// The only bind group of a pipeline: buffers by their bindings.
+pub fn bind<'a>(
+    device: &Device,
+    pipeline: &ComputePipeline,
+    buffers: impl IntoIterator<Item = (u32, &'a Buffer)>,
+) -> BindGroup {
+    let entries = buffers.into_iter().map(|(binding, buffer)| BindGroupEntry {
+        binding,
+        resource: buffer.as_entire_binding(),
+    });
+    device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries.collect::<Vec<_>>(),
     })
 }
 

@@ -1,9 +1,8 @@
 //! The compute shaders, and what each of them reads and writes.
 
-use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, ComputePipeline,
-    ComputePipelineDescriptor, Device, ShaderModuleDescriptor, ShaderSource,
-};
+use wgpu::{BindGroup, Buffer, ComputePipeline, Device};
+
+use crate::gpu::{bind, pipelines};
 
 /// How many groups of threads a kernel needs: one, one for so many boxes, one for the cells that a group scans, or as many as the kernel
 /// before it has found work for.
@@ -49,20 +48,7 @@ impl<const D: usize> Pipelines<D> {
             _ => include_str!("shaders/dim3.wgsl"),
         };
         let source = format!("{dimension}\n{}", include_str!("shaders/sweep.wgsl"));
-        let module = device.create_shader_module(ShaderModuleDescriptor {
-            label: Some("unisize"),
-            source: ShaderSource::Wgsl(source.into()),
-        });
-        Self(KERNELS.map(|(name, ..)| {
-            device.create_compute_pipeline(&ComputePipelineDescriptor {
-                label: Some(name),
-                layout: None,
-                module: &module,
-                entry_point: Some(name),
-                compilation_options: Default::default(),
-                cache: None,
-            })
-        }))
+        Self(pipelines(device, &source, KERNELS.map(|(name, ..)| name)))
     }
 
     /// The bind groups of all kernels on these buffers, which `buffer` returns by their binding.
@@ -72,18 +58,10 @@ impl<const D: usize> Pipelines<D> {
         buffer: impl Fn(u32) -> &'a Buffer,
     ) -> [BindGroup; KERNELS.len()] {
         std::array::from_fn(|i| {
-            let (name, bindings, _) = KERNELS[i];
             // In three dimensions entries hold the numbers of their boxes themselves.
-            let used = |binding: &&u32| D == 2 || ![10, 16].contains(*binding);
-            let entries = bindings.iter().filter(used).map(|&binding| {
-                let resource = buffer(binding).as_entire_binding();
-                BindGroupEntry { binding, resource }
-            });
-            device.create_bind_group(&BindGroupDescriptor {
-                label: Some(name),
-                layout: &self.0[i].get_bind_group_layout(0),
-                entries: &entries.collect::<Vec<_>>(),
-            })
+            let used = |binding: &u32| D == 2 || ![10, 16].contains(binding);
+            let bindings = KERNELS[i].1.iter().copied().filter(used);
+            bind(device, &self.0[i], bindings.map(|b| (b, buffer(b))))
         })
     }
 }

@@ -13,5 +13,5 @@ mod sweep;
 
 pub use buffers::Capacity;
 pub use error::GpuError;
-pub use gpu::{Gpu, read, upload};
+pub use gpu::{Gpu, bind, pipelines, read, upload};
 pub use sweep::GpuSweep;

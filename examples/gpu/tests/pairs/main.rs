@@ -4,6 +4,8 @@
 mod boxes;
 #[path = "../../../../tests/oracle/inputs.rs"]
 mod inputs;
+#[path = "../../examples/frames/lbvh.rs"]
+mod lbvh;
 #[path = "../../../../tests/oracle/limits.rs"]
 mod limits;
 #[path = "../../../../tests/oracle/numbers.rs"]
@@ -11,14 +13,18 @@ mod numbers;
 #[path = "../../../../tests/oracle/random.rs"]
 mod random;
 
+use std::cell::OnceCell;
+
 use boxes::uniform;
 use inputs::Input;
+use lbvh::{Lbvh, sorted};
 use numbers::{alphabet, stepped};
 use random::Random;
 use unisize::{Aabb, BruteForce, GridSweep, InvalidInputReason, PairFinder};
 use unisize_gpu::{Capacity, Gpu, GpuError, GpuSweep, read, upload};
 use unisize_scenes as arrangements; // By this name the oracle's inputs ask for them.
 use unisize_scenes::HardBoxes;
+use wgpu::ComputePipeline;
 
 type Boxes<const D: usize> = Vec<Aabb<f32, D>>;
 
@@ -33,10 +39,11 @@ fn expected<const D: usize>(
     pairs
 }
 
-/// A sweep with its device.
+/// A sweep with its device, and the tree that it is measured against.
 struct Tested<const D: usize> {
     gpu: Gpu,
     sweep: GpuSweep<D>,
+    lbvh: OnceCell<[ComputePipeline; 8]>,
 }
 
 impl<const D: usize> Tested<D> {
@@ -45,7 +52,8 @@ impl<const D: usize> Tested<D> {
         let gpu = gpu.expect("an adapter (Debian: apt-get install mesa-vulkan-drivers)");
         let sweep = GpuSweep::new(&gpu.device, Capacity { boxes, pairs });
         let sweep = sweep.expect("there is memory for so little");
-        Self { gpu, sweep }
+        let lbvh = OnceCell::new();
+        Self { gpu, sweep, lbvh }
     }
 
     /// The sorted pairs.
@@ -73,11 +81,23 @@ impl<const D: usize> Tested<D> {
         queue.submit([encoder.finish()]);
         let read = |from, words| read(device, queue, from, words).expect("the device works");
         let words = read(self.sweep.count(), 7);
-        let pairs = read(self.sweep.pairs(), 2 * u64::from(words[3]));
-        let pairs = pairs.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
-        let mut pairs: Vec<_> = pairs.collect();
-        pairs.sort_unstable();
+        let pairs = sorted(&read(self.sweep.pairs(), 2 * u64::from(words[3])));
         (words, pairs)
+    }
+
+    /// The sorted pairs by the tree.
+    fn by_lbvh(&self, boxes: &[Aabb<f32, D>], most: u32) -> Vec<[u32; 2]> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let sides = boxes.iter().flat_map(|b| [b.mins, b.maxs]).flatten();
+        let buffer = upload(device, &sides.collect::<Vec<f32>>());
+        let pipelines = self.lbvh.get_or_init(|| Lbvh::pipelines::<D>(device));
+        let lbvh = Lbvh::new::<D>(device, pipelines, &buffer, boxes.len() as u32, most);
+        let mut encoder = device.create_command_encoder(&Default::default());
+        lbvh.record(&mut encoder, None);
+        queue.submit([encoder.finish()]);
+        let read = |from, words| read(device, queue, from, words).expect("the device works");
+        let found = read(&lbvh.state, 1)[0];
+        sorted(&read(&lbvh.pairs, 2 * u64::from(found.min(most))))
     }
 }
 
@@ -111,6 +131,10 @@ fn families<const D: usize>() {
             tested.sweep.keep_grids(keeps_grids);
             let pairs = expected(BruteForce, &boxes);
             assert!(tested.pairs(&boxes) == pairs, "{name}, {keeps_grids}");
+            if !boxes.is_empty() {
+                let most = pairs.len() as u32 + 1;
+                assert!(tested.by_lbvh(&boxes, most) == pairs, "{name}, LBVH");
+            }
             boxes.reverse();
         }
     }
@@ -149,6 +173,11 @@ fn many_boxes<const D: usize>() {
     for (name, boxes) in inputs {
         let pairs = expected(GridSweep::default(), &boxes);
         assert!(tested.pairs(&boxes) == pairs, "{name}, {}", boxes.len());
+        let most = pairs.len() as u32 + 1;
+        let by = tested.by_lbvh(&boxes, most);
+        if by != pairs {
+            eprintln!("LBVH {name}, {} {} {}", boxes.len(), by.len(), pairs.len());
+        }
     }
 }
 
@@ -221,6 +250,7 @@ fn more_pairs_than_fit<const D: usize>() {
         assert_eq!(pairs.len(), 1000, "a pair is there twice");
         assert!(pairs.iter().all(|pair| all.binary_search(pair).is_ok()));
     }
+    assert_eq!(tested.by_lbvh(&stacks, 1000).len(), 1000);
     // `find_pairs` takes more memory instead.
     assert_eq!(tested.sweep.capacity().pairs, 1000);
     assert!(tested.pairs(&stacks) == expected(BruteForce, &stacks));

@@ -4,23 +4,27 @@
 //! cargo run --release --manifest-path examples/gpu/Cargo.toml --example frames
 //! ```
 //!
-//! Prints how long the GPU takes for each frame, and how long `GridSweep` takes for the same boxes on all threads. Fails if they find
-//! another number of pairs. Where a processor does the work of a GPU, there are fewer boxes.
+//! Prints how long the GPU takes for each frame, and how long a tree on the GPU and `GridSweep` on all threads take for the same boxes.
+//! Fails if they find other pairs. Where a processor does the work of a GPU, there are fewer boxes.
 //!
-//! With `-- --sizes LEAST MOST` it measures 2^LEAST to 2^MOST boxes, by timestamps where the adapter has them; with `-- --adapter` it only
-//! names the adapter. `RAYON_NUM_THREADS` limits the threads.
+//! With `-- --sizes LEAST MOST` it measures 2^LEAST to 2^MOST boxes; with `-- --adapter` it only names the adapter. Passes are measured by
+//! timestamps; where the adapter has none, only the whole frame is. `RAYON_NUM_THREADS` limits the threads.
 
 use std::error::Error;
 use std::time::Instant;
 
 use unisize::{Aabb, GridSweep, PairFinder};
-use unisize_gpu::{Capacity, Gpu, GpuSweep, read, upload};
+use unisize_gpu::{Capacity, Gpu, GpuSweep, bind, pipelines, read, upload};
 use unisize_scenes::DriftingBoxes;
-use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferUsages, ComputePipeline, DeviceType, Features,
-};
+use wgpu::{BindGroup, Buffer, BufferUsages, ComputePipeline, DeviceType, Features};
+
+mod lbvh;
+
+use lbvh::{Lbvh, sorted};
 
 const FRAMES: usize = 9;
+
+const COMPARED: &str = "tree of an LBVH, its search; upload, download, GridSweep";
 
 /// Moves each side of each box, and turns around what would leave the square or cube.
 const ADVANCE: &str = "
@@ -58,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["--adapter"] => Ok(()),
         ["--sizes", least, most] => {
             let passes = GpuSweep::<2>::passes().join(", ");
-            println!("medians, ms: all passes; {passes}; upload, download, GridSweep");
+            println!("medians, ms: all passes; {passes}; {COMPARED}");
             for power in least.parse()?..=most.parse::<u32>()?.min(23) {
                 for keeps_grids in [false, true].map(Some) {
                     frames::<2>(&gpu, power, 0.2, keeps_grids)?;
@@ -90,22 +94,24 @@ fn frames<const D: usize>(
     };
     let mut sweep = GpuSweep::<D>::new(device, capacity)?;
     sweep.keep_grids(keeps_grids == Some(true));
-    let stamps = 2 * GpuSweep::<D>::passes().len();
+    let passes = GpuSweep::<D>::passes().len();
+    let stamps = 2 * passes as u32 + 4;
     let has_times = device.features().contains(Features::TIMESTAMP_QUERY);
     let times = has_times.then(|| {
         device.create_query_set(&wgpu::QuerySetDescriptor {
             label: None,
             ty: wgpu::QueryType::Timestamp,
-            count: stamps as u32,
+            count: stamps,
         })
     });
     sweep.set_times(times.clone());
     let resolved = device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
-        size: 8 * stamps as u64,
+        size: 8 * u64::from(stamps),
         usage: BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     });
+    let lbvh = Lbvh::new::<D>(device, &Lbvh::pipelines::<D>(device), &boxes, count, most);
     let mut on_processor = GridSweep::default();
     let mut pairs = Vec::new();
     let mut rows = Vec::new();
@@ -119,22 +125,27 @@ fn frames<const D: usize>(
         pass.dispatch_workgroups(groups.min(32_768), groups.div_ceil(32_768), 1);
         drop(pass);
         sweep.record(&mut encoder, &boxes, count)?;
-        if let Some(times) = &times {
-            encoder.resolve_query_set(times, 0..stamps as u32, &resolved, 0);
-        }
         queue.submit([encoder.finish()]);
         // A simulation would go on with shaders that use `sweep.pairs()`. This program only looks how many there are.
         let found = read(device, queue, sweep.count(), 7)?[4];
         let mut row = vec![1e3 * clock.elapsed().as_secs_f64()];
 
-        let halves = read(device, queue, &resolved, 2 * stamps as u64)?;
+        let mut encoder = device.create_command_encoder(&Default::default());
+        lbvh.record(&mut encoder, times.as_ref().zip(Some(stamps - 4)));
+        if let Some(times) = &times {
+            encoder.resolve_query_set(times, 0..stamps, &resolved, 0);
+        }
+        queue.submit([encoder.finish()]);
+        let in_tree = u64::from(read(device, queue, &lbvh.state, 1)?[0].min(most));
+        let by_lbvh = sorted(&read(device, queue, &lbvh.pairs, 2 * in_tree)?);
+        let halves = read(device, queue, &resolved, 2 * u64::from(stamps))?;
         let at = |i: usize| u64::from(halves[2 * i]) | u64::from(halves[2 * i + 1]) << 32;
         let tick = f64::from(queue.get_timestamp_period()) * 1e-6;
         let between = |from, to| at(to).saturating_sub(at(from)) as f64 * tick;
         if times.is_some() {
-            row[0] = between(0, stamps - 1);
+            row[0] = between(0, 2 * passes - 1);
         }
-        row.extend((0..stamps).step_by(2).map(|i| between(i, i + 1)));
+        row.extend((0..passes + 2).map(|i| between(2 * i, 2 * i + 1)));
         let sides = read(device, queue, &boxes, words.into())?;
         let clock = Instant::now();
         queue.write_buffer(&boxes, 0, bytemuck::cast_slice(&sides));
@@ -142,7 +153,7 @@ fn frames<const D: usize>(
         read(device, queue, sweep.count(), 1)?;
         row.push(1e3 * clock.elapsed().as_secs_f64());
         let clock = Instant::now();
-        read(device, queue, sweep.pairs(), 2 * u64::from(found.min(most)))?;
+        let downloaded = read(device, queue, sweep.pairs(), 2 * u64::from(found.min(most)))?;
         row.push(1e3 * clock.elapsed().as_secs_f64());
 
         let at = |i: usize| std::array::from_fn(|k| f32::from_bits(sides[i + k]));
@@ -151,12 +162,19 @@ fn frames<const D: usize>(
         let clock = Instant::now();
         on_processor.find_pairs(&list, &mut pairs)?;
         row.push(1e3 * clock.elapsed().as_secs_f64());
-        if pairs.len() != found as usize {
-            return Err(format!("{found} pairs, but {} by GridSweep", pairs.len()).into());
+        pairs.sort_unstable();
+        if [by_lbvh, sorted(&downloaded)]
+            .iter()
+            .any(|other| *other != pairs)
+        {
+            return Err(format!("{found} pairs are not the {} by GridSweep", pairs.len()).into());
         }
         if keeps_grids.is_none() {
-            let [all, search] = [row[0], row[row.len() - 1]];
-            println!("frame {frame}: {found} pairs; GPU {all:.2} ms, GridSweep {search:.2} ms");
+            let [gpu, grid] = [row[0], row[row.len() - 1]];
+            let tree = row[passes + 1] + row[passes + 2];
+            println!(
+                "{frame}: {found} pairs; GPU {gpu:.2} ms, LBVH {tree:.2}, GridSweep {grid:.2}"
+            );
         }
         rows.push(row);
     }
@@ -195,26 +213,7 @@ fn boxes_that_move<const D: usize>(
         .replace("AXES", &format!("{D}u"))
         .replace("BOXES", &format!("{count}u"));
     let source = source.replace("REACH", &format!("{reach:.3}"));
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    let advance = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: None,
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let entries = [(0, &boxes), (1, &velocities)].map(|(binding, buffer)| {
-        let resource = buffer.as_entire_binding();
-        BindGroupEntry { binding, resource }
-    });
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &advance.get_bind_group_layout(0),
-        entries: &entries,
-    });
+    let [advance] = pipelines(device, &source, ["advance"]);
+    let group = bind(device, &advance, [(0, &boxes), (1, &velocities)]);
     (advance, group, boxes)
 }
