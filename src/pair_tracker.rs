@@ -92,7 +92,7 @@ pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
     overrides: Overrides,
-    /// The work of the last update, and of visits since.
+    /// The work of the last update's searches.
     work: Work,
     /// The cost of searching since the last full search, that one included.
     cost: Cost,
@@ -154,7 +154,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
         let slots = self.proxies.len();
-        self.work.picked += self.candidates.visit_near(listed, slots, |pair| {
+        self.candidates.visit_near(listed, slots, |pair| {
             let [a, b] = pair.map(|slot| keys[slot as usize]);
             if a.may_touch(b) {
                 visit(pair);

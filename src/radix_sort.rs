@@ -1,8 +1,8 @@
-//! A stable radix sort of integer keys, each with a number that moves with it.
+//! A stable radix sort of indices by integer keys.
 //!
 //! Least significant digit first, as in section 3 of the paper: each pass is a counting sort by one digit, and keeps the order of equal
-//! digits. One pass over the keys counts all digits beforehand. The first pass reads the entries where they are, and the last writes
-//! only the wanted part of each. So sorting indices by keys moves both only in the passes between.
+//! digits. One pass over the keys counts all digits beforehand. The first pass reads the keys where they are, and the last writes
+//! indices only. So only the passes between move both.
 
 use crate::counting_sort::{starts_from_counts, take_place};
 
@@ -27,58 +27,46 @@ pub(crate) struct RadixSort<K> {
 }
 
 impl<K: Copy + Default + Into<u64>> RadixSort<K> {
-    /// Sorts entries, each a key and a number, by their keys, and replaces `sorted` by the `item` of each. Entries with equal keys stay in
-    /// order. Takes at most `u32::MAX` entries.
+    /// Replaces `order` by the indices of at most `u32::MAX` keys, in the order of the keys; indices of equal keys ascend.
     ///
     /// Computes in **O(n)** time.
-    pub(crate) fn sort<T: Copy + Default>(
-        &mut self,
-        entries: impl ExactSizeIterator<Item = (K, u32)> + Clone,
-        item: impl Fn((K, u32)) -> T,
-        sorted: &mut Vec<T>,
-    ) {
-        if entries.len() < FEW {
-            self.sort_by_digits::<SMALL_DIGIT, T>(entries, item, sorted);
-        } else {
-            self.sort_by_digits::<LARGE_DIGIT, T>(entries, item, sorted);
+    pub(crate) fn sort(&mut self, keys: &[K], order: &mut Vec<u32>) {
+        match keys.len() < FEW {
+            true => self.sort_by_digits::<SMALL_DIGIT>(keys, order),
+            false => self.sort_by_digits::<LARGE_DIGIT>(keys, order),
         }
     }
 
-    fn sort_by_digits<const BITS: u32, T: Copy + Default>(
-        &mut self,
-        entries: impl ExactSizeIterator<Item = (K, u32)> + Clone,
-        item: impl Fn((K, u32)) -> T,
-        sorted: &mut Vec<T>,
-    ) {
+    fn sort_by_digits<const BITS: u32>(&mut self, keys: &[K], order: &mut Vec<u32>) {
         let Self { from, to, counts } = self;
-        let len = entries.len();
-        count_digits::<K, BITS>(entries.clone(), counts);
+        count_digits::<K, BITS>(keys, counts);
         // A digit that all keys share needs no pass.
-        let (first, _) = entries.clone().next().unwrap_or_default();
+        let first = keys.first().copied().unwrap_or_default();
         let mut passes = counts
             .chunks_exact_mut(1 << BITS)
             .zip(shifts::<K, BITS>())
-            .filter(|(row, shift)| row[digit::<BITS>(first, *shift)] as usize != len)
+            .filter(|(row, shift)| row[digit::<BITS>(first, *shift)] as usize != keys.len())
             .peekable();
 
-        sorted.clear();
+        let entries = keys.iter().copied().zip(0..);
+        order.clear();
         let Some(digit) = passes.next() else {
-            sorted.extend(entries.map(item));
+            order.extend(entries.map(|(_, index)| index));
             return;
         };
-        sorted.resize(len, T::default());
-        let sorted = &mut sorted[..];
+        order.resize(keys.len(), 0);
+        let order = &mut order[..];
         if passes.peek().is_none() {
-            return pass::<K, BITS>(entries, digit, |at, entry| sorted[at] = item(entry));
+            return pass::<K, BITS>(entries, digit, |at, (_, index)| order[at] = index);
         }
-        from.resize(len, Default::default());
-        to.resize(len, Default::default());
+        from.resize(keys.len(), Default::default());
+        to.resize(keys.len(), Default::default());
         let (mut from, mut to) = (&mut from[..], &mut to[..]);
         pass::<K, BITS>(entries, digit, |at, entry| from[at] = entry);
         while let Some(digit) = passes.next() {
             let entries = from.iter().copied();
             if passes.peek().is_none() {
-                pass::<K, BITS>(entries, digit, |at, entry| sorted[at] = item(entry));
+                pass::<K, BITS>(entries, digit, |at, (_, index)| order[at] = index);
             } else {
                 pass::<K, BITS>(entries, digit, |at, entry| to[at] = entry);
                 core::mem::swap(&mut from, &mut to);
@@ -99,13 +87,10 @@ fn digit<const BITS: u32>(key: impl Into<u64>, shift: u32) -> usize {
 }
 
 /// Counts the values of all digits, in one row of `counts` per digit.
-fn count_digits<K: Copy + Into<u64>, const BITS: u32>(
-    entries: impl Iterator<Item = (K, u32)>,
-    counts: &mut Vec<u32>,
-) {
+fn count_digits<K: Copy + Into<u64>, const BITS: u32>(keys: &[K], counts: &mut Vec<u32>) {
     counts.clear();
     counts.resize(shifts::<K, BITS>().len() << BITS, 0);
-    for (key, _) in entries {
+    for &key in keys {
         let mut row = 0;
         for shift in shifts::<K, BITS>() {
             counts[row + digit::<BITS>(key, shift)] += 1;

@@ -93,10 +93,7 @@ impl<R: Real> Endpoints<R> {
         self.keys.clear();
         self.keys.extend(lows.map(|b| b.mins[axis].order_key()));
         self.keys.extend(highs.map(|b| b.maxs[axis].order_key()));
-        let indexed = self.keys.iter().enumerate();
-        let indexed = indexed.map(|(i, &key)| (key, i as u32));
-        self.sorter
-            .sort(indexed, |(_, index)| index, &mut self.order);
+        self.sorter.sort(&self.keys, &mut self.order);
     }
 }
 

@@ -1,5 +1,5 @@
-//! Constants that affect speed and nothing else. A constant that only one file reads is in that file, except prices, which only mean
-//! something next to each other.
+//! Constants that affect speed and nothing else: those of the kernels, of threads and of queries, the prices of an update's operations, and
+//! what else several files of an update read. Other constants of an update are in the files that read them.
 //!
 //! Neither events nor their order depend on them; a few unit tests do. Each has its unit, the effect of a larger and of a smaller value, and
 //! its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core. A factor of two in either

@@ -73,7 +73,7 @@ impl<R: Default> Default for Grid<R> {
 }
 
 /// The tubes that a box reaches: from `first` to `last` on each cut axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct TubeSpan {
     pub(super) first: [u32; 2],
     pub(super) last: [u32; 2],
@@ -162,8 +162,7 @@ impl<R: Real> Grid<R> {
     /// The tubes that a box reaches; unspecified for an invalid one.
     #[inline(always)]
     pub(super) fn tube_span<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
-        let (first, last) = ([0; 2], [0; 2]);
-        let mut span = TubeSpan { first, last };
+        let mut span = TubeSpan::default();
         let cuts = cut_axes::<D>();
         if cuts == 0 {
             return span;

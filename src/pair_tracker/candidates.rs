@@ -18,7 +18,7 @@ use crate::real::Real;
 pub(super) use comparing::Comparing;
 use lists::CandidateLists;
 use retired::RetiredPairs;
-use turns::Turns;
+use turns::Turn;
 
 /// One row in this many. Once more rows are tombstones, they are removed. If larger: rows are moved, and lists made again, for a few
 /// tombstones. If smaller: comparing goes through rows that are gone.
@@ -42,6 +42,8 @@ pub(super) struct Candidates {
     pub(super) overlapping_count: usize,
     tombstones: usize,
     lists: CandidateLists,
+    /// How often the candidates of some slots were picked from all rows, and how often they were found by lists.
+    pub(super) passes: [u64; 2],
     /// In an update, held pairs that were retired.
     retired: RetiredPairs,
     /// In an update, pairs that were retired, were not held, and that their keys have come to forbid.
@@ -52,8 +54,8 @@ pub(super) struct Candidates {
     slots: BitSet,
     /// Scratch: answers about rows.
     answers: BitSet,
-    /// Scratch: the changes of rows.
-    turns: Vec<Turns>,
+    /// Scratch: the changes of rows, by parts of the rows.
+    turns: Vec<Vec<Turn>>,
 }
 
 impl Candidates {
@@ -139,16 +141,15 @@ impl Candidates {
             .any(|&slot| self.acquainted.has_room_without(slot as usize))
     }
 
-    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first. Returns
-    /// how many rows it has gone through to pick them.
+    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first.
     pub(super) fn visit_near(
         &mut self,
         listed: &[u32],
         slots: usize,
         mut visit: impl FnMut([u32; 2]),
-    ) -> usize {
+    ) {
         if self.overlapping_count == self.held_count {
-            return 0;
+            return;
         }
         if self.walks_lists(listed.len(), slots) {
             let Self {
@@ -166,7 +167,7 @@ impl Candidates {
                     a != TOMBSTONE
                 });
             }
-            return 0;
+            return;
         }
         self.slots.insert_all(listed, slots);
         for [a, b] in self.near() {
@@ -177,23 +178,19 @@ impl Candidates {
             }
         }
         self.slots.clear_around(listed);
-        self.rows()
     }
 
     /// Whether the candidates of a number of slots are found by lists, and not picked from all. Makes the lists once they have been missed
     /// often enough.
     fn walks_lists(&mut self, walked: usize, slots: usize) -> bool {
-        if !CandidateLists::pay(walked, slots, self.rows()) {
-            return false;
-        }
-        if !self.lists.are_made {
-            if !self.lists.are_due() {
-                return false;
-            }
+        let pay = CandidateLists::pay(walked, slots, self.rows());
+        if pay && !self.lists.are_made && self.lists.are_due() {
             self.compact();
             self.lists.make(&self.pairs, slots);
         }
-        true
+        let walks_lists = pay && self.lists.are_made;
+        self.passes[usize::from(walks_lists)] += 1;
+        walks_lists
     }
 
     /// Sets the state of a row. Returns the former one.
@@ -228,12 +225,7 @@ impl Candidates {
             return;
         }
         // Backwards, so that the row that `swap_remove` moves has been visited already.
-        for turn in self
-            .turns
-            .iter()
-            .rev()
-            .flat_map(|part| part.turns.iter().rev())
-        {
+        for turn in self.turns.iter().flatten().rev() {
             if turn.state.is_none() {
                 self.pairs.swap_remove(turn.row);
                 self.states.swap_remove(turn.row);

@@ -7,7 +7,7 @@
 //! A full search is due once the recent layer has cost as much as one. So the time is never more than about twice what it would be if the
 //! best moment were known beforehand.
 
-use super::policy::{AboveBase, Work};
+use super::policy::Work;
 use crate::aabb::Aabb;
 use crate::diagnostics::Diagnostics;
 use crate::grid_sweep::GridSweep;
@@ -29,8 +29,6 @@ pub(super) struct Layers<R: Real, const D: usize> {
     /// The slots that have left their fat boxes since then.
     outdated: SlotSet,
     recent: GridSweep<R, D>,
-    /// How many boxes the searches of the recent layer have gone through since then, in all.
-    cost: usize,
     /// How many pairs of fat boxes overlapped in the last full search, whether they may meet or not.
     overlapping: usize,
     /// The pairs that the last search found.
@@ -43,12 +41,9 @@ pub(super) struct Layers<R: Real, const D: usize> {
 pub(super) struct TooMany;
 
 impl<R: Real, const D: usize> Layers<R, D> {
-    /// The state of the recent layer; `None` if the base layer is not sorted, so that nothing can be looked up.
-    pub(super) fn above_base(&self) -> Option<AboveBase> {
-        self.is_base_sorted.then_some(AboveBase {
-            cost: self.cost,
-            recent: self.outdated.len(),
-        })
+    /// The number of slots in the recent layer; `None` if the base layer is not sorted, so that nothing can be looked up.
+    pub(super) fn recent(&self) -> Option<usize> {
+        self.is_base_sorted.then_some(self.outdated.len())
     }
 
     /// Makes the next proxy that leaves its fat box cause a full search.
@@ -82,7 +77,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
     ) -> Result<usize, TooMany> {
         self.forget();
         self.outdated.clear();
-        self.cost = 0;
         if boxes.len() <= COMPARE_ALL_UP_TO {
             stopwatch.enter(Phase::Sweep);
             compare_all(boxes, &mut self.found);
@@ -96,8 +90,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let numbered = (0..).zip(boxes).filter(|(_, b)| b.is_valid());
         self.members.extend(numbered.map(|(slot, _)| slot));
         let most = self.overlapping.saturating_add(most);
-        let (members, found) = (&self.members, &mut self.found);
-        let base = &mut self.base;
+        let (base, members, found) = (&mut self.base, &self.members, &mut self.found);
         let overlapping = base.find_among(boxes, members, may_meet, most, found, stopwatch);
         if overlapping > most {
             return Err(TooMany);
@@ -112,7 +105,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
     }
 
     /// Finds the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
-    /// have changed since the last search. The base layer must be [sorted](Self::above_base). Returns the work it took.
+    /// have changed since the last search. The base layer must be [sorted](Self::recent). Returns the work it took.
     ///
     /// # Errors
     /// If so many more overlap than in the last full search as `most` says. Then only some were found.
@@ -128,18 +121,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
             let [a, b] = pair.map(|slot| leavers.contains(slot));
             (a | b) && may_meet(pair)
         };
-        let queries = leavers.slots().iter().copied();
-        let queries: Vec<_> = queries
-            .filter(|&slot| boxes[slot as usize].is_valid())
-            .collect();
-        let Self {
-            base,
-            outdated,
-            recent,
-            found,
-            members,
-            ..
-        } = self;
+        let is_valid = |&slot: &u32| boxes[slot as usize].is_valid();
+        let mut queries = leavers.slots().to_vec();
+        queries.retain(is_valid);
+        let (base, outdated, recent) = (&mut self.base, &mut self.outdated, &mut self.recent);
+        let (found, members) = (&mut self.found, &mut self.members);
         found.clear();
         outdated.make_room(boxes.len());
         for &slot in leavers.slots() {
@@ -157,19 +143,17 @@ impl<R: Real, const D: usize> Layers<R, D> {
             return Err(TooMany);
         }
 
-        let slots = outdated.slots().iter().copied();
         members.clear();
-        members.extend(slots.filter(|&slot| boxes[slot as usize].is_valid()));
+        members.extend_from_slice(outdated.slots());
+        members.retain(is_valid);
         if recent.find_among(boxes, members, Some(is_new), most, found, stopwatch) > most {
             return Err(TooMany);
         }
-        self.cost += outdated.len();
         Ok(Work {
             looked_up: leavers.len(),
             visited: tally.compared,
             searched: outdated.len(),
             found: found.len(),
-            ..Work::default()
         })
     }
 }

@@ -19,10 +19,6 @@ const COMPARE_ALL_FROM_ONE_IN: usize = 3;
 /// searches by chance.
 const FULL_SEARCH_TOLERANCE: u64 = 16;
 
-/// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut, for example where huge boxes are about to pass over
-/// many small ones. If larger: memory. If smaller: dense scenes lose their foresight.
-const MOST_CANDIDATES: usize = 8;
-
 /// What decides the plan of an update.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlanInputs {
@@ -31,21 +27,12 @@ pub(super) struct PlanInputs {
     /// Slots whose boxes have left their fat boxes, are new, or are gone.
     pub(super) leavers: usize,
     pub(super) candidates: usize,
-    /// The state of the recent layer, if leavers may be looked up.
-    pub(super) above_base: Option<AboveBase>,
+    /// Slots in the recent layer, if leavers may be looked up.
+    pub(super) recent: Option<usize>,
     /// How far ahead the present fat boxes reach.
     pub(super) foresight: Foresight,
     /// The cost of searching in all updates since the last full search, that one included.
     pub(super) cost: Cost,
-}
-
-/// The recent layer of a search, above the base that the last full search has sorted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct AboveBase {
-    /// How many boxes its searches have gone through since the last full search, in all.
-    pub(super) cost: usize,
-    /// How many slots are recent.
-    pub(super) recent: usize,
 }
 
 /// What an update does that has something to do.
@@ -75,32 +62,29 @@ impl Plan {
 
 impl PlanInputs {
     fn is_full_search_due(&self) -> bool {
-        let Some(above_base) = self.above_base else {
+        let Some(recent) = self.recent else {
             return true;
         };
-        let [leavers, slots, found] = [self.leavers, self.slots, self.candidates].map(to_u64);
+        let counts = [recent, self.leavers, self.slots, self.candidates];
+        let [recent, leavers, slots, found] = counts.map(|count| count as u64);
         let full_search = SEARCHED * slots + FOUND * found;
         // Each finds all candidates of its own, which are those of another as well.
         let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
         let look_up =
             LOOKED_UP.saturating_add(VISITED.saturating_mul(self.cost.visits_a_look_up()));
-        let look_ups = look_up.saturating_mul(leavers).saturating_add(
-            SEARCHED * (to_u64(above_base.recent) + leavers) + FOUND * found_by_look_ups,
-        );
+        let look_ups = look_up
+            .saturating_mul(leavers)
+            .saturating_add(SEARCHED * (recent + leavers) + FOUND * found_by_look_ups);
         // As long as an update costs less than the mean since the last full search, that search still pays. Fat boxes made at one time
         // tend to be left at one time; then it no longer does.
         let tolerated = full_search / FULL_SEARCH_TOLERANCE;
-        look_ups > self.cost.mean().saturating_add(tolerated) || above_base.cost > self.slots
+        look_ups > self.cost.mean().saturating_add(tolerated) || self.cost.recent > slots
     }
 }
 
-/// The work of an update, in counts of operations.
+/// The work of an update's searches, in counts of operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Work {
-    /// Candidates of which it was asked whether one of their slots was touched.
-    pub(super) picked: usize,
-    /// Slots whose candidates were found by lists.
-    pub(super) walked: usize,
     /// Boxes that were looked up among all others.
     pub(super) looked_up: usize,
     /// Boxes with which these were compared, and the cost of finding them, in comparisons.
@@ -116,9 +100,10 @@ pub(super) struct Work {
 pub(super) struct Cost {
     updates: u64,
     searching: u64,
-    /// Look-ups, and their visits.
+    /// Look-ups, their visits, and the boxes of the searches of the recent layer.
     looked_up: u64,
     visited: u64,
+    recent: u64,
 }
 
 impl Cost {
@@ -132,11 +117,14 @@ impl Cost {
         ];
         self.updates = self.updates.saturating_add(1);
         for (count, cost) in counts {
-            let cost = cost.saturating_mul(to_u64(count));
+            let cost = cost.saturating_mul(count as u64);
             self.searching = self.searching.saturating_add(cost);
         }
-        self.looked_up = self.looked_up.saturating_add(to_u64(work.looked_up));
-        self.visited = self.visited.saturating_add(to_u64(work.visited));
+        if work.looked_up > 0 {
+            self.looked_up = self.looked_up.saturating_add(work.looked_up as u64);
+            self.visited = self.visited.saturating_add(work.visited as u64);
+            self.recent = self.recent.saturating_add(work.searched as u64);
+        }
     }
 
     /// The cost of an update, on average; 0 if there was none.
@@ -153,13 +141,4 @@ impl Cost {
 /// Whether going through all slots in order is faster than visiting those that were touched.
 pub(super) fn are_most_touched(touched: usize, slots: usize) -> bool {
     touched >= slots / COMPARE_ALL_FROM_ONE_IN
-}
-
-/// Whether there are more candidates than foresight can be worth.
-pub(super) fn are_too_many(candidates: usize, slots: usize, overlapping: usize) -> bool {
-    candidates / MOST_CANDIDATES > slots + overlapping
-}
-
-fn to_u64(count: usize) -> u64 {
-    count as u64
 }

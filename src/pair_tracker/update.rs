@@ -17,7 +17,7 @@
 use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::layers::TooMany;
-use super::policy::{Cost, Plan, PlanInputs, Work, are_most_touched, are_too_many};
+use super::policy::{Cost, Plan, PlanInputs, Work, are_most_touched};
 use super::{FilterKey, PairObserver, PairTracker};
 use crate::real::Real;
 use crate::stopwatch::Phase;
@@ -31,6 +31,10 @@ const FOUND_SPARE_ONE_IN: usize = 8;
 /// Pairs of fat boxes for each slot and pair of overlapping boxes. A search that finds so many more than the last one is given up, and
 /// foresight is cut. If larger: memory. If smaller: a crowd of new boxes is searched twice.
 const MOST_FOUND: usize = 64;
+
+/// Candidates for each slot and pair of overlapping boxes. With more, foresight is cut, for example where huge boxes are about to pass over
+/// many small ones. If larger: memory. If smaller: dense scenes lose their foresight.
+const MOST_CANDIDATES: usize = 8;
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Brings the pairs up to date and reports what has changed since the last call.
@@ -89,9 +93,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             slots: self.proxies.len(),
             leavers: self.proxies.leavers.len(),
             candidates: self.candidates.len(),
-            above_base: match self.overrides.full_searches_only {
+            recent: match self.overrides.full_searches_only {
                 true => None,
-                false => self.layers.above_base(),
+                false => self.layers.recent(),
             },
             foresight: self.foresight,
             cost: self.cost,
@@ -120,9 +124,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies: &self.proxies,
             observer,
         };
-        comparing.compare(&mut self.work);
+        comparing.compare();
         comparing.extend(&mut self.layers.found);
-        if !self.foresight.is_fixed && self.are_too_many(self.candidates.len()) {
+        let overlapping = self.candidates.overlapping_count;
+        if !self.foresight.is_fixed && self.are_too_many(self.candidates.len(), overlapping) {
             self.foresight.shorten();
             self.layers.forget();
         }
@@ -190,19 +195,18 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
     }
 
-    /// Whether this number of candidates is more than foresight can be worth.
-    fn are_too_many(&self, candidates: usize) -> bool {
-        let overlapping = self.candidates.overlapping_count;
-        are_too_many(candidates, self.proxies.len(), overlapping)
+    /// Whether there are more candidates than foresight can be worth, given how many of their boxes overlap.
+    fn are_too_many(&self, candidates: usize, overlapping: usize) -> bool {
+        candidates / MOST_CANDIDATES > self.proxies.len() + overlapping
     }
 
     /// Whether a search has found too many candidates, if there is a limit. How many of their boxes overlap is not known yet.
     fn are_too_many_found(&self, most: usize) -> bool {
-        let found = &self.layers.found;
+        let (found, before) = (&self.layers.found, self.candidates.overlapping_count);
+        let overlapping = found.iter().filter(|&&pair| self.proxies.overlap(pair));
         // There are hardly ever that many, so boxes are hardly ever compared here.
-        most < usize::MAX && self.are_too_many(found.len()) && {
-            let overlapping = found.iter().filter(|&&pair| self.proxies.overlap(pair));
-            are_too_many(found.len(), self.proxies.len(), overlapping.count())
-        }
+        most < usize::MAX
+            && self.are_too_many(found.len(), before)
+            && self.are_too_many(found.len(), overlapping.count())
     }
 }

@@ -34,9 +34,7 @@ pub(crate) struct Volumes<R, const D: usize> {
     half_axes: Vec<[[R; D]; D]>,
     /// Whether the collider may be elsewhere by up to the margin.
     are_slow: Vec<bool>,
-    /// Whether odometers count.
-    have_odometers: bool,
-    /// How far each volume has moved since the last full search, if they count.
+    /// How far each volume has moved since the last full search; empty if that is not counted.
     odometers: Vec<Odometer>,
     /// Updates since the last full search.
     moves: u32,
@@ -94,13 +92,15 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.kinds.resize(slots, VolumeKind::Box);
             self.balls.resize(slots, Volume::BOX.ball);
             self.are_slow.resize(slots, false);
-            self.odometers.resize(slots, Odometer::default());
+            if self.have_odometers() {
+                self.odometers.resize(slots, Odometer::default());
+            }
         }
     }
 
     /// Whether odometers count, so that candidates have dues.
     pub(super) fn have_odometers(&self) -> bool {
-        self.have_odometers
+        !self.odometers.is_empty()
     }
 
     /// Counts an update.
@@ -116,9 +116,9 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let is_worth_it =
             || near > DUES_FROM * slots && 2 * self.kinds.iter().filter(is_capsule).count() > slots;
         // Debug builds have them in any case, so that tests need not have thousands of colliders.
-        self.have_odometers = self.are_used && (cfg!(debug_assertions) || is_worth_it());
-        if self.have_odometers {
-            self.odometers.fill(Odometer::default());
+        self.odometers.clear();
+        if self.are_used && (cfg!(debug_assertions) || is_worth_it()) {
+            self.odometers.resize(slots, Odometer::default());
             self.moves = 0;
         }
     }
@@ -150,7 +150,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
         let is_replaced = is_renewed | is_of_another_kind;
         let update = self.all().set(index, volume, is_replaced);
-        if is_of_another_kind {
+        if is_of_another_kind && self.have_odometers() {
             self.odometers[index] = Odometer::LOST;
         }
         is_of_another_kind || update.is_some_and(VolumeUpdate::concerns_pairs)
@@ -216,25 +216,18 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             balls: &mut self.balls,
             half_axes: &mut self.half_axes,
             are_slow: &mut self.are_slow,
-            odometers: match self.have_odometers {
-                true => &mut self.odometers,
-                false => &mut [],
-            },
+            odometers: &mut self.odometers,
             margin: self.margin,
         }
     }
 
     /// Chunks of this many slots, followed by empty ones without end. If volumes are not in use, all are empty.
     pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
-        let odometers = match self.have_odometers {
-            true => &mut self.odometers[..],
-            false => &mut [],
-        };
         let mut kinds = self.kinds.chunks(slots);
         let mut balls = self.balls.chunks_mut(slots);
         let mut half_axes = self.half_axes.chunks_mut(slots);
         let mut are_slow = self.are_slow.chunks_mut(slots);
-        let mut odometers = odometers.chunks_mut(slots);
+        let mut odometers = self.odometers.chunks_mut(slots);
         let margin = self.margin;
         std::iter::repeat_with(move || VolumesChunk {
             kinds: kinds.next().unwrap_or_default(),

@@ -31,14 +31,12 @@ fn boxes_of_one_size_are_not_tested() {
 #[test]
 fn sorting_both_axes_at_once_changes_nothing() {
     let boxes = squares(SORT_BOTH_AXES_FROM, 300.0, 1.0);
-    let [one, two] = [1, 2].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let mut kernel = RankSweep::default();
-        let mut pairs = Vec::new();
-        let run = || kernel.find_pairs(&boxes, &mut pairs).unwrap();
-        pool.build().unwrap().install(run);
+    let run = || {
+        let (mut kernel, mut pairs) = (RankSweep::default(), Vec::new());
+        kernel.find_pairs(&boxes, &mut pairs).unwrap();
         (kernel.axes[1].order.is_empty(), pairs)
-    });
+    };
+    let [one, two] = [1, 2].map(|threads| parallel::with_threads(threads, run));
     assert!(one.0 && !two.0);
     assert!(one.1 == two.1, "other pairs, or another order");
 }

@@ -1,14 +1,14 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
-use super::turns::{Found, Inquiry, Turn, Turns};
+use super::turns::{Found, Turn};
 use super::{Candidates, TOMBSTONE};
 use crate::bit_set::{Lookup, gather, ones};
 use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
-use crate::pair_tracker::policy::{Work, are_most_touched};
+use crate::pair_tracker::policy::are_most_touched;
 use crate::pair_tracker::proxies::{Proxies, Rows};
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
-use crate::parallel::{Section, start_of_part};
+use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, HELD, PICKED};
 
@@ -22,34 +22,21 @@ pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
 impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
     /// Replaces all candidates by those that were `found`. Leaves that list empty, with the memory of the former candidates.
     pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
-        let Self {
-            candidates,
-            proxies,
-            ..
-        } = self;
-        let Candidates {
-            pairs,
-            states,
-            retired,
-            forbidden,
-            answers,
-            held_count,
-            ..
-        } = &mut **candidates;
-        retired.reserve(*held_count);
-        answers.ask(pairs.len(), COMPARED, |rows| {
-            let [_, held] = near_and_held(&states[rows.clone()]);
+        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+        let (pairs, retired) = (&candidates.pairs, &mut candidates.retired);
+        retired.reserve(candidates.held_count);
+        candidates.answers.ask(pairs.len(), COMPARED, |rows| {
+            let [_, held] = near_and_held(&candidates.states[rows.clone()]);
             let existed = |i: usize| proxies.both_existed(pairs[rows.start + i]);
             ones(held).fold(0, |word, i| word | u64::from(existed(i)) << i)
         });
-        answers.iter().for_each(|row| retired.insert(pairs[row]));
+        let held = candidates.answers.iter();
+        held.for_each(|row| retired.insert(pairs[row]));
         if proxies.are_rekeyed {
-            let near = pairs.iter().zip(states.iter());
-            let near = near.filter(|&(_, &state)| state == PairState::Near);
-            let pairs = near.map(|(&pair, _)| pair);
-            forbidden.extend(pairs.filter(|&pair| proxies.is_forbidden(pair)));
+            let forbidden = candidates.near().filter(|&pair| proxies.is_forbidden(pair));
+            candidates.forbidden = forbidden.collect();
         }
-        states.clear();
+        candidates.states.clear();
         candidates.dues.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
@@ -107,8 +94,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
                 ..Found::default()
             })
             .collect();
-        let inquiry = self.inquiry();
-        section.for_each(&mut parts, |part| inquiry.ask_found(part));
+        let asking = &*self;
+        section.for_each(&mut parts, |part| asking.ask_found(part));
         for found in parts {
             self.candidates.held_count += found.held_count;
             self.candidates.overlapping_count += found.overlapping_count;
@@ -131,44 +118,17 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     ///
     /// If most proxies were touched, it goes through all candidates. Otherwise it picks theirs out of all, which is cheap per candidate, or
     /// walks their lists, which waits for memory at each step and so is for very few proxies.
-    pub(in crate::pair_tracker) fn compare(&mut self, work: &mut Work) {
+    pub(in crate::pair_tracker) fn compare(&mut self) {
         let proxies = self.proxies;
         let (touched, revolumed) = (proxies.touched(), &proxies.notes.revolumed);
-        if !touched.is_empty() {
-            if are_most_touched(touched.len(), proxies.len()) {
-                return self.compare_all();
-            }
-            self.compare_touched(touched, work);
+        if !touched.is_empty() && are_most_touched(touched.len(), proxies.len()) {
+            return self.compare_all();
         }
-        if !revolumed.is_empty() {
-            self.compare_revolumed(revolumed, work);
-        }
-    }
-
-    fn compare_touched(&mut self, touched: &[u32], work: &mut Work) {
-        let proxies = self.proxies;
-        if self.candidates.walks_lists(touched.len(), proxies.len()) {
-            let mut lists = std::mem::take(&mut self.candidates.lists);
-            for &slot in proxies.leavers.slots() {
-                lists.take(slot, |row| self.retire(row));
-            }
-            self.candidates.lists = lists;
-            return self.walk(touched, work);
-        }
-        work.picked += self.candidates.rows();
-        self.turn_those_of(touched, |rows, listed| {
+        self.compare_those_of(touched, |rows, listed| {
             gather(rows.pairs, |&pair| listed.has_one(pair))
         });
-    }
-
-    /// The boxes of these slots stay, so the pairs that are held stay too.
-    fn compare_revolumed(&mut self, revolumed: &[u32], work: &mut Work) {
-        let proxies = self.proxies;
-        if self.candidates.walks_lists(revolumed.len(), proxies.len()) {
-            return self.walk(revolumed, work);
-        }
-        work.picked += self.candidates.rows();
-        self.turn_those_of(revolumed, |rows, listed| {
+        // The boxes of these slots stay, so the pairs that are held stay too.
+        self.compare_those_of(revolumed, |rows, listed| {
             proxies.met_of_near(rows, |pair| listed.has_one(pair))
         });
     }
@@ -186,28 +146,35 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         self.candidates.fill_tombstones();
     }
 
-    /// Brings the candidates in the lists of these slots up to date.
-    fn walk(&mut self, slots: &[u32], work: &mut Work) {
-        work.walked += slots.len();
-        let mut lists = std::mem::take(&mut self.candidates.lists);
-        for &slot in slots {
-            lists.walk(slot, |row| self.compare_row(row));
-        }
-        self.candidates.lists = lists;
-    }
-
-    /// Asks the rows that are picked from each 64, given which pairs have one of these slots, and applies the answers.
-    fn turn_those_of(
+    /// Brings the candidates of these slots up to date: those in their lists, or the rows that are picked from each 64, given which pairs
+    /// have one of the slots.
+    fn compare_those_of(
         &mut self,
         listed: &[u32],
         pick: impl Fn(Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
     ) {
+        if listed.is_empty() {
+            return;
+        }
+        let count = self.proxies.len();
+        if self.candidates.walks_lists(listed.len(), count) {
+            let mut lists = std::mem::take(&mut self.candidates.lists);
+            // Leavers first: then no other row needs to be asked whether it has one.
+            for &slot in self.proxies.leavers.slots() {
+                lists.walk(slot, |row| self.compare_row(row, true));
+            }
+            for &slot in listed {
+                lists.walk(slot, |row| self.compare_row(row, false));
+            }
+            self.candidates.lists = lists;
+            return;
+        }
         let mut slots = std::mem::take(&mut self.candidates.slots);
-        slots.insert_all(listed, self.proxies.len());
+        slots.insert_all(listed, count);
         let lookup = slots.lookup();
         // Each candidate has two slots.
-        let share_picked = (2 * listed.len() as u64).min(self.proxies.len() as u64);
-        let price = PICKED + COMPARED * share_picked / self.proxies.len().max(1) as u64;
+        let share_picked = (2 * listed.len()).min(count) as u64;
+        let price = PICKED + COMPARED * share_picked / count.max(1) as u64;
         self.turn(price, |rows| pick(rows, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
@@ -223,76 +190,54 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let rows = self.candidates.rows();
         let section = Section::of(rows, self.proxies.volumes.price(price));
         let count = section.parts();
-        parts.resize_with(count, Turns::default);
-        for (i, part) in parts.iter_mut().enumerate() {
-            // Whole words, so that threads pick as one does.
-            let [start, end] = [i, i + 1].map(|i| 64 * start_of_part(i, count, rows.div_ceil(64)));
-            part.rows = start..end.min(rows);
-        }
-        let mut unassigned = &mut dues[..];
-        let with_dues = parts.iter_mut().map(|part| {
-            let count = part.rows.len().min(unassigned.len());
-            let (dues, others) = std::mem::take(&mut unassigned).split_at_mut(count);
-            unassigned = others;
-            (part, dues)
+        parts.resize_with(count, Vec::new);
+        // Whole words, so that threads pick as one does.
+        let rows_a_part = 64 * rows.div_ceil(64).div_ceil(count).max(1);
+        let mut dues_of_parts = dues.chunks_mut(rows_a_part);
+        let asked = parts.iter_mut().enumerate().map(|(i, turns)| {
+            let [start, end] = [i, i + 1].map(|i| rows.min(i * rows_a_part));
+            let dues = dues_of_parts.next().unwrap_or_default();
+            (start..end, turns, dues)
         });
-        let mut with_dues: Vec<_> = with_dues.collect();
-        let inquiry = self.inquiry();
-        section.for_each(&mut with_dues, |(part, dues)| {
-            inquiry.ask(part, dues, &pick);
+        let mut asked: Vec<_> = asked.collect();
+        let asking = &*self;
+        section.for_each(&mut asked, |(rows, turns, dues)| {
+            asking.ask(rows.clone(), turns, dues, &pick);
         });
         self.candidates.dues = dues;
-        for &Turn { row, state } in parts.iter().flat_map(|part| &part.turns) {
-            match state {
-                Some(state) => self.set_state(row, state),
-                None => self.retire(row),
-            }
+        for &turn in parts.iter().flatten() {
+            self.apply(turn);
         }
         self.candidates.turns = parts;
     }
 
+    /// Brings a row up to date, or retires its candidate. Returns whether there is a candidate in it.
     #[inline(always)]
-    fn inquiry(&self) -> Inquiry<'_, R, D, K, O> {
-        Inquiry {
-            candidates: self.candidates,
-            proxies: self.proxies,
-            observer: self.observer,
-        }
-    }
-
-    /// Brings a row up to date. Returns whether there is a candidate in it.
-    #[inline(always)]
-    fn compare_row(&mut self, row: usize) -> bool {
+    fn compare_row(&mut self, row: usize, has_left: bool) -> bool {
         let Some(pair) = self.candidates.get(row) else {
             return false;
         };
         let former = self.candidates.states[row];
-        let state = self.inquiry().next_state(pair, former, None);
-        if state != former {
-            self.set_state(row, state);
+        let state = (!has_left).then(|| self.next_state(pair, former, None));
+        if state != Some(former) {
+            self.apply(Turn { row, state });
         }
-        true
+        !has_left
     }
 
+    /// Changes a row: sets its state and reports if a pair begins or ends, or puts a tombstone in place of the candidate.
     #[inline(always)]
-    fn set_state(&mut self, row: usize, state: PairState) {
-        let former = self.candidates.set_state(row, state);
-        let pair = self.candidates.pairs[row];
-        match (former.is_held(), state.is_held()) {
-            (false, true) => self.observer.report(PairChange::Added(pair)),
-            (true, false) => self.observer.report(PairChange::Deleted(pair)),
-            _ => {}
-        }
-    }
-
-    /// Puts a tombstone in place of a candidate when one of its proxies has left its fat box or is gone.
-    #[inline(always)]
-    fn retire(&mut self, row: usize) {
+    fn apply(&mut self, Turn { row, state }: Turn) {
         let (candidates, proxies) = (&mut *self.candidates, self.proxies);
-        let Some(pair) = candidates.get(row) else {
-            return;
-        };
-        let former = candidates.set_state(row, PairState::Apart);
+        let pair = candidates.pairs[row];
+        let former = candidates.set_state(row, state.unwrap_or(PairState::Apart));
+        if let Some(state) = state {
+            return match (former.is_held(), state.is_held()) {
+                (false, true) => self.observer.report(PairChange::Added(pair)),
+                (true, false) => self.observer.report(PairChange::Deleted(pair)),
+                _ => {}
+            };
+        }
         candidates.pairs[row] = [TOMBSTONE; 2];
         candidates.tombstones += 1;
         match former {

@@ -83,20 +83,7 @@ impl CandidateLists {
         }
     }
 
-    /// Calls `visit` with each row in the list of a slot, tombstones included, and empties the list.
-    pub(super) fn take(&mut self, slot: u32, mut visit: impl FnMut(usize)) {
-        let Some(head) = self.heads.get_mut(slot as usize) else {
-            return;
-        };
-        let mut link = std::mem::replace(head, END);
-        while link != END {
-            let (row, side) = (link as usize / 2, link as usize % 2);
-            visit(row);
-            link = self.next[row][side];
-        }
-    }
-
-    /// Calls `visit` with each row in the list of a slot, and removes a row from the list if `visit` returns false.
+    /// Calls `visit` with each row in the list of a slot, tombstones included. Removes a row from the list if `visit` returns false.
     pub(super) fn walk(&mut self, slot: u32, mut visit: impl FnMut(usize) -> bool) {
         let Some(&head) = self.heads.get(slot as usize) else {
             return;

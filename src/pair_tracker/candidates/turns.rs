@@ -2,11 +2,11 @@
 
 use core::ops::Range;
 
-use super::Candidates;
+use super::Comparing;
 use crate::bit_set::ones;
 use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::PairState;
-use crate::pair_tracker::proxies::{Proxies, Rows};
+use crate::pair_tracker::proxies::Rows;
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
 use crate::real::Real;
 
@@ -16,13 +16,6 @@ pub(super) struct Turn {
     pub(super) row: usize,
     /// The new state; `None` if the candidate is retired.
     pub(super) state: Option<PairState>,
-}
-
-/// The changes in a range of rows.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Turns {
-    pub(super) rows: Range<usize>,
-    pub(super) turns: Vec<Turn>,
 }
 
 /// The answers for a range of the pairs that a search has found.
@@ -41,20 +34,19 @@ pub(super) struct Found<'a> {
     pub(super) strangers: Vec<[u32; 2]>,
 }
 
-/// What the answers depend on. Threads share it.
-pub(super) struct Inquiry<'a, R, const D: usize, K, O> {
-    pub(super) candidates: &'a Candidates,
-    pub(super) proxies: &'a Proxies<R, D, K>,
-    pub(super) observer: &'a O,
-}
-
-impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Inquiry<'_, R, D, K, O> {
-    /// Asks the rows of a range that `pick` picks from each 64. `dues` are those of the range, or none.
-    pub(super) fn ask(&self, part: &mut Turns, dues: &mut [Due], pick: impl Fn(Rows<'_>) -> u64) {
-        part.turns.clear();
+impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
+    /// Asks the rows of a range that `pick` picks from each 64, and replaces `turns` by their changes. `dues` are those of the range, or none.
+    pub(super) fn ask(
+        &self,
+        all: Range<usize>,
+        turns: &mut Vec<Turn>,
+        dues: &mut [Due],
+        pick: impl Fn(Rows<'_>) -> u64,
+    ) {
+        turns.clear();
         let mut dues = dues.chunks_mut(64);
-        for start in part.rows.clone().step_by(64) {
-            let rows = start..part.rows.end.min(start + 64);
+        for start in all.clone().step_by(64) {
+            let rows = start..all.end.min(start + 64);
             let dues = dues.next().unwrap_or_default();
             let picked = pick(Rows {
                 pairs: &self.candidates.pairs[rows.clone()],
@@ -62,7 +54,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Inquiry<'_, R, D, K
                 dues: &mut *dues,
             });
             if picked != 0 {
-                self.ask_picked(start, picked, dues, &mut part.turns);
+                self.ask_picked(start, picked, dues, turns);
             }
         }
     }
@@ -110,7 +102,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Inquiry<'_, R, D, K
 
     /// Asks pairs that a search has found.
     pub(super) fn ask_found(&self, found: &mut Found<'_>) {
-        let (candidates, proxies) = (self.candidates, self.proxies);
+        let (candidates, proxies) = (&*self.candidates, self.proxies);
         let chunks = found.pairs.chunks(64).zip(found.states.chunks_mut(64));
         for (pairs, states) in chunks {
             for i in ones(proxies.overlapping(pairs)) {

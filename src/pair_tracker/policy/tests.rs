@@ -8,7 +8,7 @@ fn left(leavers: u64) -> PlanInputs {
         slots: 1000,
         leavers: leavers as usize,
         candidates: 4000,
-        above_base: Some(AboveBase::default()),
+        recent: Some(0),
         foresight: Foresight::new(None),
         cost: Cost {
             updates: 1,
@@ -47,7 +47,7 @@ fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_search() {
         for recent in [0, 8] {
             let searched = |leavers| {
                 let mut inputs = left(leavers);
-                inputs.above_base = Some(AboveBase { recent, cost: 0 });
+                inputs.recent = Some(recent);
                 inputs.cost.updates = updates;
                 inputs
             };
@@ -60,9 +60,10 @@ fn look_ups_may_cost_as_much_as_the_mean_since_the_last_full_search() {
 
 #[test]
 fn a_full_search_is_due_once_the_layers_have_cost_as_much() {
-    let above = |cost, leavers| PlanInputs {
-        above_base: Some(AboveBase { cost, recent: 0 }),
-        ..left(leavers)
+    let above = |recent, leavers| {
+        let mut inputs = left(leavers);
+        inputs.cost.recent = recent;
+        inputs
     };
     assert!(!is_full_search(above(1000, 1)) && is_full_search(above(1001, 1)));
     // It can wait until a box has left its fat box.
@@ -73,7 +74,7 @@ fn a_full_search_is_due_once_the_layers_have_cost_as_much() {
 fn without_a_base_layer_every_search_is_a_full_search() {
     for leavers in [0, 1] {
         let mut inputs = left(leavers);
-        inputs.above_base = None;
+        inputs.recent = None;
         assert_eq!(is_full_search(inputs), leavers > 0);
     }
 }
@@ -99,6 +100,7 @@ fn costs_add_up_and_end_at_the_largest_number() {
     // Where a count has 32 bits, no single one costs as much.
     (work.found, cost.searching) = (usize::MAX, u64::MAX - 1);
     cost.add(&work);
-    assert_eq!(cost.searching, u64::MAX);
+    assert_eq!((cost.searching, cost.recent), (u64::MAX, 20_000));
+    cost.recent = 0;
     assert!(!is_full_search(PlanInputs { cost, ..left(1) }));
 }
