@@ -3,6 +3,7 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::GRID_SAMPLE;
+#[cfg(feature = "_adapter")]
 use oorandom::Rand32;
 
 /// Compares the pairs that a kernel finds with those that brute force finds.
