@@ -12,7 +12,6 @@
 //! The feature `rapier-036` builds it for a patched copy of Rapier 0.36; `benches/patched/compare` is that program.
 
 mod case;
-mod forecast;
 mod options;
 mod row;
 mod run;

@@ -29,23 +29,20 @@ const FULL_STEPS: usize = 300;
 /// was, so the times are comparable in the mean. Each repeat has another seed. The ratio is the median over repeats, with the lower and
 /// the upper quartile.
 ///
-/// `without contact` is the number of pairs without an active contact and without an intersection in the narrow phase of either world at
-/// the end of the first repeat. `limit` is the ratio with a broad phase that takes no time: D / (D - B), with D the default's whole step
-/// and B the part of its broad phase. Both are of one more world on the default alone, whose broad phase is timed; D is not the number of
-/// the column before.
+/// `limit` is the ratio with a broad phase that takes no time: D / (D - B), with D the default's whole step and B the part of its broad
+/// phase, both of one more world on the default alone, whose broad phase is timed. `without contact` is the number of pairs without an
+/// active contact and without an intersection in the narrow phase of either world at the end of the first repeat. Pairs, contacts and the
+/// times of the broad phase are those of the simulation that the default drives.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
     /// A scene, or one with a number of bodies, as in pyramid-8000; may be given several times [default: every
-    /// scene, and some with 8000 bodies too unless there is --bodies or --quick]
+    /// scene, and some with 8000 bodies too unless there is --quick]
     #[arg(long = "scene", value_name = "NAME", value_parser = parse_case)]
     cases: Vec<Case>,
     /// In how many dimensions, 2 or 3 [default: both]
     #[arg(long, value_parser = clap::value_parser!(u8).range(2..=3))]
     dim: Option<u8>,
-    /// The approximate number of bodies in every scene whose name has none [default: each scene's own number]
-    #[arg(long, value_name = "N", value_parser = between(1, 10_000_000))]
-    bodies: Option<usize>,
     /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
@@ -65,9 +62,6 @@ pub(super) struct Options {
     /// How often whole steps are timed; differences of a few per cent take nine, and 0 leaves it out [default: 1, or 3 with --full]
     #[arg(long, value_name = "N", value_parser = between(0, 1_000))]
     repeats: Option<usize>,
-    /// The seed of the scenes' randomness; repeats count up from it
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(super) seed: u64,
     /// Append the results to this file, a JSON object a line
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,
@@ -96,7 +90,7 @@ impl Options {
         if cases.is_empty() {
             cases.extend(Case::all());
             // Where all have one number of bodies, there is no second one.
-            if self.bodies.is_none() && !self.quick {
+            if !self.quick {
                 cases.extend(Case::large());
             }
         }
@@ -109,7 +103,7 @@ impl Options {
         } else {
             case.kind.default_bodies()
         };
-        case.bodies.or(self.bodies).unwrap_or(usual)
+        case.bodies.unwrap_or(usual)
     }
 
     pub(super) fn steps(&self) -> usize {
@@ -192,9 +186,9 @@ mod tests {
         let sizes = (options.bodies(gas), options.steps());
         assert_eq!(sizes, (QUICK_BODIES, QUICK_STEPS));
         // A number in the name goes first.
-        let options = parse("--quick --bodies 7 --steps 9 --scene gas --scene gas-8").unwrap();
+        let options = parse("--quick --steps 9 --scene gas --scene gas-8").unwrap();
         let bodies: Vec<_> = options.cases().map(|case| options.bodies(case)).collect();
-        assert_eq!((bodies, options.steps()), (vec![7, 8], 9));
+        assert_eq!((bodies, options.steps()), (vec![QUICK_BODIES, 8], 9));
     }
 
     #[test]
@@ -208,7 +202,7 @@ mod tests {
     fn what_makes_no_sense_is_refused() {
         for arguments in [
             "--scene nowhere",
-            "--bodies 0",
+            "--scene gas-0",
             "--dim 4",
             "--filter all",
             "--quick --full",

@@ -12,11 +12,10 @@ pub(super) struct Row {
     rapier: &'static str,
     pub(super) scene: String,
     pub(super) dim: u8,
-    seed: u64,
     /// The number of steps before whole steps were timed.
     before: usize,
     filter: String,
-    pub(super) threads: usize,
+    threads: usize,
     pub(super) equal: bool,
     #[serde(flatten)]
     pub(super) outcome: Outcome,
@@ -28,7 +27,6 @@ impl Row {
             rapier: crate::RAPIER,
             scene: case.name(),
             dim,
-            seed: options.seed,
             before: options.before(),
             filter: options.filter.clone(),
             threads: options.threads,

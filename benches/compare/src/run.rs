@@ -5,7 +5,7 @@ use crate::{dim2, dim3, table};
 use clap::Parser;
 use std::error::Error;
 use std::process::ExitCode;
-use unisize_report::{JsonLines, progress_bar};
+use unisize_report::{JsonLines, Table, progress_bar};
 
 /// Compares as the command line says.
 pub fn run() -> ExitCode {
@@ -27,11 +27,11 @@ fn compare_all(options: &Options) -> Result<usize, Box<dyn Error>> {
     threads.build_global()?;
     let count = options.dims().count() * options.cases().count();
     let bar = progress_bar(count as u64);
-    let print = |text: String| bar.suspend(|| println!("{text}"));
     let mut differing = 0;
     for dim in options.dims() {
         let mut rows = Vec::new();
-        print(table::header(dim));
+        let mut table = Table::default();
+        bar.suspend(|| println!("\nrapier{dim}d {}", crate::RAPIER));
         for case in options.cases() {
             bar.set_message(format!("{} {dim}D", case.name()));
             let row = match dim {
@@ -39,12 +39,12 @@ fn compare_all(options: &Options) -> Result<usize, Box<dyn Error>> {
                 _ => dim3::compare(case, options),
             };
             bar.inc(1);
-            print(table::row(&row));
+            bar.suspend(|| table.row(&table::cells(&row)));
             json.write(&row)?;
             differing += usize::from(!row.equal);
             rows.push(row);
         }
-        print(table::footer(&rows));
+        bar.suspend(|| println!("{}", table::footer(&rows)));
     }
     bar.finish_and_clear();
     match differing {

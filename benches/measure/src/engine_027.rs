@@ -1,7 +1,7 @@
 //! How Rapier 0.27 drives a broad phase: it lists the colliders that are new or have moved, and the broad phase reads them.
 
 use super::rapier::prelude::*;
-use super::world::World;
+use super::world::{Driven, World};
 use crate::time;
 use std::time::Duration;
 
@@ -12,18 +12,6 @@ pub(crate) const RAPIER: &str = "0.27";
 pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {
     let (islands, bodies) = (&mut world.islands, &mut world.bodies);
     world.colliders.remove(handle, islands, bodies, false);
-}
-
-/// A broad phase as its engine drives it.
-pub(crate) trait Driven {
-    /// Returns how long an update takes, with the colliders that were inserted, moved and removed since the last one.
-    fn follow(
-        &mut self,
-        world: &mut World,
-        inserted: &[ColliderHandle],
-        moved: &[ColliderHandle],
-        removed: &[ColliderHandle],
-    ) -> Duration;
 }
 
 impl<B: BroadPhase> Driven for B {

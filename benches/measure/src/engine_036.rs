@@ -1,8 +1,9 @@
-//! How Rapier 0.36 drives a broad phase: it computes and passes the boxes of moved colliders, and lists new ones.
+//! How Rapier 0.36 drives a broad phase: it computes and passes the boxes of moved colliders, and lists new ones. The
+//! work that its own broad phase defers, to do it next to the solver, counts as a part of the next update.
 
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use super::world::World;
+use super::world::{Driven, World};
 use crate::time;
 use std::time::Duration;
 
@@ -15,19 +16,6 @@ pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {
     let soft_bodies = &mut SoftBodySet::new();
     let colliders = &mut world.colliders;
     colliders.remove(handle, islands, bodies, soft_bodies, false);
-}
-
-/// A broad phase as its engine drives it.
-pub(crate) trait Driven {
-    /// Returns how long an update takes, with the colliders that were inserted, moved and removed since the last one. The work that
-    /// Rapier's own broad phase defers, to do it next to the solver, counts as a part of the next update.
-    fn follow(
-        &mut self,
-        world: &mut World,
-        inserted: &[ColliderHandle],
-        moved: &[ColliderHandle],
-        removed: &[ColliderHandle],
-    ) -> Duration;
 }
 
 macro_rules! driven {

@@ -4,10 +4,10 @@
 //! *Work* is the mean number of cubes, held pairs and events together, the least that a broad phase has to process. Moving the cubes and
 //! listing them is not timed.
 
-use super::engine::{self, Driven};
+use super::engine;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::prelude::*;
-use super::world::World;
+use super::world::{Driven, World};
 use crate::bytes_held;
 use crate::growth::{self, Figures};
 use crate::worlds::Case;

@@ -5,11 +5,10 @@
 //! update of the tree; it is measured at the beginning and at the end. A *further ray* is the mean of rays through the tree at the end.
 //! Rapier's own broad phase maintains its tree in every update, so all of its rays are further ones.
 
-use super::engine::Driven;
 use super::ours::UnisizeBroadPhase;
 use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
-use super::world::World;
+use super::world::{Driven, World};
 use std::io;
 use std::time::{Duration, Instant};
 use unisize_report::Report;

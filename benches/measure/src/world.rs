@@ -1,6 +1,7 @@
 //! The parts of Rapier that a broad phase reads, and its events: one source, compiled once for each engine and dimension.
 
 use super::rapier::prelude::*;
+use std::time::Duration;
 
 /// The parts of Rapier that a broad phase reads, and its events.
 pub(crate) struct World {
@@ -25,4 +26,16 @@ impl World {
             count,
         }
     }
+}
+
+/// A broad phase as its engine drives it.
+pub(crate) trait Driven {
+    /// Returns how long an update takes, with the colliders that were inserted, moved and removed since the last one.
+    fn follow(
+        &mut self,
+        world: &mut World,
+        inserted: &[ColliderHandle],
+        moved: &[ColliderHandle],
+        removed: &[ColliderHandle],
+    ) -> Duration;
 }

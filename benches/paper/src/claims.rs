@@ -1,18 +1,19 @@
 //! The claims of the paper that come down to a ratio: its figure, ours, and a verdict.
 
 use crate::published::{CONVERGING, THREADS};
-use crate::table::{Table, count};
+use crate::run::{Run, count};
 use crate::table1::row;
 use crate::third_axis::COUNTS;
+use std::io;
 
 /// A figure of ours within this factor of the paper's reproduces it.
 const TOLERANCE: f64 = 1.5;
 
 /// Adds those whose parts were measured at the sizes of the paper.
-pub(crate) fn judge(table: &mut Table) {
+pub(crate) fn judge(run: &mut Run) -> io::Result<()> {
     let row = |density: f64, size: u32| row(density, 1 << size);
     let (largest, smaller, sparse) = (&row(0.8, 20), &row(0.8, 17), &row(0.2, 20));
-    let cell = |part: &str, row: &str, column: &str| table.number(part, row, column);
+    let cell = |part: &str, row: &str, column: &str| run.number(part, row, column);
     // One column over another, and one row over another.
     let columns = |part: &str, row: &str, above: &str, below: &str| {
         Some(cell(part, row, above)? / cell(part, row, below)?)
@@ -21,12 +22,12 @@ pub(crate) fn judge(table: &mut Table) {
         Some(cell(part, above, column)? / cell(part, below, column)?)
     };
     let table1 = |above: &str, below: &str| columns("table1", largest, above, below);
-    let (ours, theirs) = ("RankSweep", "paper: theirs");
-    let (time, their_time) = ("t_c, ns", "paper: t_c, ns");
+    let (ours, theirs) = ("rank_sweep", "theirs");
+    let (time, their_time) = ("rank_sweep_ns", "their_ns");
     let of_phase = |column: &str| cell("figure3", largest, column);
     let [above, below] = [COUNTS[3], COUNTS[1]];
     let [more, fewer] = [count(above), count(below)];
-    let growth = rows("third-axis-growth", "RankSweep, ms", &more, &fewer);
+    let growth = rows("third-axis-growth", "rank_sweep", &more, &fewer);
     let exponent = growth.map(|growth| growth.ln() / (above as f64 / below as f64).ln());
     let claims = [
         (
@@ -36,8 +37,8 @@ pub(crate) fn judge(table: &mut Table) {
         ),
         (
             "sweep and prune over theirs, the same",
-            table1("paper: Bar92", theirs),
-            table1("SweepAndPrune", ours),
+            table1("bar92", theirs),
+            table1("sweep_and_prune", ours),
         ),
         (
             "time at d = 0.8 over that at d = 0.2",
@@ -56,31 +57,28 @@ pub(crate) fn judge(table: &mut Table) {
         ),
         (
             "share of the pairing phase, d = 0.8",
-            of_phase("paper: share of t_p"),
-            of_phase("share of t_p"),
+            of_phase("their_share"),
+            of_phase("share"),
         ),
         (
             "converging squares, worst frame over the median",
             Some(CONVERGING[0] / CONVERGING[2]),
-            cell("figure4", ours, "worst / median"),
+            cell("figure4", "RankSweep", "worst_over_median"),
         ),
         ("cubes: the exponent of n, more than 1", None, exponent),
-        (
-            "two threads",
-            Some(THREADS),
-            cell("threads", largest, "RankSweep: all"),
-        ),
+        ("two threads", Some(THREADS), cell("threads", largest, ours)),
     ];
     for (claim, paper, here) in claims {
-        let Some(here) = here else {
-            continue;
-        };
-        if let Some(paper) = paper {
-            table.add("claims", claim, "paper", paper);
+        if let Some(here) = here {
+            let columns = [
+                ("paper", paper.into()),
+                ("here", here.into()),
+                ("verdict", verdict(paper, here).into()),
+            ];
+            run.row("claims", claim, &columns)?;
         }
-        table.add("claims", claim, "here", here);
-        table.add("claims", claim, "verdict", verdict(paper, here));
     }
+    Ok(())
 }
 
 /// What a figure of ours says of the paper's; where it gives none, whether ours is more than 1.
@@ -109,13 +107,12 @@ mod tests {
 
     #[test]
     fn what_was_not_measured_is_not_judged() {
-        let mut table = Table::default();
-        table.add("threads", row(0.8, 1 << 20), "RankSweep: all", 1.29);
-        judge(&mut table);
-        assert_eq!(table.number("claims", "two threads", "here"), Some(1.29));
-        assert_eq!(
-            table.number("claims", "cubes: the exponent of n, more than 1", "here"),
-            None
-        );
+        let mut run = Run::new(false, None).unwrap();
+        let columns = [("rank_sweep", 1.29.into())];
+        run.row("threads", &row(0.8, 1 << 20), &columns).unwrap();
+        judge(&mut run).unwrap();
+        assert_eq!(run.number("claims", "two threads", "here"), Some(1.29));
+        let exponent = "cubes: the exponent of n, more than 1";
+        assert_eq!(run.number("claims", exponent, "here"), None);
     }
 }

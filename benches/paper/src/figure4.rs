@@ -1,8 +1,8 @@
 //! Figure 4: squares that converge on the centre, frame by frame.
 
-use crate::Run;
 use crate::published::CONVERGING;
 use crate::race::{self, race, unit_boxes};
+use crate::run::Run;
 use anyhow::Result;
 use unisize_scenes::ConvergingBoxes;
 
@@ -19,18 +19,17 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
     };
     let outcome = race(&mut methods, frames, next)?;
     let mut add = |row: &str, [worst, average, median]: [f64; 3]| {
-        for (column, value) in [
-            ("worst, ms", worst),
-            ("average, ms", average),
-            ("median, ms", median),
-            ("worst / median", worst / median),
-        ] {
-            run.table.add("figure4", row, column, value);
-        }
+        let columns = [
+            ("worst_ms", worst.into()),
+            ("average_ms", average.into()),
+            ("median_ms", median.into()),
+            ("worst_over_median", (worst / median).into()),
+        ];
+        run.row("figure4", row, &columns)
     };
-    add("the paper, laptop of 2014", CONVERGING);
+    add("the paper, laptop of 2014", CONVERGING)?;
     for (method, times) in methods.iter().zip(&outcome.times) {
-        add(method.name, [times.worst(), times.mean(), times.median()]);
+        add(method.name, [times.worst(), times.mean(), times.median()])?;
     }
     Ok(())
 }

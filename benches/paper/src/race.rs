@@ -1,6 +1,7 @@
 //! A race of all methods on the same frames, in turns: the paper's, its baseline, and ours.
 
 use anyhow::{Context, Result, ensure};
+use serde_json::Value;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder, RankSweep};
 use unisize_reference::SweepAndPrune;
@@ -9,23 +10,30 @@ use unisize_scenes::DriftingBoxes;
 /// A contestant of a race.
 pub(crate) struct Method<const D: usize> {
     pub(crate) name: &'static str,
+    /// The name of its times in a row.
+    column: &'static str,
     pub(crate) finder: Box<dyn PairFinder<f32, D>>,
 }
 
 fn method<const D: usize>(
     name: &'static str,
+    column: &'static str,
     finder: impl PairFinder<f32, D> + 'static,
 ) -> Method<D> {
     let finder = Box::new(finder);
-    Method { name, finder }
+    Method {
+        name,
+        column,
+        finder,
+    }
 }
 
 /// The methods of the paper and ours.
 pub(crate) fn methods<const D: usize>() -> Vec<Method<D>> {
     vec![
-        method("SweepAndPrune", SweepAndPrune::default()),
-        method("RankSweep", RankSweep::default()),
-        method("GridSweep", GridSweep::default()),
+        method("SweepAndPrune", "sweep_and_prune", SweepAndPrune::default()),
+        method("RankSweep", "rank_sweep", RankSweep::default()),
+        method("GridSweep", "grid_sweep", GridSweep::default()),
     ]
 }
 
@@ -58,6 +66,17 @@ pub(crate) struct Outcome {
     pub(crate) times: Vec<Times>,
     /// The number of pairs of every frame.
     pub(crate) pairs: Vec<usize>,
+}
+
+impl Outcome {
+    /// The median milliseconds of each method, as columns of a row.
+    pub(crate) fn medians<const D: usize>(
+        &self,
+        methods: &[Method<D>],
+    ) -> impl Iterator<Item = (&'static str, Value)> {
+        let times = methods.iter().zip(&self.times);
+        times.map(|(method, times)| (method.column, times.median().into()))
+    }
 }
 
 /// Lets every method find the pairs of every frame. The first frame, which allocates memory, is not timed.

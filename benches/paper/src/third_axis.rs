@@ -1,8 +1,7 @@
 //! The extension to three dimensions: how the extra interval test holds up as scenes get thicker and larger.
 
-use crate::Run;
 use crate::race::{self, drift, race, unit_boxes};
-use crate::table::{count, digits};
+use crate::run::{Run, count};
 use anyhow::Result;
 use serde_json::Value;
 use unisize::{GridSweep, PairFinder};
@@ -23,38 +22,36 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
     let cube = (n as f64 / DENSITY).cbrt();
     for thickness in THICKNESSES.into_iter().filter(|&t| t < cube).chain([cube]) {
         let mut drifting = DriftingBoxes::<3>::in_layer(n, DENSITY, thickness, 7);
-        let row = format!("{} cubes thick", digits(thickness));
-        let pairs = measure_methods(run, "third-axis", &row, &mut drifting)?;
+        let (pairs, mut columns) = measure_methods(run, &mut drifting)?;
         let flat = flat_pairs(&drifting)?;
-        let share = 100.0 * pairs as f64 / flat as f64;
-        let mut add = |column, value| run.table.add("third-axis", &row, column, value);
-        add("pairs of the first two axes", Value::from(flat));
-        add("of them pairs, %", share.into());
+        columns.push(("flat_pairs", flat.into()));
+        columns.push(("percent", (100.0 * pairs as f64 / flat as f64).into()));
+        run.row(
+            "third-axis",
+            &format!("{thickness:.1} cubes thick"),
+            &columns,
+        )?;
     }
     for &n in &COUNTS[..run.choose(2, COUNTS.len())] {
         let mut drifting = DriftingBoxes::<3>::new(n, DENSITY, 7);
-        measure_methods(run, "third-axis-growth", &count(n), &mut drifting)?;
+        let (_, columns) = measure_methods(run, &mut drifting)?;
+        run.row("third-axis-growth", &count(n), &columns)?;
     }
     Ok(())
 }
 
-/// Adds the times of all methods, and returns the number of pairs in the last frame.
+/// The number of pairs in the last frame, and the columns of that and of the times of our methods.
 fn measure_methods(
-    run: &mut Run,
-    part: &'static str,
-    row: &str,
+    run: &Run,
     drifting: &mut DriftingBoxes<3>,
-) -> Result<usize> {
+) -> Result<(usize, Vec<(&'static str, Value)>)> {
     let mut methods = race::methods().split_off(1);
     let next = |boxes: &mut _| drift(drifting, boxes);
     let outcome = race(&mut methods, run.choose(2, FRAMES), next)?;
     let pairs = outcome.pairs.last().copied().unwrap_or_default();
-    run.table.add(part, row, "pairs", pairs);
-    for (method, times) in methods.iter().zip(&outcome.times) {
-        let column = format!("{}, ms", method.name);
-        run.table.add(part, row, column, times.median());
-    }
-    Ok(pairs)
+    let mut columns = vec![("pairs", pairs.into())];
+    columns.extend(outcome.medians(&methods));
+    Ok((pairs, columns))
 }
 
 /// How many pairs overlap on the first two axes: those that need the extra interval test.

@@ -1,7 +1,7 @@
 //! What more threads gain.
 
-use crate::Run;
 use crate::race::{Times, drift};
+use crate::run::Run;
 use crate::table1::row;
 use anyhow::{Result, ensure};
 use std::time::Instant;
@@ -16,10 +16,13 @@ pub(crate) fn measure(run: &mut Run) -> Result<()> {
         for &n in run.choose(&[1 << 14][..], &COUNTS[..]) {
             let frames = run.choose(2, FRAMES);
             let boxes = DriftingBoxes::new(n, density, 7);
-            let mut add = |column, gain| run.table.add("threads", row(density, n), column, gain);
             let rank_sweep = gain::<RankSweep<f32, 2>>(boxes.clone(), frames)?;
-            add("RankSweep: all", rank_sweep);
-            add("GridSweep: all", gain::<GridSweep<f32, 2>>(boxes, frames)?);
+            let grid_sweep = gain::<GridSweep<f32, 2>>(boxes, frames)?;
+            let columns = [
+                ("rank_sweep", rank_sweep.into()),
+                ("grid_sweep", grid_sweep.into()),
+            ];
+            run.row("threads", &row(density, n), &columns)?;
         }
     }
     Ok(())

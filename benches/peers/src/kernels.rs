@@ -31,7 +31,6 @@ mod parry3 {
 }
 
 use crate::pair_set;
-use crate::row::Row;
 use anyhow::{Context, Result};
 use contender::{Contender, Family, Frame};
 use unisize_report::{Report, progress_bar};
@@ -90,8 +89,9 @@ fn measure_in<const D: usize>(
     for (density, effort) in cases {
         let case = format!("kernels, {D}D, density {density}, n = {}", effort.count);
         bar.set_message(case.clone());
-        for row in contend(families, density, effort).context(case)? {
-            bar.suspend(|| row.report(report))?;
+        let contenders = contend(families, density, effort).context(case)?;
+        for contender in &contenders {
+            bar.suspend(|| contender.report(density, &contenders[0], report))?;
         }
         bar.inc(1);
     }
@@ -125,11 +125,11 @@ where
     vec![rstar::family(), zelll::family()]
 }
 
-fn contend<const D: usize>(
-    families: &[Family<D>],
+fn contend<'a, const D: usize>(
+    families: &'a [Family<D>],
     density: f64,
     effort: &Effort,
-) -> Result<Vec<Row>> {
+) -> Result<Vec<Contender<'a, D>>> {
     let boxes = DriftingBoxes::new(effort.count, density, 7);
     let mut frame = Frame::default();
     frame.show(&boxes);
@@ -155,6 +155,5 @@ fn contend<const D: usize>(
     for contender in &contenders {
         contender.check_last(&mut frame)?;
     }
-    let row = |contender: &Contender<'_, D>| contender.row(density, &contenders[0]);
-    Ok(contenders.iter().map(row).collect())
+    Ok(contenders)
 }

@@ -9,7 +9,6 @@
 
 mod kernels;
 mod pair_set;
-mod row;
 mod times;
 
 use anyhow::Result;

@@ -7,4 +7,4 @@ mod report;
 
 pub use json_lines::JsonLines;
 pub use progress::progress_bar;
-pub use report::{Report, Row};
+pub use report::{Report, Row, Table};

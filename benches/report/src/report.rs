@@ -9,24 +9,15 @@ use std::path::Path;
 /// The names and values of a row.
 pub type Row<'a> = &'a [(&'a str, Value)];
 
-/// A table that grows. Rows of other names begin another one.
-pub struct Report {
+/// A table on standard output that grows. Rows of other names begin another one.
+#[derive(Default)]
+pub struct Table {
     head: Vec<String>,
-    lines: JsonLines,
 }
 
-impl Report {
-    /// Writes to this file as well, if there is one.
-    pub fn new(json: Option<&Path>) -> io::Result<Self> {
-        let lines = JsonLines::append(json)?;
-        Ok(Self {
-            head: Vec::new(),
-            lines,
-        })
-    }
-
-    /// Prints a row, and writes it.
-    pub fn row(&mut self, row: Row<'_>) -> io::Result<()> {
+impl Table {
+    /// Prints a row.
+    pub fn row(&mut self, row: Row<'_>) {
         let head: Vec<_> = row.iter().map(|(name, _)| (*name).to_owned()).collect();
         if head != self.head {
             println!("\n| {} |\n|{}", head.join(" | "), "---|".repeat(head.len()));
@@ -34,6 +25,25 @@ impl Report {
         }
         let cells: Vec<_> = row.iter().map(|(_, value)| shown(value)).collect();
         println!("| {} |", cells.join(" | "));
+    }
+}
+
+/// A table that is written to a file as well, if there is one.
+pub struct Report {
+    table: Table,
+    lines: JsonLines,
+}
+
+impl Report {
+    /// Opens the file.
+    pub fn new(json: Option<&Path>) -> io::Result<Self> {
+        let (table, lines) = (Table::default(), JsonLines::append(json)?);
+        Ok(Self { table, lines })
+    }
+
+    /// Prints a row, and writes it.
+    pub fn row(&mut self, row: Row<'_>) -> io::Result<()> {
+        self.table.row(row);
         self.lines.write(&Object(row))
     }
 }

@@ -39,10 +39,10 @@ pub struct Outcome {
     pub ratio: f64,
     /// How many pairs were held at the end, without those that the narrow phase drops anyway.
     pub pairs: Both<usize>,
-    /// The colliders that touched, in the run that the default drove.
-    pub contacts: Tally,
-    /// The sensors that were entered, in the run that the default drove.
-    pub intersections: Tally,
+    /// How many pairs of colliders touched at the end, in the run that the default drove.
+    pub contacts_at_end: usize,
+    /// How many sensors were entered at the end, in the run that the default drove.
+    pub intersections_at_end: usize,
     /// At how many steps the contacts of both were computed and compared.
     pub contact_checks: usize,
     /// The rays that were cast in the trees of both, and compared.
@@ -72,15 +72,6 @@ impl std::ops::AddAssign for Sharing {
         self.ms_shared += other.ms_shared;
         self.sections += other.sections;
     }
-}
-
-/// A count that is taken after each step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Tally {
-    /// After the last step.
-    pub at_end: usize,
-    /// The sum over all steps.
-    pub over_all_steps: usize,
 }
 
 /// How many rays were cast.
@@ -163,14 +154,6 @@ impl Outcome {
     /// Whether the candidate did the same as the default, as far as was checked.
     pub fn is_equal(&self) -> bool {
         self.first_difference.is_none()
-    }
-}
-
-impl Tally {
-    /// Counts what there is after a step.
-    pub fn record(&mut self, count: usize) {
-        self.at_end = count;
-        self.over_all_steps += count;
     }
 }
 

@@ -9,10 +9,8 @@ use crate::output::Output;
 use crate::statistics::{holm, rank_sum_test};
 use crate::{dim2, dim3};
 use anyhow::Result;
-use clap::Args;
 use rayon::ThreadPoolBuilder;
 use serde_json::Value;
-use unisize_report::progress_bar;
 use unisize_scenes::{SceneKind, Spread};
 
 /// The scenes that come to rest by themselves.
@@ -38,19 +36,6 @@ const FREQUENCY: f64 = 60.0;
 /// Two distributions differ if the p-value, corrected for the number of scenes, is less than this.
 const LEVEL: f64 = 0.05;
 
-/// Does a world fall asleep sooner or later than on Rapier's own broad phase?
-///
-/// The times are in simulated seconds. A world that is still awake at the end counts with the whole time. Exits with 1 if no world falls
-/// asleep at all, as there is nothing to compare then.
-#[derive(Args, Clone, Debug)]
-pub(crate) struct Arguments {
-    #[command(flatten)]
-    common: Common,
-    /// A scene; may be given several times [default: eight of them]
-    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
-    only: Vec<String>,
-}
-
 /// A scene to step until it is asleep.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Case {
@@ -71,57 +56,49 @@ struct Outcome {
     awake: [usize; 2],
 }
 
-impl Arguments {
-    /// Runs the study, on all processors, since it measures no computing time; whether any world has fallen asleep.
-    pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create(&self.common)?;
-        let scenes = self.common.scenes(&SCENES, &self.only);
-        let bar = progress_bar((scenes.len() * self.common.dims().len()) as u64);
-        let pool = ThreadPoolBuilder::new().build()?;
-        let mut outcomes = Vec::new();
-        for &dim in self.common.dims() {
-            for &kind in &scenes {
-                bar.set_message(format!("{} {dim}D", kind.name()));
-                outcomes.push(pool.install(|| self.outcome(dim, kind)));
-                bar.inc(1);
-            }
-        }
-        bar.finish_and_clear();
-        for outcome in &outcomes {
-            outcome.report(&mut output)?;
-        }
-        let p_values: Vec<_> = outcomes.iter().map(Outcome::p).collect();
-        let corrected = holm(&p_values, 0);
-        let differing = corrected.iter().filter(|&&p| p < LEVEL).count();
-        println!(
-            "\nThe times until sleep differ significantly in {differing} of {} scenes.",
-            outcomes.len()
-        );
-        Ok(outcomes.iter().any(Outcome::has_slept))
+/// Runs the study, on all processors, since it measures no computing time; whether any world has fallen asleep.
+pub(crate) fn run(common: &Common) -> Result<bool> {
+    let mut output = Output::create(common)?;
+    let pool = ThreadPoolBuilder::new().build()?;
+    let outcomes = common.each(
+        &SCENES,
+        |kind| kind.name(),
+        |dim, &kind| pool.install(|| outcome(common, dim, kind)),
+    );
+    for outcome in &outcomes {
+        outcome.report(&mut output)?;
     }
+    let p_values: Vec<_> = outcomes.iter().map(Outcome::p).collect();
+    let corrected = holm(&p_values, 0);
+    let differing = corrected.iter().filter(|&&p| p < LEVEL).count();
+    println!(
+        "\nThe times until sleep differ significantly in {differing} of {} scenes.",
+        outcomes.len()
+    );
+    Ok(outcomes.iter().any(Outcome::has_slept))
+}
 
-    fn outcome(&self, dim: u8, kind: SceneKind) -> Outcome {
-        let case = Case {
-            kind,
-            bodies: self.common.usual(BODIES),
-            steps: self.common.steps.unwrap_or(self.common.usual(STEPS)),
-        };
-        let starts = self.common.seeds(STARTS);
-        let steps = match dim {
-            2 => dim2::asleep::steps_until_asleep(&case, starts),
-            _ => dim3::asleep::steps_until_asleep(&case, starts),
-        };
-        let seconds = |side: usize| {
-            let steps = steps.iter().map(|of| of[side].unwrap_or(case.steps));
-            steps.map(|steps| steps as f64 / FREQUENCY).collect()
-        };
-        let awake = |side: usize| steps.iter().filter(|of| of[side].is_none()).count();
-        Outcome {
-            dim,
-            case,
-            seconds: [0, 1].map(seconds),
-            awake: [0, 1].map(awake),
-        }
+fn outcome(common: &Common, dim: u8, kind: SceneKind) -> Outcome {
+    let case = Case {
+        kind,
+        bodies: common.usual(BODIES),
+        steps: common.steps.unwrap_or(common.usual(STEPS)),
+    };
+    let starts = common.seeds(STARTS);
+    let steps = match dim {
+        2 => dim2::asleep::steps_until_asleep(&case, starts),
+        _ => dim3::asleep::steps_until_asleep(&case, starts),
+    };
+    let seconds = |side: usize| {
+        let steps = steps.iter().map(|of| of[side].unwrap_or(case.steps));
+        steps.map(|steps| steps as f64 / FREQUENCY).collect()
+    };
+    let awake = |side: usize| steps.iter().filter(|of| of[side].is_none()).count();
+    Outcome {
+        dim,
+        case,
+        seconds: [0, 1].map(seconds),
+        awake: [0, 1].map(awake),
     }
 }
 

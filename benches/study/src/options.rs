@@ -4,7 +4,7 @@ use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use std::ops::Range;
 use std::path::PathBuf;
-use unisize_scenes::SceneKind;
+use unisize_report::progress_bar;
 
 /// What every study can be told.
 #[derive(Args, Clone, Debug)]
@@ -40,11 +40,24 @@ impl Common {
         1..1 + self.seeds.unwrap_or(self.usual(usual)) as u64
     }
 
-    /// Those of these scenes that were asked for by name, or all of them.
-    pub(crate) fn scenes(&self, all: &[SceneKind], names: &[String]) -> Vec<SceneKind> {
-        let is_meant =
-            |kind: &SceneKind| names.is_empty() || names.iter().any(|n| n == kind.name());
-        all.iter().copied().filter(is_meant).collect()
+    /// What a function returns for each dimension and each of these cases, with a progress bar.
+    pub(crate) fn each<C, T>(
+        &self,
+        cases: &[C],
+        name: impl Fn(&C) -> &'static str,
+        mut of: impl FnMut(u8, &C) -> T,
+    ) -> Vec<T> {
+        let bar = progress_bar((cases.len() * self.dims().len()) as u64);
+        let mut all = Vec::new();
+        for &dim in self.dims() {
+            for case in cases {
+                bar.set_message(format!("{} {dim}D", name(case)));
+                all.push(of(dim, case));
+                bar.inc(1);
+            }
+        }
+        bar.finish_and_clear();
+        all
     }
 
     /// What a quick run has, or a full one.

@@ -1,12 +1,13 @@
 //! One library in one case: its best setting is searched for, then measured.
 
 use crate::pair_set;
-use crate::row::Row;
 use crate::times::Times;
 use anyhow::{Result, bail};
 use std::hint::black_box;
+use std::io;
 use std::time::{Duration, Instant};
 use unisize::Aabb;
+use unisize_report::Report;
 use unisize_scenes::DriftingBoxes;
 
 /// The boxes of one moment. Whatever else a kernel needs is built from this, as a part of its time.
@@ -196,17 +197,21 @@ impl<'a, const D: usize> Contender<'a, D> {
         Ok(())
     }
 
-    pub(crate) fn row(&self, density: f64, ours: &Self) -> Row {
-        Row {
-            dim: D,
-            density,
-            count: self.boxes.mins().len(),
-            contender: self.family.name,
-            setting: self.setting.to_owned(),
-            frames: self.times.frames,
-            ms: self.times.typical(),
-            pairs: self.kernel.pairs().len(),
-            ratio: self.times.typical() / ours.times.typical(),
-        }
+    /// Prints and writes the mean milliseconds of a frame, and the ratio to those of unisize's own in this case: above 1, unisize is faster.
+    /// The density is the part of the area or volume that the boxes would fill if they did not overlap.
+    pub(crate) fn report(&self, density: f64, ours: &Self, report: &mut Report) -> io::Result<()> {
+        let ms = self.times.typical();
+        report.row(&[
+            ("subject", "kernels".into()),
+            ("dim", D.into()),
+            ("density", density.into()),
+            ("count", self.boxes.mins().len().into()),
+            ("contender", self.family.name.into()),
+            ("setting", self.setting.into()),
+            ("frames", self.times.frames.into()),
+            ("typical_ms", ms.into()),
+            ("pairs", self.kernel.pairs().len().into()),
+            ("ratio", (ms / ours.times.typical()).into()),
+        ])
     }
 }

@@ -149,8 +149,8 @@ impl Comparison {
             followers.default.note(&updates);
             followers.candidate.note(&both.unheard.take_updates());
             let touching = Touching::of(&scene.world.narrow_phase);
-            outcome.contacts.record(touching.contacts.len());
-            outcome.intersections.record(touching.intersections.len());
+            outcome.contacts_at_end = touching.contacts.len();
+            outcome.intersections_at_end = touching.intersections.len();
             if outcome.first_difference.is_none() {
                 // In a step of several updates, the poses of the last one are unknown.
                 let check_contacts = before.is_none() || updates.len() == 1;

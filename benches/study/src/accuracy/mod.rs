@@ -23,11 +23,8 @@ use crate::output::Output;
 use crate::statistics::geometric_mean;
 use crate::{dim2, dim3};
 use anyhow::Result;
-use clap::Args;
 use ensembles::{DEEPEST, Ensembles, LOST, STRAYED, STRETCH};
-use indicatif::ProgressBar;
 use std::ops::Range;
-use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
 use verdict::Verdict;
 
@@ -55,95 +52,73 @@ const SHOWN: u32 = 60;
 /// correction raises it above 0.05; with a few more seeds, the tests see a difference only if all seeds agree.
 const FEWEST_SEEDS: u64 = 15;
 
-/// How accurate is a simulation for its time, and does unisize differ significantly from Rapier's own broad phase?
-///
-/// Exits with 1 if simulations on both differ though their events are in the same order, or if the tests do not notice that one pair
-/// in a thousand is lost. With fewer than 15 seeds, and in a quick run, the order of events is the only check.
-#[derive(Args, Clone, Debug)]
-pub(crate) struct Arguments {
-    #[command(flatten)]
-    common: Common,
-    /// A scene; may be given several times [default: five of them]
-    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
-    only: Vec<String>,
+/// Runs the study; whether unisize has passed.
+pub(crate) fn run(common: &Common) -> Result<bool> {
+    let mut output = Output::create(common)?;
+    let seeds = common.seeds([2, 20]);
+    let seconds = common.usual(SECONDS);
+    // Steps are those of a sixtieth.
+    let steps = common.steps.map(|steps| steps as f64 / 60.0);
+    let seconds = steps.unwrap_or(seconds).min(seconds);
+    let bodies = common.usual(BODIES);
+    let studies = common.each(
+        &SCENES,
+        |kind| kind.name(),
+        |dim, &kind| {
+            let mut study = Ensembles::new(dim, kind, bodies, seconds);
+            measure(&mut study, seeds.clone());
+            study
+        },
+    );
+    let verdict = Verdict::of(&studies);
+    report(&studies, &verdict, &mut output)?;
+    Ok(conclude(common, &studies, &verdict, seeds))
 }
 
-impl Arguments {
-    /// Runs the study; whether unisize has passed.
-    pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create(&self.common)?;
-        let seeds = self.common.seeds([2, 20]);
-        let scenes = self.common.scenes(&SCENES, &self.only);
-        let runs = FINDERS.len() * FREQUENCIES.len() * (seeds.end - seeds.start) as usize;
-        let bar = progress_bar((runs * scenes.len() * self.common.dims().len()) as u64);
-        let mut studies = Vec::new();
-        for &dim in self.common.dims() {
-            for &scene in &scenes {
-                bar.set_message(format!("{} {dim}D", scene.name()));
-                let mut study = self.ensembles(dim, scene);
-                measure(&mut study, seeds.clone(), &bar);
-                studies.push(study);
-            }
-        }
-        bar.finish_and_clear();
-        let verdict = Verdict::of(&studies);
-        report(&studies, &verdict, &mut output)?;
-        Ok(self.conclude(&studies, &verdict, seeds))
+fn conclude(common: &Common, studies: &[Ensembles], verdict: &Verdict, seeds: Range<u64>) -> bool {
+    let is_finite = studies.iter().all(Ensembles::is_finite);
+    if !is_finite {
+        println!("\nNOT FINITE: a simulation exploded.");
     }
-
-    fn ensembles(&self, dim: u8, kind: SceneKind) -> Ensembles {
-        let seconds = self.common.usual(SECONDS);
-        // Steps are those of a sixtieth.
-        let steps = self.common.steps.map(|steps| steps as f64 / 60.0);
-        let seconds = steps.unwrap_or(seconds).min(seconds);
-        Ensembles::new(dim, kind, self.common.usual(BODIES), seconds)
+    let has_verdict = !common.quick && seeds.end - seeds.start >= FEWEST_SEEDS;
+    let mut is_equal = true;
+    for (scene, study) in studies.iter().enumerate() {
+        let is_told_apart = has_verdict && verdict.tells_apart(scene, Finder::DEFAULT);
+        let count = if is_told_apart {
+            seeds.end - seeds.start
+        } else {
+            1
+        };
+        let is_same = is_same_in_order(study, seeds.start..seeds.start + count);
+        let title = study.title();
+        if !is_same {
+            println!("\n{title}: runs DIFFER, even with events in order.");
+        } else if is_told_apart {
+            println!("\n{title}: told apart by the order of events alone.");
+        }
+        is_equal &= is_same;
     }
-
-    fn conclude(&self, studies: &[Ensembles], verdict: &Verdict, seeds: Range<u64>) -> bool {
-        let is_finite = studies.iter().all(Ensembles::is_finite);
-        if !is_finite {
-            println!("\nNOT FINITE: a simulation exploded.");
-        }
-        let has_verdict = !self.common.quick && seeds.end - seeds.start >= FEWEST_SEEDS;
-        let mut is_equal = true;
-        for (scene, study) in studies.iter().enumerate() {
-            let is_told_apart = has_verdict && verdict.tells_apart(scene, Finder::DEFAULT);
-            let count = if is_told_apart {
-                seeds.end - seeds.start
-            } else {
-                1
-            };
-            let is_same = is_same_in_order(study, seeds.start..seeds.start + count);
-            let title = study.title();
-            if !is_same {
-                println!("\n{title}: runs DIFFER, even with events in order.");
-            } else if is_told_apart {
-                println!("\n{title}: told apart by the order of events alone.");
-            }
-            is_equal &= is_same;
-        }
-        if is_equal {
-            println!("\nWith events in order, unisize and Rapier's own are equal bit for bit.");
-        }
-        if !has_verdict {
-            println!("No verdict: that takes {FEWEST_SEEDS} seeds, and no quick run.");
-            return is_finite && is_equal;
-        }
-        let told_apart = |finder| verdict.told_apart(studies.len(), finder);
-        let noticed = told_apart(Finder::Lossy);
-        println!(
-            "unisize is told apart in {} of {} scenes by {} tests; the control in {noticed}.",
-            told_apart(Finder::DEFAULT),
-            studies.len(),
-            verdict.tests(Finder::DEFAULT),
-        );
-        is_finite && is_equal && noticed > 0
+    if is_equal {
+        println!("\nWith events in order, unisize and Rapier's own are equal bit for bit.");
     }
+    if !has_verdict {
+        println!("No verdict: that takes {FEWEST_SEEDS} seeds, and no quick run.");
+        return is_finite && is_equal;
+    }
+    let told_apart = |finder| verdict.told_apart(studies.len(), finder);
+    let noticed = told_apart(Finder::Lossy);
+    println!(
+        "unisize is told apart in {} of {} scenes by {} tests; the control in {noticed}.",
+        told_apart(Finder::DEFAULT),
+        studies.len(),
+        verdict.tests(Finder::DEFAULT),
+    );
+    is_finite && is_equal && noticed > 0
 }
 
 /// Simulates a scene with every method, time step and seed. Methods take turns, and another one begins with every seed, so that no
 /// method has the machine at a better time than the others.
-fn measure(study: &mut Ensembles, seeds: Range<u64>, bar: &ProgressBar) {
+fn measure(study: &mut Ensembles, seeds: Range<u64>) {
     let mut finders = FINDERS.to_vec();
     for seed in seeds {
         for frequency in FREQUENCIES {
@@ -154,7 +129,6 @@ fn measure(study: &mut Ensembles, seeds: Range<u64>, bar: &ProgressBar) {
                     _ => dim3::accuracy::run(&case),
                 };
                 study.push(finder, frequency, run);
-                bar.inc(1);
             }
         }
         finders.rotate_left(1);

@@ -6,6 +6,7 @@
 use super::ours::UnisizeBroadPhase;
 use super::scenes::Observed;
 use super::scenes::rapier::prelude::*;
+use crate::soak::{CHECK_EVERY, COLLIDERS, Peaks};
 use oorandom::Rand32;
 
 /// How many updates a mode lasts.
@@ -52,8 +53,22 @@ const MODES: [Mode; 10] = [
     Mode::Resize,
 ];
 
+/// Makes so many updates: the peaks of memory, and the pairs at the end.
+pub(crate) fn run(seed: u64, updates: u64) -> (Peaks, usize) {
+    let mut soak = Soak::new(seed);
+    let mut peaks = Peaks::default();
+    for done in 1..=updates {
+        soak.update();
+        peaks.note(done, updates);
+        if done % CHECK_EVERY == 0 || done == updates {
+            soak.check();
+        }
+    }
+    (peaks, soak.broad_phase.inner.stats().pairs)
+}
+
 /// The world and its state.
-pub(crate) struct Soak {
+struct Soak {
     random: Rand32,
     colliders: ColliderSet,
     bodies: RigidBodySet,
@@ -62,16 +77,14 @@ pub(crate) struct Soak {
     narrow_phase: NarrowPhase,
     pipeline: CollisionPipeline,
     live: Vec<ColliderHandle>,
-    /// How many colliders there are at most.
-    most: usize,
     side: Real,
     mode: Mode,
     updates: u64,
 }
 
 impl Soak {
-    /// A world of this many colliders, with about one pair for each.
-    pub(crate) fn new(colliders: usize, seed: u64) -> Self {
+    /// A world of all colliders, with about one pair for each.
+    fn new(seed: u64) -> Self {
         let mut soak = Self {
             random: Rand32::new(seed),
             colliders: ColliderSet::new(),
@@ -82,19 +95,18 @@ impl Soak {
             narrow_phase: NarrowPhase::new(),
             pipeline: CollisionPipeline::new(),
             live: Vec::new(),
-            most: colliders,
-            side: (2.0 * colliders as Real).powf(1.0 / DIM as Real),
+            side: (2.0 * COLLIDERS as Real).powf(1.0 / DIM as Real),
             mode: Mode::Rest,
             updates: 0,
         };
-        for _ in 0..colliders {
+        for _ in 0..COLLIDERS {
             soak.insert();
         }
         soak
     }
 
     /// Makes one update.
-    pub(crate) fn update(&mut self) {
+    fn update(&mut self) {
         if self.updates % MODE_LENGTH == 0 {
             self.mode = MODES[self.random.rand_range(0..MODES.len() as u32) as usize];
         }
@@ -113,7 +125,7 @@ impl Soak {
     }
 
     /// Panics unless the broad phase is valid, and holds the pairs that its events amount to.
-    pub(crate) fn check(&self) {
+    fn check(&self) {
         let (inner, held) = (&self.broad_phase.inner, self.broad_phase.held());
         inner.validate();
         let mut count = 0;
@@ -125,11 +137,6 @@ impl Soak {
         let stats = inner.stats();
         let known = stats.proxies + stats.refused;
         assert_eq!(known, self.colliders.iter_enabled().count());
-    }
-
-    /// The number of pairs held.
-    pub(crate) fn pairs(&self) -> usize {
-        self.broad_phase.inner.stats().pairs
     }
 
     fn change(&mut self) {
@@ -151,9 +158,9 @@ impl Soak {
             Mode::Fluctuate => {
                 let is_falling = self.updates / 500 % 2 == 0;
                 for _ in 0..few {
-                    if is_falling && self.live.len() > self.most / 2 {
+                    if is_falling && self.live.len() > COLLIDERS / 2 {
                         self.remove();
-                    } else if !is_falling && self.live.len() < self.most {
+                    } else if !is_falling && self.live.len() < COLLIDERS {
                         self.insert();
                     }
                 }

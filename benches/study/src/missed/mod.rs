@@ -12,8 +12,6 @@ use crate::output::Output;
 use crate::statistics::{geometric_mean, median, rarer_than};
 use crate::{dim2, dim3};
 use anyhow::Result;
-use clap::Args;
-use unisize_report::progress_bar;
 use unisize_scenes::SceneKind;
 
 /// The scenes. None of them removes a collider, which could not be passed on.
@@ -51,18 +49,6 @@ const QUICK_BODIES: usize = 120;
 
 /// The ground truth is computed every n-th step. The number is odd, so that it meets all phases of an interval of two, four or eight.
 const TRUTH_EVERY: [usize; 2] = [3, 5];
-
-/// What do methods miss that trade accuracy for speed, and how much faster are they?
-///
-/// Exits with 1 if unisize, or another method that cannot miss, misses a pair whose shapes touch or nearly touch.
-#[derive(Args, Clone, Debug)]
-pub(crate) struct Arguments {
-    #[command(flatten)]
-    common: Common,
-    /// A scene; may be given several times [default: six of them]
-    #[arg(long, value_name = "SCENE", value_parser = SCENES.map(SceneKind::name))]
-    only: Vec<String>,
-}
 
 /// The frames on which all methods are measured.
 pub(crate) struct Course {
@@ -119,64 +105,52 @@ struct Study {
     figures: Vec<Figures>,
 }
 
-impl Arguments {
-    /// Runs the study; whether unisize has passed.
-    pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create(&self.common)?;
-        let studies = self.studies();
-        let methods = Method::all(&studies);
-        for method in &methods {
-            method.report(&mut output)?;
-        }
-        for study in &studies {
-            study.report(&mut output)?;
-        }
-        Ok(is_sound(&studies))
+/// Runs the study; whether unisize has passed.
+pub(crate) fn run(common: &Common) -> Result<bool> {
+    let mut output = Output::create(common)?;
+    let studies = common.each(
+        &SCENES,
+        |kind| kind.name(),
+        |dim, &kind| study(common, dim, kind),
+    );
+    for method in Method::all(&studies) {
+        method.report(&mut output)?;
     }
+    for study in &studies {
+        study.report(&mut output)?;
+    }
+    Ok(is_sound(&studies))
+}
 
-    /// Measures all methods in all scenes.
-    fn studies(&self) -> Vec<Study> {
-        let kinds = self.common.scenes(&SCENES, &self.only);
-        let steps = self.common.steps.unwrap_or(self.common.usual(STEPS));
-        let seeds = self.common.seeds([1, 3]);
-        let all = kinds.len() * self.common.dims().len() * seeds.clone().count() * steps;
-        let bar = progress_bar(all as u64);
-        let mut studies = Vec::new();
-        for &dim in self.common.dims() {
-            for &kind in &kinds {
-                bar.set_message(format!("{} {dim}D", kind.name()));
-                let bodies = match kind {
-                    SceneKind::Ropes => ROPES,
-                    _ => BODIES,
-                };
-                let race = |seed| {
-                    let course = Course {
-                        kind,
-                        bodies: self.common.usual([QUICK_BODIES, bodies]),
-                        seed,
-                        lead_in: self.common.usual(LEAD_IN),
-                        steps,
-                        truth_every: self.common.usual(TRUTH_EVERY),
-                    };
-                    match dim {
-                        2 => dim2::missed::race(&course, || bar.inc(1)),
-                        _ => dim3::missed::race(&course, || bar.inc(1)),
-                    }
-                };
-                let races: Vec<_> = seeds.clone().map(race).collect();
-                let of_finder = |index| {
-                    let seeds: Vec<_> = races.iter().map(|race| race[index]).collect();
-                    Figures::of(&seeds)
-                };
-                studies.push(Study {
-                    scene: kind,
-                    dim,
-                    figures: (0..FINDERS.len()).map(of_finder).collect(),
-                });
-            }
+/// Measures all methods in one scene.
+fn study(common: &Common, dim: u8, scene: SceneKind) -> Study {
+    let bodies = match scene {
+        SceneKind::Ropes => ROPES,
+        _ => BODIES,
+    };
+    let race = |seed| {
+        let course = Course {
+            kind: scene,
+            bodies: common.usual([QUICK_BODIES, bodies]),
+            seed,
+            lead_in: common.usual(LEAD_IN),
+            steps: common.steps.unwrap_or(common.usual(STEPS)),
+            truth_every: common.usual(TRUTH_EVERY),
+        };
+        match dim {
+            2 => dim2::missed::race(&course),
+            _ => dim3::missed::race(&course),
         }
-        bar.finish_and_clear();
-        studies
+    };
+    let races: Vec<_> = common.seeds([1, 3]).map(race).collect();
+    let of_finder = |index| {
+        let seeds: Vec<_> = races.iter().map(|race| race[index]).collect();
+        Figures::of(&seeds)
+    };
+    Study {
+        scene,
+        dim,
+        figures: (0..FINDERS.len()).map(of_finder).collect(),
     }
 }
 

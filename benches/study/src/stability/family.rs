@@ -3,9 +3,9 @@
 use super::case::{Case, Setup};
 
 /// Cases that differ in one parameter.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Family {
-    /// Its name on the command line.
+    /// A short name.
     pub(crate) name: &'static str,
     /// What is built, in a few words.
     pub(crate) title: &'static str,

@@ -19,31 +19,16 @@ use crate::statistics::rarer_than;
 use crate::{dim2, dim3};
 use anyhow::Result;
 use case::Case;
-use clap::Args;
 use family::Family;
 use probe::{Alone, Equality, Probe};
 use rayon::ThreadPoolBuilder;
 use std::collections::BTreeMap;
-use unisize_report::progress_bar;
 
 /// The number of values from one end of a family's range to the other, in a quick run and in a full one.
 const VALUES: [usize; 2] = [5, 65];
 
 /// The number of starts from which both are compared step by step.
 const COMPARED: [u64; 2] = [1, 5];
-
-/// Where small worlds fail, does unisize fail alone?
-///
-/// Exits with 1 if a world is not the same on both with their events in order, if unisize panics where Rapier's own does not, or if
-/// it fails alone at any value, or more often at all of them.
-#[derive(Args, Clone, Debug)]
-pub(crate) struct Arguments {
-    #[command(flatten)]
-    common: Common,
-    /// A family of worlds; may be given several times [default: all]
-    #[arg(long, value_name = "NAME", value_parser = Family::ALL.map(|family| family.name))]
-    only: Vec<String>,
-}
 
 /// A family in one dimension.
 struct Outcome {
@@ -56,67 +41,51 @@ struct Outcome {
     thresholds: [Option<usize>; 2],
 }
 
-impl Arguments {
-    /// Runs the study, on all processors, as no time counts; whether unisize has passed.
-    pub(crate) fn run(&self) -> Result<bool> {
-        let mut output = Output::create(&self.common)?;
-        let pool = ThreadPoolBuilder::new().build()?;
-        let outcomes = pool.install(|| self.outcomes());
-        for outcome in &outcomes {
-            outcome.report(&mut output)?;
-        }
-        conclude(&outcomes, &mut output)
+/// Runs the study, on all processors, as no time counts; whether unisize has passed.
+pub(crate) fn run(common: &Common) -> Result<bool> {
+    let mut output = Output::create(common)?;
+    let pool = ThreadPoolBuilder::new().build()?;
+    let outcomes = common.each(
+        &Family::ALL,
+        |family| family.name,
+        |dim, &family| pool.install(|| outcome(common, family, dim)),
+    );
+    for outcome in &outcomes {
+        outcome.report(&mut output)?;
     }
+    conclude(&outcomes, &mut output)
+}
 
-    fn outcomes(&self) -> Vec<Outcome> {
-        let is_meant = |family: &Family| {
-            self.only.is_empty() || self.only.iter().any(|only| only == family.name)
-        };
-        let families = || Family::ALL.into_iter().filter(is_meant);
-        let bar = progress_bar((families().count() * self.common.dims().len()) as u64);
-        let mut outcomes = Vec::new();
-        for &dim in self.common.dims() {
-            for family in families() {
-                bar.set_message(format!("{} {dim}D", family.name));
-                outcomes.push(self.outcome(family, dim));
-                bar.inc(1);
-            }
-        }
-        bar.finish_and_clear();
-        outcomes
+fn outcome(common: &Common, family: Family, dim: u8) -> Outcome {
+    let values = family.values(common.usual(VALUES));
+    let compared = common.usual(COMPARED);
+    let mut probes = BTreeMap::new();
+    let thresholds = [0, 1].map(|side| {
+        last_sound(values.len(), |index| {
+            let probe = probes.entry(index).or_insert_with(|| {
+                let case = shortened(common, family.case(values[index]));
+                let starts = common.seeds([5, 25]);
+                match dim {
+                    2 => dim2::stability::probe(&case, starts, compared),
+                    _ => dim3::stability::probe(&case, starts, compared),
+                }
+            });
+            probe.failures()[side] == 0
+        })
+    });
+    Outcome {
+        family,
+        dim,
+        values,
+        probes,
+        thresholds,
     }
+}
 
-    fn outcome(&self, family: Family, dim: u8) -> Outcome {
-        let values = family.values(self.common.usual(VALUES));
-        let compared = self.common.usual(COMPARED);
-        let mut probes = BTreeMap::new();
-        let thresholds = [0, 1].map(|side| {
-            last_sound(values.len(), |index| {
-                let probe = probes.entry(index).or_insert_with(|| {
-                    let case = self.shortened(family.case(values[index]));
-                    let starts = self.common.seeds([5, 25]);
-                    match dim {
-                        2 => dim2::stability::probe(&case, starts, compared),
-                        _ => dim3::stability::probe(&case, starts, compared),
-                    }
-                });
-                probe.failures()[side] == 0
-            })
-        });
-        Outcome {
-            family,
-            dim,
-            values,
-            probes,
-            thresholds,
-        }
-    }
-
-    fn shortened(&self, case: Case) -> Case {
-        let seconds = self.common.usual([0.5, f64::INFINITY]);
-        let steps = self.common.steps.unwrap_or(usize::MAX);
-        case.lasting_at_most(seconds.min(steps as f64 * case.dt))
-    }
+fn shortened(common: &Common, case: Case) -> Case {
+    let seconds = common.usual([0.5, f64::INFINITY]);
+    let steps = common.steps.unwrap_or(usize::MAX);
+    case.lasting_at_most(seconds.min(steps as f64 * case.dt))
 }
 
 impl Outcome {

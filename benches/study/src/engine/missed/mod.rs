@@ -21,7 +21,7 @@ use truth::Truth;
 const WARM_UP: usize = 10;
 
 /// Measures all methods on one course.
-pub(crate) fn race(course: &Course, mut on_step: impl FnMut()) -> Vec<Figures> {
+pub(crate) fn race(course: &Course) -> Vec<Figures> {
     let mut scene = Scene::build(course.kind, course.bodies, course.seed);
     let mut driver = Observed::new(DefaultBroadPhase::new())
         .with_lists()
@@ -73,7 +73,6 @@ pub(crate) fn race(course: &Course, mut on_step: impl FnMut()) -> Vec<Figures> {
                 figures.frames_with_misses += usize::from(missed > 0);
             }
         }
-        on_step();
     }
     figures
 }
@@ -95,7 +94,7 @@ mod tests {
             steps: 12,
             truth_every: 3,
         };
-        for (finder, figures) in FINDERS.into_iter().zip(race(&course, || ())) {
+        for (finder, figures) in FINDERS.into_iter().zip(race(&course)) {
             let name = finder.name();
             let found = figures.touching - figures.missed;
             assert!(found > 0 && figures.held >= found, "{name}");
