@@ -20,6 +20,7 @@ use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 use crate::parallel;
 use crate::proxy_table::Lists;
+use crate::stats::Stats;
 use crate::stopwatch;
 use cost::Cost;
 
@@ -120,7 +121,7 @@ impl Trial {
 
     /// Returns the results so far. Computes in **O(1)** time.
     pub fn report(&self) -> TrialReport {
-        let updates = self.updates();
+        let updates = self.stats().updates;
         let own = self.own_cost.measured(None, updates);
         TrialReport {
             updates,
@@ -141,9 +142,9 @@ impl Trial {
         ColliderKey::new(PairFilter::Groups, collider, body_of(collider, bodies))
     }
 
-    /// The number of updates that had colliders to read.
-    pub(crate) fn updates(&self) -> u64 {
-        self.tried[PairFilter::Shapes as usize].stats().updates
+    /// The counts at level `Shapes`.
+    pub(crate) fn stats(&self) -> Stats {
+        self.tried[PairFilter::Shapes as usize].stats()
     }
 
     /// Calls `own` with Rapier's own broad phase, and `tried` with unisize at each level, as a part of the next update.
@@ -175,7 +176,7 @@ impl Trial {
             },
             ..
         } = *input;
-        let (former, allocated, earlier) = (self.updates(), self.allocated, events.len());
+        let (former, allocated, earlier) = (self.stats().updates, self.allocated, events.len());
         self.own_cost.of(allocated, events, |events| {
             self.own
                 .update(params, colliders, bodies, modified, removed, events);
@@ -192,7 +193,7 @@ impl Trial {
                 self.pairs.update(removed, &events);
             }
         }
-        let update = Some(self.updates()).filter(|&update| update > former);
+        let update = Some(self.stats().updates).filter(|&update| update > former);
         self.own_cost.end_update(update, self.own_pairs.0.len());
         for (broad_phase, cost) in self.tried.iter().zip(&mut self.costs) {
             cost.end_update(update, broad_phase.stats().pairs);
@@ -216,7 +217,7 @@ impl Trial {
             matches!(keys, [Some(first), Some(second)] if first.may_meet(second))
         })?;
         Some(Difference {
-            update: self.updates(),
+            update: self.stats().updates,
             colliders: handles(*pair),
             is_missing: own.contains(pair),
         })

@@ -3,22 +3,78 @@
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
-    Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase, PipelineInput,
+    Aabb, BroadPhasePairEvent, ColliderHandle, ColliderSet, CustomBroadPhase, NarrowPhase,
+    PipelineInput,
 };
 use super::rapier::parry::partitioning::Bvh;
+use crate::bit_set::BitSet;
+use crate::parallel;
 use crate::proxy_table::Lists;
+use crate::stats::Stats;
 
-/// Calls `run` with the input of a pipeline.
-fn with_input(input: &PipelineInput<'_>, run: impl FnOnce(&Input<'_>)) {
-    let is_active = input.narrow_phase.map(|narrow_phase| {
-        |first, second| {
-            // Two colliders have either a contact pair or an intersection pair.
-            match narrow_phase.contact_pair(first, second) {
-                Some(pair) => pair.has_any_active_contact(),
-                None => narrow_phase.intersection_pair(first, second) == Some(true),
-            }
+/// Looking up a pair in the graphs of a narrow phase takes about as long as reading this many pairs one after the other.
+const LOOKUP_COST: usize = 16;
+
+/// The contacts and intersections of a narrow phase, as its last step left them.
+struct Contacts<'a> {
+    narrow_phase: &'a NarrowPhase,
+    /// The indices of the colliders that have an active contact or an intersection; `None` if too few pairs will be asked for.
+    touching: Option<BitSet>,
+}
+
+impl<'a> Contacts<'a> {
+    /// About `asked` pairs will be asked for.
+    fn new(narrow_phase: &'a NarrowPhase, asked: usize) -> Self {
+        let pairs = || narrow_phase.contact_pairs();
+        let is_worth_it = asked / parallel::threads() > pairs().size_hint().0 / LOOKUP_COST;
+        let touching = is_worth_it.then(|| {
+            let active = pairs().filter(|pair| pair.has_any_active_contact());
+            let active = active.map(|pair| [pair.collider1, pair.collider2]);
+            let intersections = narrow_phase.intersection_pairs();
+            let intersecting = intersections.filter(|&(_, _, is_intersecting)| is_intersecting);
+            let pairs = active.chain(intersecting.map(|(first, second, _)| [first, second]));
+            let indices: Vec<u32> = pairs.flatten().map(index).collect();
+            let capacity = indices.iter().max().map_or(0, |&last| last as usize + 1);
+            let mut touching = BitSet::default();
+            touching.insert_all(&indices, capacity);
+            touching
+        });
+        Self {
+            narrow_phase,
+            touching,
         }
-    });
+    }
+
+    /// Whether two colliders have an active contact or an intersection.
+    fn is_active(&self, first: ColliderHandle, second: ColliderHandle) -> bool {
+        let touches_none = |handle| {
+            let touching = self.touching.as_ref();
+            touching.is_some_and(|touching| touching.has_room_without(index(handle) as usize))
+        };
+        if touches_none(first) || touches_none(second) {
+            return false;
+        }
+        // Two colliders have either a contact pair or an intersection pair.
+        match self.narrow_phase.contact_pair(first, second) {
+            Some(pair) => pair.has_any_active_contact(),
+            None => self.narrow_phase.intersection_pair(first, second) == Some(true),
+        }
+    }
+}
+
+/// The index of a handle.
+fn index(handle: ColliderHandle) -> u32 {
+    handle.into_raw_parts().0
+}
+
+/// Calls `run` with the input of a pipeline, for an update that is expected to end about as many pairs as the last one.
+fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_>)) {
+    let contacts = input
+        .narrow_phase
+        .map(|narrow_phase| Contacts::new(narrow_phase, last.deleted));
+    let is_active = contacts
+        .as_ref()
+        .map(|contacts| |a, b| contacts.is_active(a, b));
     run(&Input {
         params: input.params,
         colliders: input.colliders,
@@ -57,7 +113,11 @@ macro_rules! impl_custom_broad_phase {
                 input: &PipelineInput<'_>,
                 events: &mut Vec<BroadPhasePairEvent>,
             ) {
-                with_input(input, |input| self.$run_in_pipeline(input, events));
+                with_input(input, self.stats(), |input| self.$run_in_pipeline(input, events));
+            }
+
+            fn is_new(&self) -> bool {
+                self.stats().updates == 0
             }
 
             fn set_aabb(
@@ -88,10 +148,6 @@ macro_rules! impl_custom_broad_phase {
 }
 
 impl_custom_broad_phase! { UnisizeBroadPhase, run_in_pipeline,
-    fn is_new(&self) -> bool {
-        self.stats().updates == 0
-    }
-
     fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
         for &(collider, neighbor) in &self.unreported {
             visit(collider, neighbor);
@@ -104,10 +160,6 @@ impl_custom_broad_phase! { UnisizeBroadPhase, run_in_pipeline,
 }
 
 impl_custom_broad_phase! { Trial, run,
-    fn is_new(&self) -> bool {
-        self.updates() == 0
-    }
-
     fn bvh(&self) -> &Bvh {
         self.own().bvh()
     }
