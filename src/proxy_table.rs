@@ -9,8 +9,10 @@
 //! proxies, which [`follow`](crate::pair_tracker::ProxyChunk::follow) handles; [`admit`](ProxyTable::admit) handles the rest.
 
 mod changes;
+mod observer;
 mod passing;
 mod reading;
+mod refusals;
 mod slot_run;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
@@ -23,9 +25,7 @@ use std::collections::BTreeMap;
 use crate::aabb::Aabb;
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
-use crate::pair_tracker::{
-    BoxUpdate, FilterKey, MOST_SLOTS, PairChange, PairObserver, PairTracker,
-};
+use crate::pair_tracker::{BoxUpdate, FilterKey, MOST_SLOTS, PairTracker};
 use crate::parallel;
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
@@ -34,6 +34,8 @@ use crate::stats::Stats;
 use crate::stopwatch::{Phase, PhaseTimes, Shared, Stopwatch};
 use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
+pub(crate) use observer::IsActive;
+use observer::Observer;
 use passing::Pending;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
@@ -125,11 +127,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
 
     pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
         self.tracker.set_overrides(overrides);
-    }
-
-    fn refused(&self) -> usize {
-        // A known collider without a box is refused.
-        self.known - self.stats.proxies + self.beyond.len()
     }
 
     /// The boxes by slot; invalid where there is no proxy.
@@ -350,42 +347,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.proxies.place(slot, aabb);
     }
 
-    /// Leaves out a collider whose box is invalid.
-    #[cold]
-    fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
-        let slot = handle.into_raw_parts().0;
-        if self.tracker.proxies.get(slot).is_some() {
-            self.tracker.proxies.clear_box(slot);
-            self.gathered.moved += 1;
-            self.stats.proxies -= 1;
-        }
-        self.warn(
-            handle,
-            format_args!("until its box is valid again: {aabb:?}"),
-        );
-    }
-
-    /// Leaves out a collider whose slot is beyond the maximum.
-    #[cold]
-    fn refuse_slot(&mut self, handle: impl Handle) {
-        let (slot, generation) = handle.into_raw_parts();
-        self.beyond.insert(slot, generation);
-        let most = self.most_known_slots;
-        self.warn(
-            handle,
-            format_args!("because its index is not less than {most}"),
-        );
-    }
-
-    /// Logs why, or until when, the first such collider is left out.
-    fn warn(&mut self, handle: impl Handle, why: std::fmt::Arguments<'_>) {
-        if !std::mem::replace(&mut self.has_warned, true) {
-            log::warn!(
-                "collider {handle:?} is left out of the broad phase {why}. Further ones are only counted, in Stats::refused."
-            );
-        }
-    }
-
     /// Ends an update: calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
     /// in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
     pub(crate) fn finish<H: Handle>(
@@ -439,29 +400,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             }
         }
         Some(count)
-    }
-}
-
-/// Tells whether the contact of two colliders is active; see [`PairObserver::is_active`].
-pub(crate) type IsActive<'a, H> = &'a (dyn Fn(H, H) -> bool + Sync);
-
-/// Collects the changes of an update.
-struct Observer<'a, H> {
-    generations: &'a [Option<u32>],
-    is_active: Option<IsActive<'a, H>>,
-    changes: &'a mut Changes,
-}
-
-impl<H: Handle> PairObserver for Observer<'_, H> {
-    fn report(&mut self, change: PairChange) {
-        self.changes.note(change);
-    }
-
-    fn is_active(&self, pair: [u32; 2]) -> bool {
-        self.is_active.is_some_and(|is_active| {
-            let [first, second] = handles(self.generations, pair);
-            is_active(first, second)
-        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! A lower bound on the motion after which two separated volumes may meet.
 
-use super::{Pair, VolumeKind, VolumeRef, dot, nearest_points};
+use super::separating_axes::{Pair, nearest_points};
+use super::{VolumeKind, VolumeRef, dot};
 use crate::real::Real;
 
 /// A bound on the error of the distance of two nearly parallel segments, as a part of their lengths: rounding decides which of their points
