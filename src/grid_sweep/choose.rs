@@ -73,7 +73,9 @@ impl<R: Real> Grid<R> {
             grid.axes[cut] = Strips::new(axis.middle, width);
         }
         if D > 1 {
-            grid.longest = Some(R::from_f64(LONG_FROM * longest));
+            let longest = LONG_FROM * longest;
+            grid.longest = Some(R::from_f64(longest));
+            grid.longest_share = share_of(longest, first.spread);
         }
         grid.number_tubes(cuts, strips, members.count());
         grid

@@ -11,8 +11,7 @@ use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes};
 use crate::tuning::kernel::{
-    COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO,
-    QUERY,
+    CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO, QUERY,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -35,13 +34,12 @@ impl<R: Real, const D: usize> Class<R, D> {
         search: &mut Search<R, D>,
     ) -> Result<(), InvalidInput> {
         search.stopwatch.enter(Phase::Read);
-        let suits = self.assign(members, oversized, assignment, search.is_crowd)?;
+        self.assign(members, oversized, assignment, search.is_crowd)?;
         search.stopwatch.enter(Phase::Sort);
         assignment.place(members);
         search.stopwatch.leave();
-        let most_an_entry = match suits || !search.is_crowd {
-            true => COMPARED_AN_ENTRY,
-            // A further grid would do no better.
+        let largest_crowd = match search.is_crowd {
+            true => (members.count() - oversized.len()) / 2,
             false => usize::MAX,
         };
         search.keeps |= !oversized.is_empty();
@@ -52,7 +50,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
         let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
-            slab.sweep(members.boxes, assignment, most_an_entry, emitter);
+            slab.sweep(members.boxes, assignment, largest_crowd, emitter);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
         // Slabs work at the same time.
@@ -64,17 +62,17 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Chooses a grid and counts the entries of its tubes. Returns whether the grid suits the boxes; otherwise there is one tube.
+    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube, and must be
-    /// spread over many.
+    /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube, and its grid must
+    /// leave at most a quarter of its comparisons, which are fewer where boxes are short and stand in a row along the first axis.
     fn assign(
         &mut self,
         members: Members<R, D>,
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
         is_crowd: bool,
-    ) -> Result<bool, InvalidInput> {
+    ) -> Result<(), InvalidInput> {
         let count = members.count();
         let sizes = match count {
             ..=ONE_TUBE_UP_TO => &[][..],
@@ -85,17 +83,19 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.grid = Grid::choose(members, cut_axes::<D>(), size, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
-            let most = (taken as u64 * taken as u64) / 4;
-            if taken > count / 8 && (!is_crowd || assignment.comparisons() <= most) {
-                return Ok(true);
+            let separates = || {
+                let comparisons = assignment.comparisons() as f64 * self.grid.longest_share;
+                4.0 * comparisons <= taken as f64 * taken as f64
+            };
+            if taken > count / 8 && (!is_crowd || separates()) {
+                return Ok(());
             }
         }
         self.grid = match sizes {
             [] => Grid::default(),
             _ => Grid::choose(members, 0, GRID_SIZE_QUANTILE, is_crowd),
         };
-        assignment.count(members, &self.grid, oversized)?;
-        Ok(false)
+        assignment.count(members, &self.grid, oversized)
     }
 
     /// Replaces `members` by the boxes of the class, in the order of its tubes.

@@ -19,6 +19,7 @@ use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
 use crate::real::Real;
 use crate::stopwatch::{Phase, Stopwatch};
+use crate::tuning::kernel::COMPARED_AN_ENTRY;
 
 /// How many entries past the last sentinel may be read: the sweep reads 64 past the last of eight.
 const PADDING: usize = LANES + 64;
@@ -103,13 +104,14 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// Entries crowd if the sweep takes more than `most_an_entry` comparisons for each, and some for each pair. They are searched
-    /// by a kernel of their own. Stops early if more pairs overlap than the emitter may append.
+    /// Entries crowd if the sweep takes many comparisons for each, and some for each pair. They are searched by a kernel of their own,
+    /// unless there are more than `largest_crowd`: then a further grid would do no better. Stops early if more pairs overlap than the
+    /// emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        most_an_entry: usize,
+        largest_crowd: usize,
         emitter: &mut Emitter,
     ) {
         let range = self.range.clone();
@@ -130,7 +132,10 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             let sorted = self.push(tube, &entries);
             self.stopwatch.enter(Phase::Sweep);
-            emitter.begin_tube(most_an_entry.saturating_mul(entries.len()));
+            emitter.begin_tube(match entries.len() <= largest_crowd {
+                true => COMPARED_AN_ENTRY * entries.len(),
+                false => usize::MAX,
+            });
             let is_swept = self.columns().sweep(sorted, emitter);
             if emitter.is_over() {
                 break;
