@@ -20,7 +20,7 @@ use crate::pair_finder::{PairFinder, check_count, retain_from};
 use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::FEW_QUERIES;
+use crate::tuning::kernel::{FEW_QUERIES, ROW_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
@@ -35,15 +35,15 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
 /// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
 /// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
-/// the direction that takes less time for a sample. If the boxes of a tube crowd, because they are much smaller than most or lie
-/// where few others do, they get a grid of their own.
+/// the direction that takes less time for a sample; a box that reaches very many tubes is compared along the first axis alone. If
+/// the boxes of a tube crowd, because they are much smaller than most or lie where few others do, they get a grid of their own.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
 /// Computes in **O((n + pairs) log n)** time, and in **O(n + pairs)** if the boxes are of about one size, wherever they lie: a class
-/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most a quarter of its comparisons. This
-/// assumes that the boxes of one size do not overlap without limit. Plates and needles that pass each other without touching have
-/// the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
+/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most a quarter of its comparisons, or few
+/// for each box. This assumes that the boxes of one size do not overlap without limit. Plates that pass each other without touching
+/// have the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -206,7 +206,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         if queries.len() > FEW_QUERIES {
             coarse.prepare_lookup();
             class.list_members(finer);
-            if coarse.effort(finer, boxes) < class.effort(queries, boxes) {
+            let most = [queries.len(), finer.len()].map(|count| ROW_FROM * count as f64);
+            let mut efforts = [class.effort(queries, boxes), coarse.effort(finer, boxes)];
+            if efforts[0] > most[0] && efforts[1] > most[1] {
+                class.add_row(finer, boxes);
+                coarse.add_row(queries, boxes);
+                efforts = [class.effort(queries, boxes), coarse.effort(finer, boxes)];
+            }
+            if efforts[1] < efforts[0] {
                 (class, queries) = (coarse, finer);
             }
         }

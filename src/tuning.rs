@@ -46,6 +46,10 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
+    /// Comparisons for each query, in the cheaper direction. From so many on, the boxes of both classes are sorted into a single tube as well.
+    /// If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
+    pub(crate) const ROW_FROM: f64 = 500.0;
+
     /// The cost of a query before its first tube, in comparisons. If larger: large boxes are looked up among small ones. If smaller: small
     /// boxes among large ones.
     pub(crate) const QUERY: f64 = 400.0;

@@ -3,15 +3,17 @@
 use super::assignment::Assignment;
 use super::choose::sample_indices;
 use super::emitter::Emitter;
+use super::entry::{Entry, Owner};
 use super::grid::{Grid, cut_axes};
 use super::search::{Members, Search};
 use super::slab::Slab;
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
-use crate::stopwatch::{Phase, PhaseTimes};
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO, QUERY,
+    COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO,
+    QUERY,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -22,6 +24,8 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) slabs: Vec<Slab<R, D>>,
     /// A box around those of the class; for look-ups.
     pub(super) bounds: Option<Aabb<R, D>>,
+    /// The same boxes in a single tube, if some queries reach very many tubes.
+    pub(super) row: Option<Box<Self>>,
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
@@ -33,15 +37,12 @@ impl<R: Real, const D: usize> Class<R, D> {
         assignment: &mut Assignment,
         search: &mut Search<R, D>,
     ) -> Result<(), InvalidInput> {
+        self.row = None;
         search.stopwatch.enter(Phase::Read);
-        self.assign(members, oversized, assignment, search.is_crowd)?;
+        let may_crowd = self.assign(members, oversized, assignment, search.is_crowd)?;
         search.stopwatch.enter(Phase::Sort);
         assignment.place(members);
         search.stopwatch.leave();
-        let largest_crowd = match search.is_crowd {
-            true => (members.count() - oversized.len()) / 2,
-            false => usize::MAX,
-        };
         search.keeps |= !oversized.is_empty();
         let ranges = assignment.split();
         self.slabs.resize_with(ranges.len(), Slab::default);
@@ -50,7 +51,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
         let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
-            slab.sweep(members.boxes, assignment, largest_crowd, emitter);
+            slab.sweep(members.boxes, assignment, may_crowd, emitter);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
         // Slabs work at the same time.
@@ -62,17 +63,18 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube.
+    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns whether entries of a
+    /// tube may crowd, because a further grid may separate them.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube, and its grid must
-    /// leave at most a quarter of its comparisons, which are fewer where boxes are short and stand in a row along the first axis.
+    /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube. Its grid must
+    /// leave at most a quarter of its comparisons, or few because short boxes stand in a row along the first axis.
     fn assign(
         &mut self,
         members: Members<R, D>,
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
         is_crowd: bool,
-    ) -> Result<(), InvalidInput> {
+    ) -> Result<bool, InvalidInput> {
         let count = members.count();
         let sizes = match count {
             ..=ONE_TUBE_UP_TO => &[][..],
@@ -83,19 +85,23 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.grid = Grid::choose(members, cut_axes::<D>(), size, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
-            let separates = || {
-                let comparisons = assignment.comparisons() as f64 * self.grid.longest_share;
-                4.0 * comparisons <= taken as f64 * taken as f64
-            };
-            if taken > count / 8 && (!is_crowd || separates()) {
-                return Ok(());
+            if taken <= count / 8 {
+                continue;
+            }
+            let (comparisons, taken) = (assignment.comparisons() as f64, taken as f64);
+            if !is_crowd || 4.0 * comparisons <= taken * taken {
+                return Ok(true);
+            }
+            if comparisons * self.grid.longest_share <= COMPARED_AN_ENTRY as f64 * taken {
+                return Ok(false);
             }
         }
         self.grid = match sizes {
             [] => Grid::default(),
             _ => Grid::choose(members, 0, GRID_SIZE_QUANTILE, is_crowd),
         };
-        assignment.count(members, &self.grid, oversized)
+        assignment.count(members, &self.grid, oversized)?;
+        Ok(!is_crowd)
     }
 
     /// Replaces `members` by the boxes of the class, in the order of its tubes.
@@ -108,6 +114,27 @@ impl<R: Real, const D: usize> Class<R, D> {
                 members.extend(at_home.map(|owner| owner.index()));
             }
         }
+    }
+
+    /// Sorts the members, whose boxes these are, into a single tube as well, unless that is done.
+    pub(super) fn add_row(&mut self, members: &[u32], boxes: &[Aabb<R, D>]) {
+        if self.row.is_some() {
+            return;
+        }
+        let entries = members.iter().map(|&i| Entry {
+            aabb: boxes[i as usize],
+            owner: Owner(i),
+        });
+        let mut slab = Slab::default();
+        slab.reset(0..1, true, Stopwatch::default());
+        slab.push(0, &entries.collect::<Vec<_>>());
+        slab.free_scratch();
+        let mut row = Self {
+            slabs: vec![slab],
+            ..Self::default()
+        };
+        row.prepare_lookup();
+        self.row = Some(Box::new(row));
     }
 
     /// An estimate of the comparisons for looking these boxes up in the class, by a sample of them.

@@ -104,14 +104,13 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// Entries crowd if the sweep takes many comparisons for each, and some for each pair. They are searched by a kernel of their own,
-    /// unless there are more than `largest_crowd`: then a further grid would do no better. Stops early if more pairs overlap than the
-    /// emitter may append.
+    /// Entries that `may_crowd` do so if the sweep takes many comparisons for each, and some for each pair. They are searched by a kernel
+    /// of their own. Stops early if more pairs overlap than the emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        largest_crowd: usize,
+        may_crowd: bool,
         emitter: &mut Emitter,
     ) {
         let range = self.range.clone();
@@ -132,7 +131,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             let sorted = self.push(tube, &entries);
             self.stopwatch.enter(Phase::Sweep);
-            emitter.begin_tube(match entries.len() <= largest_crowd {
+            emitter.begin_tube(match may_crowd {
                 true => COMPARED_AN_ENTRY * entries.len(),
                 false => usize::MAX,
             });

@@ -3,12 +3,11 @@
 use crate::arrangements::{HardBoxes, Mixture};
 use unisize::{Aabb, GridSweep, PairFinder};
 
-/// The limit of comparisons and visited tubes per box and pair, for `HardBoxes`.
+/// The limit of comparisons and visited tubes per box and pair.
 const BOUND: f64 = 400.0;
-/// The same for the worst boxes that a search has found: plates and needles in all directions.
-const MOST: f64 = 6000.0;
 
-/// The limit of growth per box and pair with four times as many boxes: more tubes may be crowded, and a tree of grids may be one level deeper.
+/// The limit of growth per box and pair with four times as many boxes, above a number of comparisons: more tubes may be crowded, and a tree
+/// of grids may be one level deeper.
 const GROWTH: f64 = 3.0;
 
 /// Comparisons per box and pair, with the axes rotated `turns` times.
@@ -23,11 +22,11 @@ fn effort<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> f64 {
     kernel.compared() as f64 / (boxes.len() + pairs.len()) as f64
 }
 
-fn check<const D: usize>(name: &str, bound: f64, boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>) {
+fn check<const D: usize>(name: &str, least: f64, boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>) {
     for turns in 0..D {
         let [few, many] = [1 << 12, 1 << 14].map(|count| effort(&boxes(count), turns));
         assert!(
-            many < bound && many < GROWTH * few.max(16.0),
+            many < BOUND && many < GROWTH * few.max(least),
             "{name} in {D}D, turned {turns} times: {few}, {many}"
         );
     }
@@ -38,14 +37,14 @@ fn effort_grows_with_boxes_and_pairs() {
     for kind in HardBoxes::ALL {
         // Coincident boxes have a quadratic number of pairs.
         if kind != HardBoxes::Coincident {
-            check::<2>(kind.name(), BOUND, |count| kind.boxes(count, 7));
-            check::<3>(kind.name(), BOUND, |count| kind.boxes(count, 7));
+            check::<2>(kind.name(), 16.0, |count| kind.boxes(count, 7));
+            check::<3>(kind.name(), 16.0, |count| kind.boxes(count, 7));
         }
     }
 }
 
 /// The worst mixtures of several searches for hard boxes, by the numbers of their populations.
-const FOUND: [[[f32; 9]; 3]; 6] = [
+const FOUND: [[[f32; 9]; 3]; 7] = [
     [
         [
             0.8673, 0.6206, 0.4166, 0.5447, 0.5024, 0.9813, 0.7836, 0.9483, 0.7193,
@@ -112,6 +111,17 @@ const FOUND: [[[f32; 9]; 3]; 6] = [
             0.4226, 0.3099, 0.5016, 0.6659, 0.1224, 0.7894, 0.3096, 0.7582, 0.9783,
         ],
     ],
+    [
+        [
+            0.9966, 0.8672, 0.1663, 0.7916, 0.2263, 1.0, 0.0117, 0.5739, 0.7055,
+        ],
+        [
+            0.8365, 0.3478, 0.0830, 0.2216, 0.0993, 1.0, 0.3962, 0.4549, 0.2097,
+        ],
+        [
+            0.7997, 0.3056, 0.1198, 0.7091, 0.7682, 0.8830, 0.1996, 0.6408, 0.5503,
+        ],
+    ],
 ];
 
 #[test]
@@ -119,7 +129,8 @@ fn effort_grows_linearly_for_the_worst_known_mixtures() {
     for (i, populations) in FOUND.into_iter().enumerate() {
         let mixture = Mixture::new(populations);
         let name = format!("mixture {i}");
-        check::<2>(&name, MOST, |count| mixture.boxes(count, 7));
-        check::<3>(&name, MOST, |count| mixture.boxes(count, 7));
+        // The best way to search a mixture may be another one with more boxes.
+        check::<2>(&name, BOUND / 4.0, |count| mixture.boxes(count, 7));
+        check::<3>(&name, BOUND / 4.0, |count| mixture.boxes(count, 7));
     }
 }
