@@ -23,7 +23,7 @@ impl<R: Real> Grid<R> {
         let sample = sample_indices(members.count(), GRID_SAMPLE);
         let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
         let mut sample: Vec<_> = sample.collect();
-        let cut_samples = [1, 2].map(|k| {
+        let mut cut_samples = [1, 2].map(|k| {
             let axis = AxisSample::of(&sample, k.min(D - 1), size_quantile);
             // Boxes that are too large along this axis go into another class: the other axes do without them.
             if k <= cuts {
@@ -32,6 +32,14 @@ impl<R: Real> Grid<R> {
             }
             axis
         });
+        if is_crowd {
+            // Boxes that are too large along either axis may lie far away, and make the others look sparse.
+            for (k, axis) in (1..=cuts).zip(&mut cut_samples) {
+                let size = axis.size;
+                *axis = AxisSample::of(&sample, k, size_quantile);
+                axis.size = size;
+            }
+        }
         let first = AxisSample::of(&sample, 0, size_quantile);
         let cut_samples = &cut_samples[..cuts];
 
@@ -73,13 +81,30 @@ impl<R: Real> Grid<R> {
             grid.axes[cut] = Strips::new(axis.middle, width);
         }
         if D > 1 {
-            let longest = LONG_FROM * longest;
-            grid.longest = Some(R::from_f64(longest));
-            grid.longest_share = share_of(longest, first.spread);
+            grid.longest = Some(R::from_f64(LONG_FROM * longest));
         }
         grid.number_tubes(cuts, strips, members.count());
         grid
     }
+}
+
+/// An estimate of the share of pairs that overlap along the first axis, of the members that a grid takes. It is at least that of a pair
+/// in the sample.
+pub(super) fn share_along_first_axis<R: Real, const D: usize>(
+    members: Members<R, D>,
+    grid: &Grid<R>,
+) -> f64 {
+    let sample = sample_indices(members.count(), GRID_SAMPLE);
+    let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
+    let taken = sample.filter(|aabb| !grid.is_oversized(aabb, &grid.tube_span(aabb)));
+    let mut intervals: Vec<_> = taken.map(|aabb| (aabb.mins[0], aabb.maxs[0])).collect();
+    intervals.sort_unstable_by(|(a, _), (b, _)| a.to_f64().total_cmp(&b.to_f64()));
+    let mut count = 1;
+    for (i, &(_, max)) in intervals.iter().enumerate() {
+        let following = intervals[i + 1..].iter();
+        count += following.take_while(|&&(min, _)| min <= max).count();
+    }
+    2.0 * count as f64 / (intervals.len() as f64).powi(2)
 }
 
 /// The positions of a sample of `n` items: the same each time, but at irregular distances, so that a pattern in the order of the

@@ -1,7 +1,7 @@
 //! A size class: its boxes are assigned to the tubes of a grid, and each tube is sorted and swept.
 
 use super::assignment::Assignment;
-use super::choose::sample_indices;
+use super::choose::{sample_indices, share_along_first_axis};
 use super::emitter::Emitter;
 use super::entry::{Entry, Owner};
 use super::grid::{Grid, cut_axes};
@@ -92,7 +92,8 @@ impl<R: Real, const D: usize> Class<R, D> {
             if !is_crowd || 4.0 * comparisons <= taken * taken {
                 return Ok(true);
             }
-            if comparisons * self.grid.longest_share <= COMPARED_AN_ENTRY as f64 * taken {
+            let share = share_along_first_axis(members, &self.grid);
+            if comparisons * share <= COMPARED_AN_ENTRY as f64 * taken {
                 return Ok(false);
             }
         }

@@ -52,8 +52,6 @@ pub(super) struct Grid<R> {
     /// The greatest length of a box along the first axis, if it is limited. One long box lengthens the windows of all look-ups in its
     /// tube.
     pub(super) longest: Option<R>,
-    /// The same as a share of the space that most boxes lie in, at most 1.
-    pub(super) longest_share: f64,
     /// The difference between the numbers of two successive tubes along the first cut axis, if two axes are cut.
     stride: u32,
     /// The number of tubes, a power of two, less one.
@@ -67,7 +65,6 @@ impl<R: Default> Default for Grid<R> {
         Self {
             axes: Default::default(),
             longest: None,
-            longest_share: 1.0,
             stride: 1,
             mask: 0,
             farthest: u32::MAX,
