@@ -20,7 +20,7 @@ const MOST_PAIRS: usize = 64;
 const PATIENCE: u64 = 60;
 
 /// The bound of comparisons and visits for each box and pair, for both numbers of boxes.
-const BOUND: f64 = 1500.0;
+const BOUND: f64 = 1200.0;
 
 /// Searches in one dimension, for the minutes of the options.
 ///

@@ -8,7 +8,7 @@ use std::io;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
 use unisize_report::Report;
-use unisize_scenes::HardBoxes;
+use unisize_scenes::{HardBoxes, Mixture};
 
 /// Numbers of boxes.
 const COUNTS: [usize; 4] = [1 << 12, 1 << 14, 1 << 16, 1 << 18];
@@ -20,6 +20,15 @@ const LONG: Duration = Duration::from_secs(1);
 const RUNS: usize = 5;
 const ENOUGH: Duration = Duration::from_millis(200);
 
+/// A mixture with more pairs than this for each box is hard for any method, and is left out.
+const MOST_PAIRS: usize = 64;
+
+/// A number of boxes of an arrangement, unless they would have too many pairs.
+type Draw<'a, const D: usize> = dyn Fn(usize) -> Option<Vec<[[f32; D]; 2]>> + 'a;
+
+/// Searches these boxes with one method, for this time at least.
+type Run<const D: usize> = fn(&[[[f32; D]; 2]], Duration) -> Figures;
+
 /// Measures in one dimension, of which `H` is Parry's tree.
 pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
     options: &Options,
@@ -27,29 +36,41 @@ pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
 ) -> io::Result<()> {
     let counts = options.least(&COUNTS[..], &[1 << 8]);
     let enough = options.least(ENOUGH, Duration::ZERO);
-    for kind in HardBoxes::ALL {
-        let mut grow = |method: &str, run: fn(HardBoxes, usize, Duration) -> Option<Figures>| {
-            let [boxes, method] = [kind.name(), method].map(Into::into);
-            let case = [("dim", D.into()), ("boxes", boxes), ("method", method)];
-            growth::measure(&case, counts, |n| run(kind, n, enough), report)
+    let mut grow = |boxes: &str, draw: &Draw<D>| {
+        let mut grow = |method: &str, run: Run<D>| {
+            let case = [
+                ("dim", D.into()),
+                ("boxes", boxes.into()),
+                ("method", method.into()),
+            ];
+            growth::measure(&case, counts, |n| Some(run(&draw(n)?, enough)), report)
         };
         grow("GridSweep", run::<GridSweep<f32, D>, D>)?;
         grow("RankSweep", run::<RankSweep<f32, D>, D>)?;
         grow("Parry Bvh", run::<H, D>)?;
-        grow("BruteForce", run::<BruteForce, D>)?;
+        grow("BruteForce", run::<BruteForce, D>)
+    };
+    for kind in HardBoxes::ALL {
+        grow(kind.name(), &|n| {
+            (!kind.are_too_many(n)).then(|| kind.boxes(n, 7))
+        })?;
+    }
+    for (i, mixture) in Mixture::WORST.iter().enumerate() {
+        let name = format!("mixture {}", i + 1);
+        grow(&name, &|n| {
+            let boxes = mixture.boxes(n, 7);
+            let pairs = run::<GridSweep<f32, D>, D>(&boxes, Duration::ZERO).work - n as f64;
+            (pairs <= (MOST_PAIRS * n) as f64).then_some(boxes)
+        })?;
     }
     Ok(())
 }
 
 fn run<K: PairFinder<f32, D> + Default, const D: usize>(
-    kind: HardBoxes,
-    count: usize,
+    boxes: &[[[f32; D]; 2]],
     enough: Duration,
-) -> Option<Figures> {
-    if kind.are_too_many(count) {
-        return None;
-    }
-    let boxes = kind.boxes(count, 7);
+) -> Figures {
+    let count = boxes.len();
     let boxes: Vec<Aabb<f32, D>> = boxes.iter().map(|&[a, b]| Aabb::new(a, b)).collect();
     let (mut finder, mut pairs, mut times) = (K::default(), Vec::new(), Vec::new());
     let begin = Instant::now();
@@ -64,7 +85,7 @@ fn run<K: PairFinder<f32, D> + Default, const D: usize>(
     }
     times.sort_unstable();
     let time = times[times.len() / 2];
-    Some(Figures {
+    Figures {
         count,
         work: (count + pairs.len()) as f64,
         seconds: time.as_secs_f64(),
@@ -73,5 +94,5 @@ fn run<K: PairFinder<f32, D> + Default, const D: usize>(
             ("pairs", pairs.len().into()),
             ("ms", (time.as_secs_f64() * 1e3).into()),
         ],
-    })
+    }
 }

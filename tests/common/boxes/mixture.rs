@@ -14,7 +14,7 @@ const NUMBERS: usize = 9;
 /// axis, the density and the shape of the space that they fill, and their distance. Any numbers give a mixture, so a search may vary them
 /// freely.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mixture([[f32; NUMBERS]; POPULATIONS]);
+pub struct Mixture(pub(super) [[f32; NUMBERS]; POPULATIONS]);
 
 /// The parameters of one population.
 struct Population<const D: usize> {
@@ -34,11 +34,6 @@ struct Population<const D: usize> {
 }
 
 impl Mixture {
-    /// A mixture of three populations, with a row of parameters for each.
-    pub fn new(populations: [[f32; NUMBERS]; POPULATIONS]) -> Self {
-        Self(populations)
-    }
-
     /// A random mixture.
     pub fn random(seed: u64) -> Self {
         let random = &mut Random::new(seed);

@@ -6,6 +6,7 @@ mod named;
 mod hard_boxes;
 mod mixture;
 pub(crate) mod random;
+mod worst_mixtures;
 
 pub use hard_boxes::HardBoxes;
 pub use mixture::Mixture;
