@@ -41,7 +41,7 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
 /// Computes in **O((n + pairs) log n)** time, and in **O(n + pairs)** if the boxes are of about one size, wherever they lie: a class
-/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most a quarter of its comparisons, or few
+/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most three quarters of its comparisons, or few
 /// for each box. This assumes that the boxes of one size do not overlap without limit. Plates that pass each other without touching
 /// have the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
 ///

@@ -67,7 +67,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// tube may crowd, because a further grid may separate them.
     ///
     /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube. Its grid must
-    /// leave at most a quarter of its comparisons, or few because short boxes stand in a row along the first axis.
+    /// leave at most three quarters of its comparisons, so that grids within grids come to an end, or few because short boxes stand in a
+    /// row along the first axis.
     fn assign(
         &mut self,
         members: Members<R, D>,
@@ -89,7 +90,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 continue;
             }
             let (comparisons, taken) = (assignment.comparisons() as f64, taken as f64);
-            if !is_crowd || 4.0 * comparisons <= taken * taken {
+            if !is_crowd || comparisons <= 0.75 * taken * taken {
                 return Ok(true);
             }
             let share = share_along_first_axis(members, &self.grid);
