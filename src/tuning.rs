@@ -1,7 +1,7 @@
 //! Constants that affect speed and nothing else: those of the kernels, of threads and of queries, the prices of an update's operations, and
 //! what else several files of an update read. Other constants of an update are in the files that read them.
 //!
-//! Neither events nor their order depend on them; a few unit tests do. Each has its unit, the effect of a larger and of a smaller value, and
+//! Neither events nor their order depend on them, except on [`ROOM_AHEAD`](update::ROOM_AHEAD); a few unit tests do. Each has its unit, the effect of a larger and of a smaller value, and
 //! its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core. A factor of two in either
 //! direction costs a few per cent, so none is a setting.
 
@@ -46,7 +46,7 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
-    /// Comparisons for each query, in the cheaper direction. From so many on, the boxes of both classes are sorted into a single tube as well.
+    /// Comparisons for each query, [`QUERY`] included, in the cheaper direction. From so many on, the boxes of both classes are sorted into a single tube as well.
     /// If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
     pub(crate) const ROW_FROM: f64 = 500.0;
 
@@ -132,7 +132,7 @@ pub(crate) mod update {
     pub(crate) const READ_BY_INDEX_FROM: usize = 1 << 14;
 
     /// Slots. A program may pass a box for a collider that is not known, and that may not exist. Up to this far beyond all known slots,
-    /// queries find it at once. If larger: a wrong handle takes more memory. If smaller: queries before the first update miss some boxes
+    /// queries find it at once. Colliders with the last so many indices are refused. If larger: a wrong handle takes more memory. If smaller: queries before the first update miss some boxes
     /// of a world whose colliders are passed in any order.
     pub(crate) const ROOM_AHEAD: usize = 1 << 16;
 

@@ -51,7 +51,7 @@ pub struct UnisizeBroadPhase {
     /// Scratch: the changes of the pair set.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
-    /// The colliders and neighbors that the last update [visited](ProxyTable::visit_unreported), for the pipeline to wake.
+    /// The colliders and neighbors that the last update in a pipeline [visited](ProxyTable::visit_unreported), for the pipeline to wake.
     pub(crate) unreported: Vec<(ColliderHandle, Option<ColliderHandle>)>,
 }
 

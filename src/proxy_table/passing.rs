@@ -87,7 +87,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let parts = section.parts();
         let slots_a_part = self.generations.len().div_ceil(parts).max(1);
         let boxes_a_part = boxes.len().div_ceil(parts).max(1);
-        // First, each thread sorts some of the boxes by the run that they belong to; beyond the runs are those of slots without room.
+        // First, each thread sorts some of the boxes by the run that they belong to; in the last place are those of slots without room.
+        let part_of = |slot: usize| match slot < self.generations.len() {
+            true => slot / slots_a_part,
+            false => parts,
+        };
         let starts = (0..).step_by(boxes_a_part).zip(boxes.chunks(boxes_a_part));
         let mut dealt: Vec<_> = starts
             .map(|(start, boxes)| (start, boxes, vec![Vec::new(); parts + 1]))
@@ -95,7 +99,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         section.for_each(&mut dealt, |(start, boxes, places)| {
             for (place, (handle, _)) in (*start..).zip(*boxes) {
                 let (slot, _) = handle.into_raw_parts();
-                places[(slot as usize / slots_a_part).min(parts)].push(place);
+                places[part_of(slot as usize)].push(place);
             }
         });
         let places = |part: usize| {
@@ -169,7 +173,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             self.make_room(index + 1);
             let known = self.generations[index];
             if let Some(known) = known {
-                // It is probably gone, and its removal not reported yet. If not, it gets its own box back.
+                // It is probably gone, and its removal not reported yet. If not, the next update reads it.
                 self.pending.insert((slot, known));
             }
             if aabb.is_valid() {

@@ -66,14 +66,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     {
         let touched = self.touched().len();
         let section = self.section(handles.len());
-        match is_read_as_listed(handles, section) {
-            true => self.visit_as_listed(handles, section, |run, i, handle| {
-                run.read(i, handle, source, margin)
-            }),
-            false => self.visit_by_slot(handles, section, |run, i, handle| {
-                run.read(i, handle, source, margin)
-            }),
-        }
+        self.visit(handles, section, |run, i, handle| {
+            run.read(i, handle, source, margin)
+        });
         self.gathered.moved += self.touched().len() - touched;
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
     }
@@ -88,14 +83,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let section = self.section(handles.len());
-        match is_read_as_listed(handles, section) {
-            true => self.visit_as_listed(handles, section, |run, i, handle| {
-                run.read_in_place(i, handle, source, &has_changed)
-            }),
-            false => self.visit_by_slot(handles, section, |run, i, handle| {
-                run.read_in_place(i, handle, source, &has_changed)
-            }),
-        }
+        self.visit(handles, section, |run, i, handle| {
+            run.read_in_place(i, handle, source, &has_changed)
+        });
         self.for_deferred(|table, handle| {
             let Some(slot) = table.slot_of(handle) else {
                 return;
@@ -113,8 +103,21 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         Section::of(colliders, self.tracker.proxies.volumes().price(READ))
     }
 
-    /// Calls `visit` with each known collider, in the order of the list: with the run of slots, the index in it, and the handle. Defers the
-    /// colliders for which it returns false, and unknown ones.
+    /// Calls `visit` with each known collider: with the run of slots, the index in it, and the handle. Defers the colliders for which it
+    /// returns false, and unknown ones.
+    fn visit<H: Handle>(
+        &mut self,
+        handles: &[H],
+        section: Section,
+        visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
+    ) {
+        match is_read_as_listed(handles, section) {
+            true => self.visit_as_listed(handles, section, visit),
+            false => self.visit_by_slot(handles, section, visit),
+        }
+    }
+
+    /// Does this in the order of the list.
     fn visit_as_listed<H: Handle>(
         &mut self,
         handles: &[H],
@@ -219,15 +222,16 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Reads all volumes, after a change of something that all of them depend on. **O(colliders)**.
+    /// Reads all volumes, after a change of something that all of them depend on. Filter keys stay as they are, so what the source remembers
+    /// of them does, too. **O(colliders)**.
     #[cold]
     pub(super) fn reset_volumes<S>(&mut self, source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        for (slot, (&generation, memo)) in (0..).zip(self.generations.iter().zip(&mut self.memos)) {
+        for (slot, (&generation, memo)) in (0..).zip(self.generations.iter().zip(&self.memos)) {
             let handle = generation.map(|known| S::Handle::from_raw_parts(slot, known));
-            let reading = handle.and_then(|handle| source.reading(handle, memo));
+            let reading = handle.and_then(|handle| source.reading(handle, &mut memo.clone()));
             if let Some(reading) = reading {
                 self.tracker.proxies.reset_volume(slot, &reading.volume);
             }

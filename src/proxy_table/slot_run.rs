@@ -39,7 +39,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         Some(H::from_raw_parts(self.proxies.slot(i), generation))
     }
 
-    /// Reads the known collider at `i`. Returns false, and changes nothing, if it needs more than a move.
+    /// Reads the known collider at `i`. Returns false, and changes nothing but the memo, if it needs more than a move.
     #[inline(always)]
     pub(super) fn read<S>(&mut self, i: usize, handle: S::Handle, source: &S, margin: R) -> bool
     where
@@ -57,8 +57,8 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         }
     }
 
-    /// Reads the volume of the known collider at `i` if it `has_changed`; its box stays. Returns false, and changes nothing, if its filter key or
-    /// the kind of its volume has changed.
+    /// Reads the volume of the known collider at `i` if it `has_changed`; its box stays. Returns false, and changes nothing but the memo, if its
+    /// filter key or the kind of its volume has changed.
     #[inline(always)]
     pub(super) fn read_in_place<S>(
         &mut self,

@@ -296,6 +296,90 @@ fn boxes_for_unknown_colliders_make_room_once() {
 }
 
 #[test]
+fn boxes_of_many_unknown_colliders_are_all_kept() {
+    let aabb = Aabb::new([0.0; 2], [1.0; 2]);
+    let boxes: Vec<_> = (0..20_000).map(|slot| ((slot, 0), aabb)).collect();
+    let colliders = vec![(0, Some((aabb, Side(1)))); boxes.len()];
+    for (threads, known) in [(8, 0), (8, 1), (16, 100), (16, 1000)] {
+        let mut table = table(PairFilter::Groups);
+        let ids: Vec<Id> = (0..known).map(|slot| (slot, 0)).collect();
+        table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
+        finish(&mut table);
+        with_threads(threads, || {
+            table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
+        });
+        table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
+        finish(&mut table);
+        assert_eq!(table.stats().proxies, boxes.len());
+    }
+}
+
+/// Colliders whose keys may change unnoticed, as those of Rapier: the memo is the key at the last reading.
+struct Silent {
+    colliders: Vec<Collider>,
+    reach: f32,
+}
+
+impl BoxSource<f32, 2> for Silent {
+    type Handle = Id;
+    type Memo = Option<Side>;
+    type Key = Side;
+
+    fn reach(&self) -> f32 {
+        self.reach
+    }
+
+    fn has_changed_unmoved(&self, (slot, _): Id, memo: &Option<Side>) -> bool {
+        *memo != Some(self.colliders[slot as usize].1)
+    }
+
+    fn has_keys(&self) -> bool {
+        true
+    }
+
+    fn has_volumes(&self) -> bool {
+        true
+    }
+
+    fn read(&self, (slot, _): Id, memo: &mut Option<Side>) -> Option<Collider> {
+        let collider = self.colliders[slot as usize];
+        *memo = Some(collider.1);
+        Some(collider)
+    }
+
+    fn volume(&self, _: Id, _: &mut Option<Side>, _: &Aabb<f32, 2>) -> Volume<f32, 2> {
+        Volume::BOX
+    }
+}
+
+#[test]
+fn a_key_that_changes_as_all_volumes_are_read_again_is_noticed() {
+    let aabb = Aabb::new([0.0; 2], [1.0; 2]);
+    let colliders = vec![(aabb, Side(1)); 2];
+    let reach = 0.0;
+    let mut source = Silent { colliders, reach };
+    let settings = Settings::default().with_filter(PairFilter::Shapes);
+    let mut table: ProxyTable<f32, 2, Option<Side>, Side> = ProxyTable::new(&settings);
+    let ids: [Id; 2] = [(0, 0), (1, 0)];
+    let mut update = |lists: &Lists<'_, Id>, source: &Silent| {
+        table.update(lists, source, MARGIN);
+        let mut events = Vec::new();
+        table.finish(2.0 * MARGIN, None, &mut Changes::new(1), |is_added, ids| {
+            events.push((is_added, ids));
+        });
+        table.validate();
+        events
+    };
+    assert_eq!(update(&Lists::new(&ids, &[]), &source), []);
+    (source.reach, source.colliders[1].1) = (0.5, Side(2));
+    let lists = Lists {
+        unmoved: &ids,
+        ..Lists::new(&[], &[])
+    };
+    assert_eq!(update(&lists, &source), [(true, ids)]);
+}
+
+#[test]
 fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     const MOST: u32 = 100;
     let aabb = Aabb::new([0.0; 2], [1.0; 2]);

@@ -48,8 +48,10 @@ impl<'a> Contacts<'a> {
     /// Whether two colliders have an active contact or an intersection.
     fn is_active(&self, first: ColliderHandle, second: ColliderHandle) -> bool {
         let touches_none = |handle| {
+            let i = index(handle) as usize;
             let touching = self.touching.as_ref();
-            touching.is_some_and(|touching| touching.has_room_without(index(handle) as usize))
+            touching
+                .is_some_and(|touching| i >= 64 * touching.words().len() || !touching.contains(i))
         };
         if touches_none(first) || touches_none(second) {
             return false;
