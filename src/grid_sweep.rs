@@ -41,7 +41,7 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
 /// Computes in **O((n + pairs) log n)** time, and in **O(n + pairs)** if the boxes are of about one size, wherever they lie: a class
-/// takes at least an eighth of the boxes that are left, and a grid within a tube leaves at most three quarters of its comparisons, or few
+/// takes at least an eighth of the boxes that are left, or all that are not much longer than those of a sample, and a grid within a tube leaves at most three quarters of its comparisons, or few
 /// for each box. This assumes that the boxes of one size do not overlap without limit. Plates that pass each other without touching
 /// have the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
 ///
@@ -97,8 +97,9 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
 }
 
 impl<R: Real, const D: usize> GridSweep<R, D> {
-    /// Returns a kernel that divides its work into this many slabs of tubes, whatever the number of boxes and of threads. With 1 it
-    /// uses no other threads; with more, even a small number of boxes is shared. The pairs are the same, in the same order.
+    /// Returns a kernel that sorts and sweeps tubes in this many slabs, whatever the number of boxes and of threads: with more than one,
+    /// threads share even a small number of boxes. The pairs are the same, in the same order. To use a single thread for everything, search
+    /// in a Rayon pool of one.
     ///
     /// Above 16, there is at most one slab for every 64 boxes, so that memory stays **O(n + pairs)**.
     pub fn with_slabs(count: std::num::NonZero<usize>) -> Self {

@@ -133,7 +133,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
         if self.proxies.volumes().are_used() {
-            self.candidates.acquainted.resize(slots);
+            self.candidates.acquainted.resize(self.proxies.len());
         }
     }
 

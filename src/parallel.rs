@@ -106,9 +106,10 @@ impl Section {
         if !is_worth_it || !IS_TIMED.load(Ordering::Relaxed) {
             return work();
         }
+        let mut shared = SHARED.get();
         let began = stopwatch::now();
         let done = work();
-        let mut shared = SHARED.get();
+        // Sections within this one, on the same thread, are a part of its time.
         shared.time += stopwatch::since(began);
         shared.sections += 1;
         SHARED.set(shared);

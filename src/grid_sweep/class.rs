@@ -66,7 +66,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns whether entries of a
     /// tube may crowd, because a further grid may separate them.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes. A crowd comes from a single tube. Its grid must
+    /// Each class must take a fair share of the boxes, so that there are few classes; the last resort, one tube, takes all that are not much
+    /// longer than those of a sample. A crowd comes from a single tube. Its grid must
     /// leave at most three quarters of its comparisons, so that grids within grids come to an end, or few because short boxes stand in a
     /// row along the first axis.
     fn assign(

@@ -100,6 +100,8 @@ impl<R: Real, const D: usize> Slab<R, D> {
         self.entries = Vec::new();
         self.sorter = BucketSort::default();
         self.found = Found::default();
+        let crowds = self.tubes.iter_mut().filter_map(|tube| tube.crowd.as_mut());
+        crowds.for_each(|crowd| crowd.kernel.free_scratch());
     }
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.

@@ -148,7 +148,7 @@ impl Candidates {
         slots: usize,
         mut visit: impl FnMut([u32; 2]),
     ) {
-        if self.overlapping_count == self.held_count {
+        if listed.is_empty() || self.overlapping_count == self.held_count {
             return;
         }
         if self.walks_lists(listed.len(), slots) {

@@ -4,8 +4,7 @@
 //! the order of the last full search. The *recent* boxes have left their fat boxes since then; they are few, and sorted in each update. An
 //! update looks the leavers up in the base, skipping entries that are outdated, and runs the kernel on the recent boxes.
 //!
-//! A full search is due once the recent layer has cost as much as one. So the time is never more than about twice what it would be if the
-//! best moment were known beforehand.
+//! The [policy](super::policy) decides when the next full search is due.
 
 use super::policy::Work;
 use crate::aabb::Aabb;
