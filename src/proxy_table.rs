@@ -247,9 +247,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.section(colliders).work
     }
 
-    /// Whether there is an update to finish, because boxes have been set.
-    pub(crate) fn is_begun(&self) -> bool {
-        self.gathered.is_begun
+    /// Whether an update without listed colliders has something to do: boxes have been set, or all volumes must be read again.
+    pub(crate) fn is_due(&self, margin: R, reach: R) -> bool {
+        let volumes = self.tracker.proxies.volumes();
+        self.gathered.is_begun || self.known > 0 && volumes.have_other_extents(margin, reach)
     }
 
     /// Begins an update, or continues the one that has begun. Returns the argument for [`pause`](Self::pause).

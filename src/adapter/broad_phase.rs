@@ -13,7 +13,7 @@ use super::{Input, Settings, version};
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::parallel;
-use crate::proxy_table::{Changes, ProxyTable};
+use crate::proxy_table::{BoxSource, Changes, ProxyTable};
 use crate::stats::Stats;
 
 /// An exact broad phase for Rapier, fast where many colliders are of about the same size.
@@ -188,6 +188,10 @@ impl UnisizeBroadPhase {
                 }
             });
         }
+        // The order of candidates depends on threads and on earlier updates; that in which bodies wake must not.
+        let raw = |handle: ColliderHandle| handle.into_raw_parts();
+        let key = |&(collider, neighbor): &(_, Option<_>)| (raw(collider), neighbor.map(raw));
+        self.unreported.sort_unstable_by_key(key);
         self.run(input, events);
     }
 
@@ -215,11 +219,11 @@ impl UnisizeBroadPhase {
 
     /// Updates the boxes and the pairs, and appends the events.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
-        if input.lists.are_empty() && !self.table.is_begun() {
-            return;
-        }
         let margin = self.margin(input.params);
         let boxes = ColliderBoxes::new(*input, filter_of(&self.settings));
+        if input.lists.are_empty() && !self.table.is_due(margin, boxes.reach()) {
+            return;
+        }
         let push = |is_added, [first, second]: [_; 2]| {
             let pair = ColliderPair::new(first, second);
             events.push(match is_added {

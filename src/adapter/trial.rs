@@ -43,8 +43,10 @@ const LEVELS: [PairFilter; 4] = [
 /// println!("{}", broad_phase.report());                              // some hundred steps later
 /// ```
 ///
-/// The simulation is the same to the last bit, only slower; [`TrialReport::overhead`] says by how much. The five broad phases compete for the
-/// caches of the processor, so each alone is a little faster than reported.
+/// The simulation is the same, only slower; [`TrialReport::overhead`] says by how much. On a patched Rapier 0.36, Rapier's own broad phase
+/// optimizes its tree later in a step than it would alone, so in large worlds it may report pairs in another order, and the last bits of poses
+/// may differ; otherwise they are the same. The five broad phases compete for the caches of the processor, so each alone is a little faster
+/// than reported.
 ///
 /// # Complexity
 ///

@@ -51,7 +51,9 @@ impl<R: Real, const D: usize> Class<R, D> {
         let span = grid.tube_span(&near);
         if let Some(row) = &self.row {
             // A needle among needles of another direction reaches many tubes, and few boxes along the first axis.
-            if row.slabs[0].candidates(aabb) as u64 <= PASSED_OVER as u64 * span.count() {
+            if row.slabs[0].candidates(aabb) as u64
+                <= span.count().saturating_mul(PASSED_OVER as u64)
+            {
                 return row.look_up(aabb, index, emitter);
             }
         }

@@ -7,7 +7,7 @@ use crate::tuning::kernel::GRID_SAMPLE;
 use oorandom::Rand32;
 
 /// Compares the pairs that a kernel finds with those that brute force finds.
-fn check<const D: usize>(kernel: &mut GridSweep<f32, D>, boxes: &[Aabb<f32, D>]) {
+fn check<R: Real, const D: usize>(kernel: &mut GridSweep<R, D>, boxes: &[Aabb<R, D>]) {
     let [mut found, mut expected] = [Vec::new(), Vec::new()];
     kernel.find_pairs(boxes, &mut found).unwrap();
     BruteForce.find_pairs(boxes, &mut expected).unwrap();
@@ -53,6 +53,21 @@ fn millions_are_sampled() {
     assert_eq!(count_pairs(|i| [0.75 * i as f32; 3]), COUNT - 1);
     assert_eq!(count_pairs(row), COUNT - COUNT / ROW);
     assert_eq!(count_pairs(flat), COUNT - COUNT / ROW);
+}
+
+/// One box is so far away that plates across all of space reach 2⁶¹ tubes.
+#[test]
+fn plates_reach_very_many_tubes() {
+    let at = |mins: [f64; 3]| Aabb::new(mins, mins.map(|x| x + 1.0));
+    let near = (0..1000).map(|i| at([0.0, (i % 32) as f64 / 2.0, (i / 32) as f64 / 2.0]));
+    let plate = |k: u32| {
+        let x = f64::from(k) / 100.0;
+        let [mins, maxs] = [[x, -f64::INFINITY], [x + 0.005, f64::INFINITY]];
+        Aabb::new([mins[0], mins[1], mins[1]], [maxs[0], maxs[1], maxs[1]])
+    };
+    let boxes = near.chain([at([0.0, 3e9, 3e9])]);
+    let boxes: Vec<_> = boxes.chain((0..100).map(plate)).collect();
+    check(&mut GridSweep::default(), &boxes);
 }
 
 /// Boxes that crowd in one tube, among others that are far apart.

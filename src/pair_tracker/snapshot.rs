@@ -62,7 +62,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             .zip(by_slot())
             .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
             .map(|(slot, (_, &key))| (slot, key));
-        let touched = proxies.touched().iter();
+        // In the order of slots, so that equal states have equal snapshots with any number of threads.
+        let [mut touched, mut revolumed] =
+            [proxies.touched(), &proxies.notes.revolumed].map(<[u32]>::to_vec);
+        touched.sort_unstable();
+        revolumed.sort_unstable();
         let mut near: Vec<_> = self.candidates.near().collect();
         near.sort_unstable();
         let overlapping = self.candidates.held().chain(self.candidates.near());
@@ -77,10 +81,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies: by_slot().map(proxy).collect(),
             other_keys: other_keys.collect(),
             touched: touched
-                .map(|&slot| (slot, proxies.get(slot).copied()))
+                .into_iter()
+                .map(|slot| (slot, proxies.get(slot).copied()))
                 .collect(),
             volumes: proxies.volumes.snapshot(),
-            revolumed: proxies.notes.revolumed.clone(),
+            revolumed,
             near,
             forbidden,
             acquainted: acquainted.map(|slot| slot as u32).collect(),

@@ -63,16 +63,21 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Notes the margin of boxes, and how far all shapes are extended. Returns whether either has changed; then the caller must
-    /// [reset](super::Proxies::reset_volume) all volumes.
+    /// Notes the margin of boxes, and how far all shapes are extended. Returns whether either [has
+    /// changed](Self::have_other_extents); then the caller must [reset](super::Proxies::reset_volume) all volumes.
     pub(crate) fn note_extents(&mut self, margin: R, reach: R) -> bool {
-        let margin = margin * R::from_f64(VOLUME_MARGIN);
-        let have_changed = self.are_used && (self.margin, self.reach) != (margin, reach);
+        let have_changed = self.have_other_extents(margin, reach);
         if have_changed {
-            (self.margin, self.reach) = (margin, reach);
+            (self.margin, self.reach) = (margin * R::from_f64(VOLUME_MARGIN), reach);
             self.odometers.fill(Odometer::LOST);
         }
         have_changed
+    }
+
+    /// Whether volumes are in use, and the margin or the reach is another than the noted one.
+    pub(crate) fn have_other_extents(&self, margin: R, reach: R) -> bool {
+        let margin = margin * R::from_f64(VOLUME_MARGIN);
+        self.are_used && (self.margin, self.reach) != (margin, reach)
     }
 
     pub(crate) fn are_used(&self) -> bool {

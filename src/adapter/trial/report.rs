@@ -257,7 +257,8 @@ impl fmt::Display for Difference {
         write!(
             f,
             "DIFFERENT: after update {} only {holder} held the pair of {first:?} and {second:?}. \
-             Please report it, unless the margin is another than Rapier's.",
+             Please report it, unless the margin is another than Rapier's, or a collider at rest has got another contact skin or other \
+             active collision types.",
             self.update
         )
     }

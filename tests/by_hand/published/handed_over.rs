@@ -35,6 +35,17 @@ fn the_next_update_reads_an_unknown_collider() {
     assert_eq!(desk.update(&[], &[]), [(true, [known, other])]);
 }
 
+/// Rapier's own broad phase holds the pair in any case, so its narrow phase tests the two at the new distance.
+#[test]
+fn a_longer_reach_counts_without_a_listed_collider() {
+    let mut desk = Desk::default();
+    let balls = [desk.ball(0.5, [0.0, 0.0]), desk.ball(0.5, [0.8, 0.8])];
+    assert_eq!(desk.update(&balls, &[]), []);
+    assert_eq!(desk.update(&[], &[]), []);
+    desk.params.normalized_prediction_distance = 0.2;
+    assert_eq!(desk.update(&[], &[]), [(true, balls)]);
+}
+
 #[cfg(feature = "serde-serialize")]
 #[test]
 fn inconsistent_snapshots_are_refused() {

@@ -7,13 +7,15 @@ use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
 use super::{HandedOver, Settings, UnisizeBroadPhase, version};
 use crate::ops::Sequence;
-use unisize::Overrides;
+use unisize::{Overrides, PairFilter};
 
 pub(crate) struct CheckedBroadPhase {
     inner: UnisizeBroadPhase,
     overrides: Overrides,
     model: Model,
     updates: u64,
+    /// The margin and the prediction distance of the last update in which something could change.
+    extents: [Real; 2],
     /// The least prediction distance so far.
     prediction: Real,
     /// Boxes handed over since the last update.
@@ -38,6 +40,7 @@ impl CheckedBroadPhase {
             overrides,
             model: Model::new(sequence.filter),
             updates: 0,
+            extents: [0.0; 2],
             prediction: Real::MAX,
             handed_over: 0,
             is_deceived: false,
@@ -166,8 +169,14 @@ impl CheckedBroadPhase {
             }
         }
         let listed = modified.len() + removed.len() + std::mem::take(&mut self.handed_over);
-        if listed > 0 {
+        // With volumes, longer extents may let colliders meet that are not listed.
+        let extents = [margin, params.prediction_distance()];
+        let has_volumes = self.inner.settings().filter == Some(PairFilter::Shapes);
+        let are_read_again =
+            has_volumes && extents != self.extents && self.model.known().next().is_some();
+        if listed > 0 || are_read_again {
             self.updates += 1;
+            self.extents = extents;
             let stats = self.inner.stats();
             assert_eq!(self.inner.diagnostics().listed, listed);
             assert_eq!(stats.added, expected.added.len());
