@@ -25,7 +25,7 @@ pub struct PipelineInput<'a> {
     pub modified: &'a [ColliderHandle],
     /// The modified colliders whose groups or body have changed, or the type or dominance of the body. They get new boxes, without a margin.
     pub reinserted: &'a [ColliderHandle],
-    /// Changed colliders that are not among the modified ones. Their boxes stay, even if their contact skin has changed.
+    /// Listed colliders that Rapier's own broad phase would not read. Their boxes stay, even if their contact skin has changed.
     pub unmoved: &'a [ColliderHandle],
     /// The colliders of changed bodies that have soft CCD. Their boxes stay.
     pub swept: &'a [ColliderHandle],
@@ -134,7 +134,7 @@ impl BroadPhaseBvh {
     }
 
     /// [`Self::update`] in a pipeline. A broad phase may be new in a running world, because it was assigned or read from a save. It then
-    /// receives also the colliders that have not changed, and pairs that only its predecessor has reported end.
+    /// receives also the colliders that an update does not read, and pairs that only its predecessor has reported end.
     pub(crate) fn update_in_pipeline(
         &mut self,
         narrow_phase: &NarrowPhase,
@@ -149,19 +149,8 @@ impl BroadPhaseBvh {
             Some(custom) => custom.is_new(),
             None => self.frame_index == 0 && self.tree.is_empty(),
         };
-        let is_listed = |handle: &&ColliderHandle| colliders.contains(**handle);
-        let is_exchanged =
-            is_new && modified_colliders.iter().filter(is_listed).count() < colliders.len();
-        if is_exchanged {
-            for (handle, collider) in colliders.iter() {
-                let is_unlisted = !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
-                if collider.is_enabled() && is_unlisted {
-                    let aabb = collider.compute_broad_phase_aabb(params, bodies);
-                    if aabb.mins.is_finite() && aabb.maxs.is_finite() {
-                        self.set_aabb(params, handle, aabb);
-                    }
-                }
-            }
+        if is_new {
+            self.set_unread(params, colliders, bodies, modified_colliders);
         }
         let is_custom = self.custom.update(
             Some(narrow_phase),
@@ -182,8 +171,33 @@ impl BroadPhaseBvh {
                 events,
             );
         }
-        if is_exchanged {
+        if is_new {
             end_unreported(narrow_phase, colliders, events);
+        }
+    }
+
+    /// Sets the boxes of the enabled colliders that an update with this list would not read.
+    fn set_unread(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+        modified_colliders: &[ColliderHandle],
+    ) {
+        let is_read = |handle: &&ColliderHandle| {
+            let collider = colliders.get(**handle);
+            collider.is_some_and(|collider| is_read(collider.changes))
+        };
+        let read = modified_colliders.iter().filter(is_read);
+        let mut read: Vec<_> = read.map(|handle| handle.into_raw_parts()).collect();
+        read.sort_unstable();
+        for (handle, collider) in colliders.iter_enabled() {
+            if read.binary_search(&handle.into_raw_parts()).is_err() {
+                let aabb = collider.compute_broad_phase_aabb(params, bodies);
+                if aabb.mins.is_finite() && aabb.maxs.is_finite() {
+                    self.set_aabb(params, handle, aabb);
+                }
+            }
         }
     }
 
@@ -283,9 +297,6 @@ impl Custom {
             &mut self.felt,
         ];
         lists.into_iter().for_each(Vec::clear);
-        let reinserting = ColliderChanges::PARENT
-            | ColliderChanges::PARENT_EFFECTIVE_DOMINANCE
-            | ColliderChanges::GROUPS;
         let unfelt = ColliderChanges::IN_MODIFIED_SET | ColliderChanges::DEFORMED;
         for &handle in modified {
             let Some(collider) = colliders.get(handle) else {
@@ -299,11 +310,10 @@ impl Custom {
             {
                 self.felt.push(handle);
             }
-            let is_reinserted = changes.intersects(reinserting);
-            if is_reinserted {
+            if changes.intersects(REINSERTING) {
                 self.reinserted.push(handle);
             }
-            match is_reinserted || changes.needs_broad_phase_update() {
+            match is_read(changes) {
                 true => self.modified.push(handle),
                 false => self.unmoved.push(handle),
             }
@@ -324,6 +334,16 @@ impl Custom {
         self.swept.clear();
         true
     }
+}
+
+/// The changes after which Rapier's own broad phase reinserts a collider.
+const REINSERTING: ColliderChanges = ColliderChanges::PARENT
+    .union(ColliderChanges::PARENT_EFFECTIVE_DOMINANCE)
+    .union(ColliderChanges::GROUPS);
+
+/// Whether Rapier's own broad phase reads a listed collider with these changes.
+fn is_read(changes: ColliderChanges) -> bool {
+    changes.needs_broad_phase_update() || changes.intersects(REINSERTING)
 }
 
 /// Ends the pairs of a narrow phase that `events` do not add.

@@ -210,6 +210,16 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
 "),
     },
     Edit {
+        file: "src/pipeline/collision_pipeline.rs",
+        purpose: "the same without dynamics",
+        find: "        // Disabled colliders are treated as if they were removed.
+",
+        times: 1,
+        change: Change::Before("        broad_phase.note_modified_bodies(bodies, &modified_bodies);
+
+"),
+    },
+    Edit {
         file: "src/pipeline/query_pipeline.rs",
         purpose: "queries, and with them CCD, use the tree of the custom broad phase",
         find: "            bvh: &self.tree,\n",

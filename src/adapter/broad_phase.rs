@@ -23,7 +23,7 @@ use crate::stats::Stats;
 ///
 /// # Pairs
 ///
-/// The broad phase keeps a box for every enabled collider, the same box that Rapier's own broad phase keeps. It reports every pair whose
+/// The broad phase keeps a box for every enabled collider, in a pipeline the same box that Rapier's own broad phase keeps. It reports every pair whose
 /// boxes overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and woken
 /// bodies are therefore the same; [`PairFilter`] lists the exceptions.
 ///
@@ -106,12 +106,9 @@ impl UnisizeBroadPhase {
     /// This works for Rapier's own broad phase too. The new narrow phase has no warm-start impulses, and reports each contact as a collision
     /// that begins.
     pub fn mark_all_modified(colliders: &mut ColliderSet) {
-        let handles: Vec<_> = colliders.iter().map(|(handle, _)| handle).collect();
-        for handle in handles {
-            if let Some(collider) = colliders.get_mut(handle) {
-                // Rapier's own broad phase reads the colliders whose position was set.
-                collider.set_position(*collider.position());
-            }
+        for (_, collider) in colliders.iter_mut() {
+            // Rapier's own broad phase reads the colliders whose position was set.
+            collider.set_position(*collider.position());
         }
     }
 

@@ -188,8 +188,9 @@ impl Trial {
         let tried = self.tried.iter_mut().zip(&mut self.costs);
         for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();
-            cost.of(allocated, &mut events, |events| {
-                broad_phase.run_in_pipeline(input, events);
+            cost.of(allocated, &mut events, |events| match input.is_active {
+                Some(_) => broad_phase.run_in_pipeline(input, events),
+                None => broad_phase.run(input, events),
             });
             if level == version::FILTER_OF_OWN {
                 self.pairs.update(removed, &events);

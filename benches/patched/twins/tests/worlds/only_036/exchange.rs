@@ -4,7 +4,7 @@ use super::physics_world::unisize;
 use super::rapier::parry;
 use super::rapier::prelude::*;
 use super::snapshot::{EventLog, contacts};
-use super::twins::{Twins, cube, cuboid, dynamic};
+use super::twins::{Twins, at, cube, cuboid, dynamic};
 use super::{PairFilter, Settings, Trial, UnisizeBroadPhase, install};
 
 /// How many cubes rest on a floor, one on top of the other.
@@ -131,6 +131,61 @@ fn a_saved_world_goes_on() {
                 ..read(world)
             });
         }
+    }
+}
+
+/// Changes that list colliders although no broad phase reads them, in the step of the exchange: of the floor alone, and of all colliders.
+#[test]
+fn colliders_that_change_otherwise_are_not_lost() {
+    let changes: [fn(&mut ColliderSet); 3] = [
+        |colliders| {
+            let (floor, _) = colliders.iter().next().unwrap();
+            colliders[floor].set_friction(0.3);
+        },
+        |colliders| {
+            for (_, collider) in colliders.iter_mut() {
+                collider.user_data = 7;
+            }
+        },
+        // As after collisions were detected by hand: they have flags, and nothing lists them.
+        |colliders| {
+            for (_, collider) in colliders.iter_mut() {
+                collider.user_data = 7;
+            }
+            colliders.take_modified();
+        },
+    ];
+    let default = DefaultBroadPhase::new;
+    for change in changes {
+        for [before, after] in [[default(), ours()], [ours(), default()], [ours(), other()]] {
+            stands(before, |mut world| {
+                change(&mut world.colliders);
+                world.broad_phase = after;
+                world
+            });
+        }
+        stands(ours(), |world| {
+            let [mut world, _] = saved(&world);
+            change(&mut world.colliders);
+            world
+        });
+    }
+}
+
+/// Although each collider moves in the step of the exchange, so that the new broad phase would read them all.
+#[test]
+fn pairs_of_the_former_broad_phase_end() {
+    for make in [DefaultBroadPhase::new, ours] {
+        let (mut world, _) = column(ours());
+        for (i, (_, collider)) in world.colliders.iter_mut().enumerate() {
+            collider.set_position(Pose::from_translation(at(100.0 * i as Real, 0.0)));
+        }
+        for (i, (_, body)) in world.bodies.iter_mut().enumerate() {
+            body.set_translation(at(100.0 * i as Real, 0.0), true);
+        }
+        world.broad_phase = make();
+        world.step();
+        assert_eq!(world.narrow_phase.contact_pairs().count(), 0);
     }
 }
 

@@ -1,9 +1,9 @@
 //! Contacts that reach farther from one step to the next, because a user has changed a skin, a soft-CCD prediction, the prediction
 //! distance or a shape while two bodies are about to meet. None may be lost that Rapier's own broad phase finds.
 
-use super::PairFilter;
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cuboid, dynamic};
+use super::{PairFilter, UnisizeBroadPhase};
 
 /// A body that flies at a wall.
 struct Flight {
@@ -85,4 +85,41 @@ fn what_reaches_farther_stops_at_the_wall() {
         }
     }
     assert!(stopped > 200, "{stopped}");
+}
+
+/// Where a ball is that flies at a thin wall and gets a soft-CCD prediction before collisions are detected without a step.
+fn flight_on(broad_phase: DefaultBroadPhase, gap: Real) -> Real {
+    let mut world = PhysicsWorld {
+        broad_phase,
+        gravity: Vector::ZERO,
+        ..PhysicsWorld::default()
+    };
+    let speed = 12.0;
+    let start = -0.25 - (speed / 60.0 * 5.0 + gap);
+    world.insert(RigidBodyBuilder::fixed(), cuboid([0.05, 3.0, 3.0]));
+    let body = dynamic(start, 0.0).linvel(at(speed, 0.0));
+    let (body, _) = world.insert(body, ColliderBuilder::ball(0.2));
+    for _ in 0..5 {
+        world.step();
+    }
+    world.bodies[body].set_soft_ccd_prediction(3.0);
+    // Takes the list of changed bodies.
+    world.detect_collisions(&(), &());
+    for _ in 0..15 {
+        world.step();
+    }
+    world.bodies[body].translation().x
+}
+
+#[test]
+fn a_prediction_counts_although_collisions_were_detected_before_the_step() {
+    for gap in [0.021, 0.03, 0.04, 0.05, 0.06] {
+        let ours = DefaultBroadPhase::custom(UnisizeBroadPhase::new());
+        let [own, ours] = [DefaultBroadPhase::new(), ours].map(|it| flight_on(it, gap));
+        assert!(
+            own < 0.0,
+            "the ball is at {own} on Rapier's own broad phase"
+        );
+        assert_eq!(ours, own);
+    }
 }
