@@ -6,7 +6,7 @@
 pub(super) enum PairState {
     /// Its boxes do not overlap.
     Apart = 0b00,
-    /// Its boxes overlap. It is not held, because its volumes have not met yet, or no longer do.
+    /// Its boxes overlap. It is not held, because its volumes have not met yet, no longer do, or met only after its keys had forbidden it.
     Near = 0b01,
     /// It is held.
     Held = 0b10,

@@ -28,6 +28,8 @@ struct World {
     random: Rand32,
     tracker: PairTracker<f32, 2, Side>,
     held: BTreeSet<[u32; 2]>,
+    /// The pairs whose boxes overlapped at the end of the last update, except those that their keys have forbidden ever since they do.
+    near_or_held: BTreeSet<[u32; 2]>,
     /// The boxes at the end of the last update.
     before: Vec<Aabb<f32, 2>>,
 }
@@ -41,12 +43,14 @@ impl World {
             before: tracker.proxies.boxes.clone(),
             tracker,
             held: BTreeSet::new(),
+            near_or_held: BTreeSet::new(),
         }
     }
 
     fn remove(&mut self, slot: u32) {
         self.tracker.remove(slot);
         self.held.retain(|pair| !pair.contains(&slot));
+        self.near_or_held.retain(|pair| !pair.contains(&slot));
     }
 
     /// Makes an update. `validate` checks that the held pairs overlap, and that all are held that may begin. Another pair stays if no box was
@@ -76,6 +80,15 @@ impl World {
             let should_be_held = proxies.overlap(pair) && (may_stay || may_begin);
             assert_eq!(self.held.contains(&pair), should_be_held, "{pair:?}");
         }
+        let slots = proxies.boxes.len() as u32;
+        let all = (0..slots).flat_map(|a| (a + 1..slots).map(move |b| [a, b]));
+        let overlapping = all.filter(|&pair| proxies.overlap(pair));
+        let is_known = |pair: &_| self.near_or_held.contains(pair) || proxies.may_meet(*pair);
+        let known = overlapping.filter(is_known).collect();
+        self.near_or_held = known;
+        let candidates = &self.tracker.candidates;
+        let near_or_held: BTreeSet<_> = candidates.near().chain(candidates.held()).collect();
+        assert!(near_or_held == self.near_or_held);
         self.before = proxies.boxes.clone();
     }
 
@@ -147,6 +160,23 @@ fn random_changes_agree_with_brute_force() {
             }
         }
     }
+}
+
+/// A ball goes to and fro before another one, in a fat box that reaches it, while their keys forbid the pair.
+#[test]
+fn a_forbidden_pair_that_has_parted_is_no_neighbor_again() {
+    let mut world = World::new(2, true);
+    for (x, side) in [(0.97, 0), (0.99, 1), (1.01, 1), (0.99, 1), (0.98, 1)] {
+        for (slot, center) in [(0, 0.0), (1, x)] {
+            let aabb = Aabb::new([center - 0.5; 2], [center + 0.5; 2]);
+            let ball = Volume::new(VolumeKind::Ball, [center; 2], 0.5, &[]);
+            world.tracker.proxies.place(slot, aabb);
+            world.tracker.proxies.set_volume(slot, &ball, true);
+            world.tracker.proxies.set_key(slot, Side(side));
+        }
+        world.update();
+    }
+    assert_eq!(world.tracker.candidates.near().count(), 0);
 }
 
 /// Boxes that keep their direction, so that fat boxes are of use. The share of them that moves goes back and forth over each threshold.

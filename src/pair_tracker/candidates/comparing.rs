@@ -218,11 +218,14 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return false;
         };
         let former = self.candidates.states[row];
-        let state = (!has_left).then(|| self.next_state(pair, former, None));
+        let state = match has_left {
+            true => None,
+            false => self.next_state(pair, former, None),
+        };
         if state != Some(former) {
             self.apply(Turn { row, state });
         }
-        !has_left
+        state.is_some()
     }
 
     /// Changes a row: sets its state and reports if a pair begins or ends, or puts a tombstone in place of the candidate.

@@ -71,7 +71,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             let former = self.candidates.states[row];
             let state = match pair.iter().any(|&slot| leavers.contains(slot)) {
                 true => None,
-                false => Some(self.next_state(pair, former, dues.get_mut(i))),
+                false => self.next_state(pair, former, dues.get_mut(i)),
             };
             if state != Some(former) {
                 turns.push(Turn { row, state });
@@ -79,16 +79,18 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         }
     }
 
-    /// The state of a candidate that had this state, and this due if it has one.
+    /// The state of a candidate that had this state, and this due if it has one; `None` if its boxes have parted and its keys forbid it.
     #[inline(always)]
     pub(super) fn next_state(
         &self,
         pair: [u32; 2],
         former: PairState,
         due: Option<&mut Due>,
-    ) -> PairState {
-        let state = self.proxies.state_of(pair, former, due);
-        self.unless_active(pair, former.is_held(), state)
+    ) -> Option<PairState> {
+        match self.proxies.state_of(pair, former, due) {
+            PairState::Apart if self.proxies.is_forbidden(pair) => None,
+            state => Some(self.unless_active(pair, former.is_held(), state)),
+        }
     }
 
     /// The state of a pair that is about to have this one. A pair that would end by its volumes alone stays while its contact is active.
