@@ -40,10 +40,10 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
-/// Computes in **O((n + pairs) log n)** time, and in **O(n + pairs)** if the boxes are of about one size, wherever they lie: a class
-/// takes at least an eighth of the boxes that are left, or all that are not much longer than those of a sample, and a grid within a tube leaves at most three quarters of its comparisons, or few
-/// for each box. This assumes that the boxes of one size do not overlap without limit. Plates that pass each other without touching
-/// have the largest constant: each is looked up in all tubes that it reaches. Memory is always **O(n + pairs)**.
+/// Computes in **O(n + pairs)** time if the boxes are of about one size, wherever they lie, and in **O((n + pairs) log n)** time if
+/// sizes differ. There is one exception: a long box takes time for each tube that it reaches. So needles or plates as long as the world
+/// that pass each other without touching take longest, at worst **O(n)** time each. `ARCHITECTURE.md` has the argument. Memory is always
+/// **O(n + pairs)**.
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///

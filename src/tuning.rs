@@ -1,9 +1,9 @@
 //! Constants that affect speed and nothing else: those of the kernels, of threads and of queries, the prices of an update's operations, and
 //! what else several files of an update read. Other constants of an update are in the files that read them.
 //!
-//! Neither events nor their order depend on them, except on [`ROOM_AHEAD`](update::ROOM_AHEAD); a few unit tests do. Each has its unit, the effect of a larger and of a smaller value, and
-//! its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB of cache per core. A factor of two in either
-//! direction costs a few per cent, so none is a setting.
+//! Neither events nor their order depend on them, except on [`ROOM_AHEAD`](update::ROOM_AHEAD); a few unit tests do. Each has its unit, the
+//! effect of a larger and of a smaller value, and its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB
+//! of cache per core. A factor of two in either direction costs a few per cent, so none is a setting.
 
 /// Sorting and sweeping: the kernels. Shown by the package `unisize-peers`.
 pub(crate) mod kernel {
@@ -30,7 +30,7 @@ pub(crate) mod kernel {
 
     /// The same for the boxes of a crowded tube, tried in turn. If more: each try is a pass over the boxes. If fewer: boxes that crowd among
     /// others crowd in the next grid as well.
-    pub(crate) const CROWD_SIZE_QUANTILES: [f64; 3] = [0.375, 0.125, 0.75];
+    pub(crate) const CROWD_SIZE_QUANTILES: [f64; 4] = [0.375, 0.125, 0.75, 0.03125];
 
     /// A factor. A box that is so many times longer along the first axis than that size, and than strips are wide, is too large for a grid.
     /// If larger: one long floor makes each look-up in its tube visit all entries along it. If smaller: more classes.
@@ -46,8 +46,8 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
-    /// Comparisons for each query, [`QUERY`] included, in the cheaper direction. From so many on, the boxes of both classes are sorted into a single tube as well.
-    /// If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
+    /// Comparisons for each query, [`QUERY`] included, in the cheaper direction. From so many on, the boxes of both classes are sorted into a
+    /// single tube as well. If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
     pub(crate) const ROW_FROM: f64 = 500.0;
 
     /// The cost of a query before its first tube, in comparisons. If larger: large boxes are looked up among small ones. If smaller: small

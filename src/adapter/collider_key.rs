@@ -7,7 +7,8 @@ use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 
 /// The properties of a collider and its body that decide whether it may meet another collider. They are packed into 16 bytes, because the keys
-/// of candidates are read at random. Properties that the filter ignores are the same in all keys.
+/// of candidates are read at random. Properties that neither the filter nor [`renews_box`](FilterKey::renews_box) reads are the same in all
+/// keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde-serialize",

@@ -73,10 +73,20 @@ impl<R: Real> Grid<R> {
             // Points have no size: aim at some points per tube.
             let width = match axis.size > 0.0 {
                 true => axis.size * width_in_boxes,
-                false => axis.inner_spread / root(n / POINTS_A_TUBE, spread_axes).max(1.0),
+                false => {
+                    let spread = match axis.inner_spread > 0.0 {
+                        true => axis.inner_spread,
+                        // Most of them have the same coordinate.
+                        false => axis.spread,
+                    };
+                    spread / root(n / POINTS_A_TUBE, spread_axes).max(1.0)
+                }
             };
+            // Where all of them have, any width will do.
             let width = if width > 0.0 { width } else { 1.0 };
-            longest = longest.max(width);
+            if width.is_finite() {
+                longest = longest.max(width);
+            }
             strips[cut] = (GRID_SPARE * axis.spread / width) as u64;
             grid.axes[cut] = Strips::new(axis.middle, width);
         }
@@ -88,16 +98,20 @@ impl<R: Real> Grid<R> {
     }
 }
 
-/// An estimate of the share of pairs that overlap along the first axis, of the members that a grid takes. It is at least that of a pair
-/// in the sample.
+/// An estimate of the share of pairs that overlap along the first axis, of the members that a grid takes, or of those that it leaves. It
+/// is at least that of a pair in the sample.
 pub(super) fn share_along_first_axis<R: Real, const D: usize>(
     members: Members<R, D>,
     grid: &Grid<R>,
+    are_taken: bool,
 ) -> f64 {
     let sample = sample_indices(members.count(), GRID_SAMPLE);
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
-    let taken = sample.filter(|aabb| !grid.is_oversized(aabb, &grid.tube_span(aabb)));
-    let mut intervals: Vec<_> = taken.map(|aabb| (aabb.mins[0], aabb.maxs[0])).collect();
+    let is_one = |aabb: &&_| are_taken != grid.is_oversized(aabb, &grid.tube_span(aabb));
+    let intervals = sample
+        .filter(is_one)
+        .map(|aabb| (aabb.mins[0], aabb.maxs[0]));
+    let mut intervals: Vec<_> = intervals.collect();
     intervals.sort_unstable_by(|(a, _), (b, _)| a.to_f64().total_cmp(&b.to_f64()));
     let mut count = 1;
     for (i, &(_, max)) in intervals.iter().enumerate() {
@@ -121,7 +135,7 @@ pub(super) fn sample_indices(n: usize, sample: Sample) -> impl Iterator<Item = u
 }
 
 /// The square root of `x` if two axes are cut, else `x`. Unlike powers, square roots are the same on every platform, and so is the
-/// order of the pairs.
+/// grid.
 fn root(x: f64, cuts: usize) -> f64 {
     if cuts > 1 { x.sqrt() } else { x }
 }

@@ -66,10 +66,10 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns whether entries of a
     /// tube may crowd, because a further grid may separate them.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes; the last resort, one tube, takes all that are not much
-    /// longer than those of a sample. A crowd comes from a single tube. Its grid must
-    /// leave at most three quarters of its comparisons, so that grids within grids come to an end, or few because short boxes stand in a
-    /// row along the first axis.
+    /// Each class must take a fair share of the boxes, so that there are few classes, unless a plain sweep is fast for those that it leaves.
+    /// The last resort, one tube, takes all that are not much longer than those of a sample. A crowd comes from a single tube. Its grid
+    /// must leave at most three quarters of its comparisons, so that grids within grids come to an end, or few because short boxes stand in
+    /// a row along the first axis.
     fn assign(
         &mut self,
         members: Members<R, D>,
@@ -87,15 +87,23 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.grid = Grid::choose(members, cut_axes::<D>(), size, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
+            // Of so many boxes with so many comparisons, if those that do not overlap along the first axis are left out.
+            let are_few = |comparisons: f64, boxes: usize, are_taken| {
+                let share = share_along_first_axis(members, &self.grid, are_taken);
+                comparisons * share <= COMPARED_AN_ENTRY as f64 * boxes as f64
+            };
             if taken <= count / 8 {
-                continue;
+                let left = oversized.len();
+                let is_worth_it = is_crowd && taken > 0;
+                if !(is_worth_it && are_few((left as f64).powi(2), left, false)) {
+                    continue;
+                }
             }
-            let (comparisons, taken) = (assignment.comparisons() as f64, taken as f64);
-            if !is_crowd || comparisons <= 0.75 * taken * taken {
+            let (comparisons, most) = (assignment.comparisons() as f64, (taken as f64).powi(2));
+            if !is_crowd || comparisons <= 0.75 * most {
                 return Ok(true);
             }
-            let share = share_along_first_axis(members, &self.grid);
-            if comparisons * share <= COMPARED_AN_ENTRY as f64 * taken {
+            if are_few(comparisons, taken, true) {
                 return Ok(false);
             }
         }

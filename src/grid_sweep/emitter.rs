@@ -121,12 +121,14 @@ impl<'a> Emitter<'a> {
         self.budget = self.tally.compared.saturating_add(budget);
     }
 
-    /// Whether the tube has taken more comparisons than it may.
+    /// Whether the tube has taken more comparisons than it may, or more pairs were emitted than may be appended.
     #[inline(always)]
     pub(super) fn is_budget_exceeded(&self) -> bool {
         let Tally { emitted, compared } = self.tally;
         let in_tube = emitted + self.len - self.before_tube;
-        compared > self.budget && compared - self.budget > COMPARED_A_PAIR * in_tube
+        let is_crowded =
+            compared > self.budget && compared - self.budget > COMPARED_A_PAIR * in_tube;
+        is_crowded || self.is_over()
     }
 
     /// Takes the pairs of the tube back, unless more were emitted than may be appended.

@@ -27,12 +27,24 @@ const STRIPS_BEFORE: u32 = 1 << 20;
 const LAST_STRIP: u32 = 1 << 31;
 
 impl<R: Real> Strips<R> {
-    /// Strips of this width around the middle of a sample.
+    /// Strips of this width around the middle of a sample; a single one if they would be too wide to count.
     pub(super) fn new(middle: f64, width: f64) -> Self {
         let origin = R::from_f64(middle - f64::from(STRIPS_BEFORE) * width);
-        Self {
-            origin: if origin.is_finite() { origin } else { R::ZERO },
-            per_length: R::from_f64(1.0 / width),
+        match origin.is_finite() {
+            true => Self {
+                origin,
+                per_length: R::from_f64(1.0 / width),
+            },
+            false => Self::default(),
+        }
+    }
+
+    /// The range of strips, from strip 1 on, that tell boxes apart. Strip 0 less one wraps around, so it is not in the range, unless it
+    /// is the only one.
+    fn farthest(self) -> u32 {
+        match self.per_length == R::ZERO {
+            true => u32::MAX,
+            false => LAST_STRIP - 2,
         }
     }
 
@@ -56,8 +68,8 @@ pub(super) struct Grid<R> {
     stride: u32,
     /// The number of tubes, a power of two, less one.
     mask: u32,
-    /// The range of strips, from strip 1 on, that tell boxes apart.
-    farthest: u32,
+    /// For each cut axis, [`Strips::farthest`].
+    farthest: [u32; 2],
 }
 
 impl<R: Default> Default for Grid<R> {
@@ -67,7 +79,7 @@ impl<R: Default> Default for Grid<R> {
             longest: None,
             stride: 1,
             mask: 0,
-            farthest: u32::MAX,
+            farthest: [u32::MAX; 2],
         }
     }
 }
@@ -124,7 +136,7 @@ impl<R: Real> Grid<R> {
             }
         };
         self.mask = (tubes.next_power_of_two() - 1) as u32;
-        self.farthest = LAST_STRIP - 2;
+        self.farthest = self.axes.map(Strips::farthest);
     }
 
     /// How many numbers tubes have.
@@ -153,8 +165,7 @@ impl<R: Real> Grid<R> {
         let is_long = self.longest.is_some_and(|longest| length > longest);
         let mut is_far = false;
         for cut in 0..cut_axes::<D>() {
-            // Strip 0 as well: zero less one wraps around.
-            is_far |= span.first[cut].wrapping_sub(1) > self.farthest;
+            is_far |= span.first[cut].wrapping_sub(1) > self.farthest[cut];
         }
         ((rows | columns) > 1) | is_long | is_far
     }

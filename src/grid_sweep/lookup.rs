@@ -63,7 +63,10 @@ impl<R: Real, const D: usize> Class<R, D> {
             grid,
             span,
         };
-        if span.count() > slabs.iter().map(|slab| slab.tubes.len() as u64).sum() {
+        let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
+        // Most of them may be empty, or not reached.
+        emitter.tally.compared += span.count().min(tubes) as usize;
+        if span.count() > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {

@@ -134,7 +134,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
             let sorted = self.push(tube, &entries);
             self.stopwatch.enter(Phase::Sweep);
             emitter.begin_tube(match may_crowd {
-                true => COMPARED_AN_ENTRY * entries.len(),
+                true => COMPARED_AN_ENTRY.saturating_mul(entries.len()),
                 false => usize::MAX,
             });
             let is_swept = self.columns().sweep(sorted, emitter);

@@ -1,5 +1,6 @@
 //! The sweep compares sorted entries with those that follow, eight at a time; a window compares one box with them. Processors
-//! without vectors take one entry after the other, and find the same pairs in the same order.
+//! without vectors take one entry after the other. They find the same pairs, in another order where tubes crowd or boxes are of several
+//! sizes, because they count fewer comparisons.
 
 use std::ops::Range;
 

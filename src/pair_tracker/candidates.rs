@@ -42,7 +42,7 @@ pub(super) struct Candidates {
     pub(super) overlapping_count: usize,
     tombstones: usize,
     lists: CandidateLists,
-    /// How often the candidates of some slots were picked from all rows, and how often they were found by lists.
+    /// How often the candidates of some slots were picked from all rows, and how often they were found by lists; for tests.
     pub(super) passes: [u64; 2],
     /// In an update, held pairs that were retired.
     retired: RetiredPairs,

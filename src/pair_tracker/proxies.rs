@@ -35,7 +35,7 @@ pub(crate) struct Proxies<R, const D: usize, K> {
     pub(super) keys: Vec<K>,
     /// Whether any slot has had another key than the default one, with which all may meet.
     pub(super) are_filtered: bool,
-    /// Whether the key of any proxy with a box has changed, so that pairs may be held that their keys forbid.
+    /// Whether the key of any proxy with a box has ever changed, so that pairs may be held that their keys forbid.
     pub(super) are_rekeyed: bool,
     /// The volume of each slot, if volumes are in use.
     pub(super) volumes: Volumes<R, D>,

@@ -214,7 +214,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let read = source.read(handle, &mut self.memos[slot as usize]);
             let held = self.tracker.proxies.get(slot);
             if let (Some((aabb, _)), Some(held)) = (read, held) {
-                if aabb != *held {
+                if aabb != *held && aabb.is_valid() {
                     self.tracker.proxies.place(slot, aabb);
                     self.gathered.moved += 1;
                 }

@@ -23,8 +23,17 @@ fn effort<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> f64 {
 }
 
 fn check<const D: usize>(name: &str, least: f64, boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>) {
+    check_growth(name, least, [1 << 12, 1 << 14], boxes);
+}
+
+fn check_growth<const D: usize>(
+    name: &str,
+    least: f64,
+    counts: [usize; 2],
+    boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>,
+) {
     for turns in 0..D {
-        let [few, many] = [1 << 12, 1 << 14].map(|count| effort(&boxes(count), turns));
+        let [few, many] = counts.map(|count| effort(&boxes(count), turns));
         assert!(
             many < BOUND && many < GROWTH * few.max(least),
             "{name} in {D}D, turned {turns} times: {few}, {many}"
@@ -40,6 +49,61 @@ fn effort_grows_with_boxes_and_pairs() {
             check::<2>(kind.name(), 16.0, |count| kind.boxes(count, 7));
             check::<3>(kind.name(), 16.0, |count| kind.boxes(count, 7));
         }
+    }
+}
+
+/// Boxes that a grid once took all for one tube.
+#[test]
+fn effort_grows_linearly_where_boxes_have_odd_sizes() {
+    let infinity = f32::INFINITY;
+    let square = |i: usize, side: usize| [(i % side) as f32, (i / side) as f32];
+    let side = |count: usize| (count as f64).sqrt() as usize;
+    for depth in [[-infinity, infinity], [0.0, infinity], [-1e32, 1e32]] {
+        check::<3>("plane of infinite rods", 16.0, |count| {
+            let corner = |i| square(i, side(count)).map(|x| 1.5 * x);
+            let rod = |[x, y]: [f32; 2]| [[x, y, depth[0]], [x + 1.0, y + 1.0, depth[1]]];
+            (0..count).map(|i| rod(corner(i))).collect()
+        });
+        check::<3>("rods in a stack, and cubes", 32.0, |count| {
+            let rod = |z| [[0.0, depth[0], z], [1.0, depth[1], z + 0.5]];
+            let cube = |z| [[3.0, 0.0, z], [4.0, 1.0, z + 0.5]];
+            let one = |i: usize| match i % 5 {
+                0 => rod(i as f32),
+                _ => cube(i as f32),
+            };
+            (0..count).map(one).collect()
+        });
+    }
+    check::<2>("points most of which have one coordinate", 16.0, |count| {
+        let point = |i: usize| match (i % 5, i as f32 / count as f32) {
+            (3, t) => [0.5, 0.0001 + 0.001 * t],
+            (4, t) => [0.5, -0.0001 - 0.001 * t],
+            _ => [i as f32, 0.0],
+        };
+        (0..count).map(|i| [point(i); 2]).collect()
+    });
+}
+
+/// Where few boxes crowd among many, the effort needs many boxes to grow.
+#[test]
+fn effort_grows_linearly_where_few_boxes_crowd_in_a_row() {
+    for one_in in [9, 12, 20, 31] {
+        // A tube may take more than a hundred comparisons per box before it counts as crowded.
+        check_growth::<2>(
+            "specks in a row",
+            BOUND / 4.0,
+            [1 << 16, 1 << 18],
+            |count| {
+                let one = |i: usize| match (i % one_in, i as f32) {
+                    (0, x) => {
+                        let y = 3.0 + x / count as f32;
+                        [[0.5, y], [0.8, y + 1e-6]]
+                    }
+                    (_, x) => [[2.0 * x, 0.0], [2.0 * x + 1.0, 1.0]],
+                };
+                (0..count).map(one).collect()
+            },
+        );
     }
 }
 
