@@ -24,13 +24,15 @@ pub(crate) mod kernel {
         range: [16, 128],
     };
 
-    /// A share of the boxes. The grid is made for the size that this share does not exceed. If larger: a few large boxes make the strips too
-    /// wide. If smaller: more boxes are on a border, or too large for the grid.
-    pub(crate) const GRID_SIZE_QUANTILE: f64 = 0.75;
+    /// Shares of the boxes, for the cut axes and for the first. The grid is made for the size that this share does not exceed. If larger: a few
+    /// large boxes make the strips too wide. If smaller: more boxes are on a border, or too large for the grid.
+    pub(crate) const GRID_SIZE_QUANTILES: [f64; 2] = [0.75, 0.75];
 
     /// The same for the boxes of a crowded tube, tried in turn. If more: each try is a pass over the boxes. If fewer: boxes that crowd among
-    /// others crowd in the next grid as well.
-    pub(crate) const CROWD_SIZE_QUANTILES: [f64; 4] = [0.375, 0.125, 0.75, 0.03125];
+    /// others crowd in the next grid as well. If the second of a pair is smaller: too few boxes are left for a class. If larger: needles take
+    /// a third more comparisons.
+    pub(crate) const CROWD_SIZE_QUANTILES: [[f64; 2]; 4] =
+        [[0.375, 0.375], [0.125, 0.75], [0.75, 0.75], [0.03125, 0.75]];
 
     /// A factor. A box that is so many times longer along the first axis than that size, and than strips are wide, is too large for a grid.
     /// If larger: one long floor makes each look-up in its tube visit all entries along it. If smaller: more classes.

@@ -11,12 +11,13 @@ use crate::tuning::kernel::{
 };
 
 impl<R: Real> Grid<R> {
-    /// A grid for boxes up to the size that this share of the members does not exceed, with so many axes cut into strips. For a
-    /// crowd, strips may be as narrow as boxes.
+    /// A grid for boxes up to some size, with so many axes cut into strips. The quantiles are the shares of the members that do not
+    /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips. For a crowd, strips may
+    /// be as narrow as boxes.
     pub(super) fn choose<const D: usize>(
         members: Members<R, D>,
         cuts: usize,
-        size_quantile: f64,
+        [cut_quantile, first_quantile]: [f64; 2],
         is_crowd: bool,
     ) -> Self {
         let n = members.count() as f64;
@@ -24,7 +25,7 @@ impl<R: Real> Grid<R> {
         let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
         let mut sample: Vec<_> = sample.collect();
         let mut cut_samples = [1, 2].map(|k| {
-            let axis = AxisSample::of(&sample, k.min(D - 1), size_quantile);
+            let axis = AxisSample::of(&sample, k.min(D - 1), cut_quantile);
             // Boxes that are too large along this axis go into another class: the other axes do without them.
             if k <= cuts {
                 let largest = axis.size * BOXES_PER_STRIP[cuts - 1];
@@ -36,11 +37,11 @@ impl<R: Real> Grid<R> {
             // Boxes that are too large along either axis may lie far away, and make the others look sparse.
             for (k, axis) in (1..=cuts).zip(&mut cut_samples) {
                 let size = axis.size;
-                *axis = AxisSample::of(&sample, k, size_quantile);
+                *axis = AxisSample::of(&sample, k, cut_quantile);
                 axis.size = size;
             }
         }
-        let first = AxisSample::of(&sample, 0, size_quantile);
+        let first = AxisSample::of(&sample, 0, first_quantile);
         let cut_samples = &cut_samples[..cuts];
 
         // Boxes per unit of volume, times the volume of a row of boxes: the candidates per box if strips were one box wide. An upper

@@ -12,7 +12,7 @@ use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILE, ONE_TUBE_UP_TO,
+    COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILES, ONE_TUBE_UP_TO,
     QUERY,
 };
 
@@ -81,10 +81,10 @@ impl<R: Real, const D: usize> Class<R, D> {
         let sizes = match count {
             ..=ONE_TUBE_UP_TO => &[][..],
             _ if is_crowd => &CROWD_SIZE_QUANTILES,
-            _ => &[GRID_SIZE_QUANTILE],
+            _ => &[GRID_SIZE_QUANTILES],
         };
-        for &size in sizes {
-            self.grid = Grid::choose(members, cut_axes::<D>(), size, is_crowd);
+        for &quantiles in sizes {
+            self.grid = Grid::choose(members, cut_axes::<D>(), quantiles, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
             // Of so many boxes with so many comparisons, if those that do not overlap along the first axis are left out.
@@ -109,7 +109,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         self.grid = match sizes {
             [] => Grid::default(),
-            _ => Grid::choose(members, 0, GRID_SIZE_QUANTILE, is_crowd),
+            _ => Grid::choose(members, 0, GRID_SIZE_QUANTILES, is_crowd),
         };
         assignment.count(members, &self.grid, oversized)?;
         Ok(!is_crowd)
