@@ -7,7 +7,8 @@
 pub struct Diagnostics {
     /// Colliders that the last update was passed, modified and removed.
     pub listed: usize,
-    /// Colliders whose box it changed: new ones, those that had left their margin, and refused ones.
+    /// Boxes of known colliders that it changed: of new ones, of those that had left their margin, and of refused ones. A collider that was
+    /// passed twice may count twice.
     pub moved: usize,
     /// Slots in the layers above the base: their proxy is new, is gone, or has left its fat box since the last full search.
     pub above_base: usize,

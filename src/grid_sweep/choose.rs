@@ -34,7 +34,7 @@ impl<R: Real> Grid<R> {
             axis
         });
         if is_crowd {
-            // Boxes that are too large along either axis may lie far away, and make the others look sparse.
+            // Boxes that are too large along either axis may lie far away, and make the others look sparse. Only now is it known which they are.
             for (k, axis) in (1..=cuts).zip(&mut cut_samples) {
                 let size = axis.size;
                 *axis = AxisSample::of(&sample, k, cut_quantile);

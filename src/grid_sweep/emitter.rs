@@ -14,7 +14,8 @@ use crate::tuning::kernel::COMPARED_A_PAIR;
 pub(crate) struct Tally {
     /// Pairs that overlap, wanted or not.
     pub(crate) emitted: usize,
-    /// Comparisons of two boxes, and visits of tubes in units of comparisons.
+    /// Comparisons of two boxes, also those of a sweep that was given up, and visits of tubes in units of comparisons. With vectors, eight
+    /// boxes count even if fewer are left.
     pub(crate) compared: usize,
 }
 
@@ -23,7 +24,7 @@ const BUFFER: usize = 512;
 
 /// Collects pairs and appends them to a list. Leaves out the pairs of ghosts on the same axis: another tube reports them.
 ///
-/// After more than `most` pairs it only counts them.
+/// After more than `most` pairs it only counts them, until whoever emits them asks [`is_over`](Emitter::is_over).
 pub(super) struct Emitter<'a> {
     pairs: &'a mut Vec<[u32; 2]>,
     /// The length of the list at the start.
