@@ -153,7 +153,9 @@ impl Model {
             self.forget(handle);
         }
         let (volume_margin, prediction) = (margin * 0.0625, params.prediction_distance());
-        if is_begun && (self.volume_margin, self.prediction) != (volume_margin, prediction) {
+        // Also without a listed collider, if any is known.
+        let is_due = is_begun || self.known().next().is_some();
+        if is_due && (self.volume_margin, self.prediction) != (volume_margin, prediction) {
             (self.volume_margin, self.prediction) = (volume_margin, prediction);
             self.reset_volumes(colliders, bodies);
         }
