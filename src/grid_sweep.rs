@@ -9,6 +9,7 @@ mod entry;
 mod grid;
 mod lookup;
 mod search;
+mod segment_tree;
 mod slab;
 mod sweep;
 #[cfg(test)]
@@ -20,7 +21,7 @@ use crate::pair_finder::{PairFinder, check_count, retain_from};
 use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{FEW_QUERIES, ROW_FROM};
+use crate::tuning::kernel::{FEW_QUERIES, QUERY_BUDGET, ROW_FROM, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
@@ -35,15 +36,15 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
 /// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
 /// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
-/// the direction that takes less time for a sample; a box that reaches very many tubes is compared along the first axis alone. If
-/// the boxes of a tube crowd, because they are much smaller than most or lie where few others do, they get a grid of their own.
+/// the direction that takes less time for a sample; a box that reaches very many tubes is compared along the first axis alone. Where
+/// look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
+/// than most or lie where few others do, they get a grid of their own.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
-/// Computes in **O(n + pairs)** time if the boxes are of about one size, wherever they lie, and in **O((n + pairs) log n)** time if
-/// sizes differ. There is one exception: a long box takes time for each tube that it reaches. So needles or plates as long as the world
-/// that pass each other without touching take longest, at worst **O(n)** time each. `ARCHITECTURE.md` has the argument. Memory is always
-/// **O(n + pairs)**.
+/// Computes in **O(n + pairs)** time if the boxes are of about one size, wherever they lie, and in **O((n + pairs) log n)** time for most
+/// boxes of different sizes. The segment tree takes **O(n logᴰ n + pairs)**, wherever boxes of any shape lie. `ARCHITECTURE.md` has the
+/// argument. Memory is always **O(n + pairs)**.
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -195,32 +196,49 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the pairs between two classes. A few coarse boxes are always looked up in the fine class; otherwise a sample decides
-    /// which class is looked up in the other.
+    /// which class is looked up in the other, or that a segment tree finds the pairs. The tree also takes queries that cost more than the sample
+    /// has shown, unless they are few.
     fn match_classes(&mut self, fine: usize, coarse: usize, search: &mut Search<R, D>) {
         let [finer, coarser] = &mut self.members;
         let (left, right) = self.classes.split_at_mut(coarse);
         let (fine, coarse) = (&mut left[fine], &mut right[0]);
         coarse.list_members(coarser);
         fine.prepare_lookup();
-        let (mut class, mut queries) = (fine, coarser);
         let boxes = search.boxes;
-        if queries.len() > FEW_QUERIES {
+        if coarser.len() > FEW_QUERIES {
             coarse.prepare_lookup();
-            class.list_members(finer);
-            let most = [queries.len(), finer.len()].map(|count| ROW_FROM * count as f64);
-            let mut efforts = [class.effort(queries, boxes), coarse.effort(finer, boxes)];
+            fine.list_members(finer);
+        }
+        let (mut class, mut queries, mut members) = (fine, coarser, finer);
+        let mut effort = 0.0;
+        if queries.len() > FEW_QUERIES {
+            let most = [&queries, &members].map(|list| ROW_FROM * list.len() as f64);
+            let mut efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
             if efforts[0] > most[0] && efforts[1] > most[1] {
-                class.add_row(finer, boxes);
+                class.add_row(members, boxes);
                 coarse.add_row(queries, boxes);
-                efforts = [class.effort(queries, boxes), coarse.effort(finer, boxes)];
+                efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
             }
+            effort = efforts[0].min(efforts[1]);
             if efforts[1] < efforts[0] {
-                (class, queries) = (coarse, finer);
+                (class, queries, members) = (coarse, members, queries);
             }
         }
-        search.look_up(queries, |i, emitter| {
-            class.look_up(&boxes[i as usize], i, emitter);
-        });
+        let look_up = |i: u32, emitter: &mut Emitter| class.look_up(&boxes[i as usize], i, emitter);
+        while queries.len() > FEW_QUERIES && !search.is_over() {
+            let price = TREE_FROM * (queries.len() + members.len()) as f64;
+            let budget = QUERY_BUDGET + (price / queries.len() as f64) as usize;
+            let costly = match effort > price {
+                true => std::mem::take(queries),
+                false => search.look_up(queries, budget, look_up),
+            };
+            if costly.len() > queries.len() / 2 {
+                return search.match_lists(&costly, members);
+            }
+            effort = class.effort(&costly, boxes);
+            *queries = costly;
+        }
+        search.look_up(queries, usize::MAX, look_up);
     }
 
     /// The number of size classes in the last search.
@@ -263,7 +281,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             most,
             ..Search::new(boxes, pairs, stopwatch)
         };
-        search.look_up(queries, |i, emitter| {
+        search.look_up(queries, usize::MAX, |i, emitter| {
             self.look_up_box(&boxes[i as usize], i, emitter);
         });
         search.tally
@@ -272,6 +290,9 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Emits the pair of a box with every member that it overlaps.
     fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
         for class in &self.classes[..self.class_count] {
+            if emitter.is_budget_exceeded() {
+                return;
+            }
             class.look_up(aabb, index, emitter);
         }
     }

@@ -52,6 +52,20 @@ pub(crate) mod kernel {
     /// single tube as well. If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
     pub(crate) const ROW_FROM: f64 = 500.0;
 
+    /// Comparisons for each box of two classes, besides some for each pair, in the cheaper direction. From so many on, a segment tree finds the
+    /// pairs instead of look-ups. If larger: needles are compared with needles of another direction in tube after tube. If smaller: the tree
+    /// takes longer than look-ups.
+    pub(crate) const TREE_FROM: f64 = 500.0;
+
+    /// Comparisons of a query, besides some for each of its pairs. A query with more, and with more than its share of what the tree would
+    /// take, is given up and counts as costly. If larger: a few costly queries that no sample has shown take longest. If smaller: more
+    /// queries are looked up twice.
+    pub(crate) const QUERY_BUDGET: usize = 2048;
+
+    /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf. If larger: boxes are compared that a further node
+    /// would separate. If smaller: nodes of a few boxes, each of which costs more than it saves.
+    pub(crate) const LEAF_UP_TO: usize = 16;
+
     /// The cost of a query before its first tube, in comparisons. If larger: large boxes are looked up among small ones. If smaller: small
     /// boxes among large ones.
     pub(crate) const QUERY: f64 = 400.0;
@@ -183,6 +197,9 @@ pub(crate) mod prices {
 
     /// A comparison of a look-up, or an equal cost: few for most boxes, many for moving walls. If larger or smaller: the same.
     pub(crate) const VISITED: u64 = 4;
+
+    /// A box of two lists between which a segment tree finds the pairs. If larger: threads are woken for little. If smaller: cores idle.
+    pub(crate) const MATCHED: u64 = 5000;
 
     /// A box of a search: inflating, sorting and sweeping. If larger: few full searches. If smaller: many.
     pub(crate) const SEARCHED: u64 = 450;

@@ -2,7 +2,7 @@
 
 use super::assignment::Assignment;
 use super::choose::{sample_indices, share_along_first_axis};
-use super::emitter::Emitter;
+use super::emitter::{Emitter, Tally};
 use super::entry::{Entry, Owner};
 use super::grid::{Grid, cut_axes};
 use super::search::{Members, Search};
@@ -12,8 +12,8 @@ use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILES, ONE_TUBE_UP_TO,
-    QUERY,
+    COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILES,
+    ONE_TUBE_UP_TO, QUERY,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -148,15 +148,16 @@ impl<R: Real, const D: usize> Class<R, D> {
         self.row = Some(Box::new(row));
     }
 
-    /// An estimate of the comparisons for looking these boxes up in the class, by a sample of them.
+    /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.
     pub(super) fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
         let (mut pairs, mut count) = (Vec::new(), 0);
-        let mut emitter = Emitter::new(&mut pairs, 0);
+        let mut emitter = Emitter::new(&mut pairs, usize::MAX);
         for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
             self.look_up(&boxes[queries[i] as usize], queries[i], &mut emitter);
             count += 1;
         }
-        let compared = emitter.tally.compared as f64 / f64::from(count.max(1));
-        (QUERY + compared) * queries.len() as f64
+        let Tally { compared, emitted } = emitter.finish();
+        let besides = compared.saturating_sub(COMPARED_A_PAIR * emitted);
+        (QUERY + besides as f64 / f64::from(count.max(1))) * queries.len() as f64
     }
 }

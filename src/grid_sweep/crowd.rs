@@ -44,12 +44,19 @@ impl<R: Real, const D: usize> Crowd<R, D> {
         }
     }
 
-    /// Calls `visit` with each entry that overlaps a box. Returns the comparisons, with visits of tubes in units of comparisons.
-    pub(super) fn look_up(&self, aabb: &Aabb<R, D>, visit: impl FnMut(&Entry<R, D>)) -> usize {
+    /// Calls `visit` with each entry that overlaps a box. Returns the comparisons, with visits of tubes in units of comparisons. Stops early
+    /// if they exceed the budget and some for each of those entries, so that the budget of the caller is exceeded as well.
+    pub(super) fn look_up(
+        &self,
+        aabb: &Aabb<R, D>,
+        budget: usize,
+        visit: impl FnMut(&Entry<R, D>),
+    ) -> usize {
         /// The greatest index, so that it comes last in a pair.
         const QUERY: u32 = super::MAX_BOXES as u32;
         let mut pairs = Vec::new();
         let mut emitter = Emitter::new(&mut pairs, usize::MAX);
+        emitter.begin_task(budget);
         self.kernel.look_up_box(aabb, QUERY, &mut emitter);
         let compared = emitter.finish().compared;
         let found = pairs.iter().map(|&[i, _]| &self.entries[i as usize]);

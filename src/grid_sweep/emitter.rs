@@ -34,10 +34,11 @@ pub(super) struct Emitter<'a> {
     pub(super) most: usize,
     /// The work so far, without the pairs in the buffer.
     pub(super) tally: Tally,
-    /// The pairs before the present tube.
-    before_tube: usize,
-    /// The most comparisons by the end of the present tube, besides some for each of its pairs.
+    /// The pairs before the present task.
+    before_task: usize,
+    /// The most comparisons by the end of the present task, besides some for each of its pairs.
     budget: usize,
+    is_budget_exceeded: bool,
 }
 
 impl<'a> Emitter<'a> {
@@ -49,8 +50,9 @@ impl<'a> Emitter<'a> {
             len: 0,
             most,
             tally: Tally::default(),
-            before_tube: 0,
+            before_task: 0,
             budget: usize::MAX,
+            is_budget_exceeded: false,
         }
     }
 
@@ -116,26 +118,35 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Begins a tube, with this many comparisons besides some for each pair in it.
-    pub(super) fn begin_tube(&mut self, budget: usize) {
-        self.before_tube = self.tally.emitted + self.len;
+    /// Begins a task, a tube or a query, with this many comparisons besides some for each of its pairs.
+    pub(super) fn begin_task(&mut self, budget: usize) {
+        self.before_task = self.tally.emitted + self.len;
         self.budget = self.tally.compared.saturating_add(budget);
+        self.is_budget_exceeded = false;
     }
 
-    /// Whether the tube has taken more comparisons than it may, or more pairs were emitted than may be appended.
+    /// Whether the task has taken more comparisons than it may, or more pairs were emitted than may be appended. Once it is true, it stays
+    /// so until the next task begins.
     #[inline(always)]
-    pub(super) fn is_budget_exceeded(&self) -> bool {
-        let Tally { emitted, compared } = self.tally;
-        let in_tube = emitted + self.len - self.before_tube;
-        let is_crowded =
-            compared > self.budget && compared - self.budget > COMPARED_A_PAIR * in_tube;
-        is_crowded || self.is_over()
+    pub(super) fn is_budget_exceeded(&mut self) -> bool {
+        let may_be_spent = self.tally.compared >= self.budget;
+        self.is_budget_exceeded |= may_be_spent && self.budget_left() == 0 || self.is_over();
+        self.is_budget_exceeded
     }
 
-    /// Takes the pairs of the tube back, unless more were emitted than may be appended.
-    pub(super) fn take_tube_back(&mut self) {
-        self.len = self.before_tube.saturating_sub(self.tally.emitted);
-        self.tally.emitted = self.tally.emitted.min(self.before_tube);
+    /// How many more comparisons the task may take, if it finds no more pairs.
+    pub(super) fn budget_left(&self) -> usize {
+        let pairs = self.tally.emitted + self.len - self.before_task;
+        let for_pairs = COMPARED_A_PAIR.saturating_mul(pairs);
+        self.budget
+            .saturating_add(for_pairs)
+            .saturating_sub(self.tally.compared)
+    }
+
+    /// Takes the pairs of the task back, unless more were emitted than may be appended.
+    pub(super) fn take_back(&mut self) {
+        self.len = self.before_task.saturating_sub(self.tally.emitted);
+        self.tally.emitted = self.tally.emitted.min(self.before_task);
         self.pairs.truncate(self.first + self.tally.emitted);
     }
 

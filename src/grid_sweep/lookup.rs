@@ -21,6 +21,9 @@ use crate::real::Real;
 use crate::tuning::kernel::{PASSED_OVER, VISIT};
 use crate::tuning::prices::SLOT;
 
+/// How many entries are compared between two looks at the budget.
+const COMPARED_AT_ONCE: usize = 1024;
+
 /// A box to look up.
 struct Query<'a, R, const D: usize> {
     aabb: &'a Aabb<R, D>,
@@ -69,6 +72,9 @@ impl<R: Real, const D: usize> Class<R, D> {
         if span.count() > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {
+                    if emitter.is_budget_exceeded() {
+                        return;
+                    }
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {
                         slab.look_up(tube, &query, None, emitter);
                     }
@@ -80,6 +86,9 @@ impl<R: Real, const D: usize> Class<R, D> {
         let TubeSpan { first, last } = span;
         for row in first[0]..=last[0] {
             for column in first[1]..=last[1] {
+                if emitter.is_budget_exceeded() {
+                    return;
+                }
                 let strips = [row, column];
                 let number = grid.tube(strips);
                 let slab = &slabs[slabs.partition_point(|slab| slab.range.end <= number)];
@@ -158,30 +167,38 @@ impl<R: Real, const D: usize> Slab<R, D> {
             emitter.emit_one(Owner(index), owner, is_here);
         };
         if let Some(crowd) = &tube.crowd {
-            let compared = crowd.look_up(aabb, |Entry { owner, aabb }| emit(*owner, aabb, emitter));
+            let budget = emitter.budget_left();
+            let visit = |Entry { owner, aabb }: &_| emit(*owner, aabb, emitter);
+            let compared = crowd.look_up(aabb, budget, visit);
             emitter.tally.compared += compared;
             return;
         }
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
-        let start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
+        let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
         let columns = self.columns();
         // A small box does not reach other tubes with the same number.
         let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
-        let compared = match tube.strips.or(strips.filter(|_| is_small)) {
-            Some(strips) => {
-                let owner = Owner::of(index, strips, span.first);
-                columns.window::<true>(start, aabb, |first, hits| {
+        let strips = tube.strips.or(strips.filter(|_| is_small));
+        let owner = strips.map(|strips| Owner::of(index, strips, span.first));
+        loop {
+            let window = start..start.saturating_add(COMPARED_AT_ONCE);
+            let (compared, is_done) = match owner {
+                Some(owner) => columns.window::<true>(window, aabb, |first, hits| {
                     emitter.emit(owner, many(columns.owners, first), hits);
-                })
+                }),
+                None => columns.window::<true>(window, aabb, |first, mut hits| {
+                    while hits != 0 {
+                        let entry = first + hits.trailing_zeros() as usize;
+                        hits &= hits - 1;
+                        emit(columns.owners[entry], &columns.entry(entry), emitter);
+                    }
+                }),
+            };
+            emitter.tally.compared += compared;
+            if is_done || emitter.is_budget_exceeded() {
+                return;
             }
-            None => columns.window::<true>(start, aabb, |first, mut hits| {
-                while hits != 0 {
-                    let entry = first + hits.trailing_zeros() as usize;
-                    hits &= hits - 1;
-                    emit(columns.owners[entry], &columns.entry(entry), emitter);
-                }
-            }),
-        };
-        emitter.tally.compared += compared;
+            start += compared;
+        }
     }
 }

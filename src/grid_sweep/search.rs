@@ -136,21 +136,37 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         }
     }
 
-    /// Calls `look_up` with each query, and appends the pairs in the order of the queries. Stops early if more pairs overlap than
-    /// may.
-    pub(super) fn look_up(&mut self, queries: &[u32], look_up: impl Fn(u32, &mut Emitter) + Sync) {
+    /// Calls `look_up` with each query, and appends the pairs in the order of the queries. Returns the queries that took more comparisons than
+    /// the budget, besides some for each pair. Their pairs are not appended. Stops early if more pairs overlap than may.
+    pub(super) fn look_up(
+        &mut self,
+        queries: &[u32],
+        budget: usize,
+        look_up: impl Fn(u32, &mut Emitter) + Sync,
+    ) -> Vec<u32> {
         let section = Section::of(queries.len(), LOOKED_UP);
         let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
         let parts = queries.chunks(queries_a_part);
-        let mut parts: Vec<_> = parts.map(|part| (part, Found::default())).collect();
-        let find = |(queries, _): &mut (&[u32], _), emitter: &mut Emitter| {
+        let mut parts: Vec<_> = parts
+            .map(|part| (part, Vec::new(), Found::default()))
+            .collect();
+        let find = |(queries, costly, _): &mut (&[u32], Vec<u32>, _), emitter: &mut Emitter| {
             for &query in *queries {
+                emitter.begin_task(budget);
                 look_up(query, emitter);
                 if emitter.is_over() {
                     break;
                 }
+                if emitter.is_budget_exceeded() {
+                    emitter.take_back();
+                    costly.push(query);
+                }
             }
         };
-        self.collect(section, &mut parts, |(_, found)| found, find);
+        self.collect(section, &mut parts, |(.., found)| found, find);
+        parts
+            .into_iter()
+            .flat_map(|(_, costly, _)| costly)
+            .collect()
     }
 }

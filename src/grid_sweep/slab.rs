@@ -14,6 +14,7 @@ use super::crowd::Crowd;
 use super::emitter::Emitter;
 use super::entry::{Entry, Owner};
 use super::search::Found;
+use super::segment_tree::match_all;
 use crate::aabb::Aabb;
 use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
@@ -133,19 +134,20 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             let sorted = self.push(tube, &entries);
             self.stopwatch.enter(Phase::Sweep);
-            emitter.begin_tube(match may_crowd {
-                true => COMPARED_AN_ENTRY.saturating_mul(entries.len()),
-                false => usize::MAX,
-            });
+            emitter.begin_task(COMPARED_AN_ENTRY.saturating_mul(entries.len()));
             let is_swept = self.columns().sweep(sorted, emitter);
             if emitter.is_over() {
                 break;
             }
             if !is_swept {
-                emitter.take_tube_back();
-                let crowd = Crowd::search(&entries, self.keeps, emitter);
-                if let Some(tube) = self.tubes.last_mut() {
-                    tube.crowd = Some(Box::new(crowd));
+                emitter.take_back();
+                if may_crowd {
+                    let crowd = Crowd::search(&entries, self.keeps, emitter);
+                    if let Some(tube) = self.tubes.last_mut() {
+                        tube.crowd = Some(Box::new(crowd));
+                    }
+                } else {
+                    match_all(&mut entries, emitter);
                 }
             }
             self.stopwatch.enter(Phase::Sort);

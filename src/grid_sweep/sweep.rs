@@ -49,7 +49,8 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Compares each entry with those that follow it.
     fn sweep_singly(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
         for i in tube {
-            let compared = self.window_singly::<false>(i + 1, &self.entry(i), |j, _| {
+            let window = i + 1..self.owners.len();
+            let (compared, _) = self.window_singly::<false>(window, &self.entry(i), |j, _| {
                 emitter.emit_one(self.owners[i], self.owners[j], true);
             });
             emitter.tally.compared += compared;
@@ -133,7 +134,8 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             if alive >> lane & 1 == 1 {
                 let i = first + lane;
                 let (start, owner) = (i + 1 + BLOCKS * LANES, self.owners[i]);
-                let compared = self.window::<false>(start, &self.entry(i), |j, hits| {
+                let window = start..self.owners.len();
+                let (compared, _) = self.window::<false>(window, &self.entry(i), |j, hits| {
                     emitter.emit(owner, many(self.owners, j), hits);
                 });
                 emitter.tally.compared += compared;
@@ -150,21 +152,21 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         }
     }
 
-    /// Compares a box with the entries from `start` on, up to the first whose `mins[0]` lies beyond it. Returns how many were
-    /// compared.
+    /// Compares a box with the entries of a range, up to the first whose `mins[0]` lies beyond it. Returns how many were compared, and
+    /// whether there is such an entry.
     ///
     /// Calls `visit` with the position of an entry and with a bit for it and each of the seven that follow, which is set if they
     /// overlap. Without `BOTH_SIDES`, all entries must reach the box along the first axis.
     #[inline(always)]
     pub(super) fn window<const BOTH_SIDES: bool>(
         self,
-        start: usize,
+        range: Range<usize>,
         aabb: &Aabb<R, D>,
         visit: impl FnMut(usize, u32),
-    ) -> usize {
+    ) -> (usize, bool) {
         match ARE_VECTORS {
-            true => self.window_by_eights::<BOTH_SIDES>(start, aabb, visit),
-            false => self.window_singly::<BOTH_SIDES>(start, aabb, visit),
+            true => self.window_by_eights::<BOTH_SIDES>(range, aabb, visit),
+            false => self.window_singly::<BOTH_SIDES>(range, aabb, visit),
         }
     }
 
@@ -172,16 +174,17 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     #[inline(always)]
     fn window_singly<const BOTH_SIDES: bool>(
         self,
-        start: usize,
+        range: Range<usize>,
         aabb: &Aabb<R, D>,
         mut visit: impl FnMut(usize, u32),
-    ) -> usize {
+    ) -> (usize, bool) {
         let Aabb { mins, maxs } = aabb;
-        for j in start..self.owners.len() {
+        let (start, count) = (range.start, range.len());
+        for j in range {
             // False at the sentinel.
             let is_reached = self.mins[0][j] <= maxs[0];
             if !is_reached {
-                return j - start;
+                return (j - start, true);
             }
             let mut overlaps = !BOTH_SIDES || self.maxs[0][j] >= mins[0];
             for k in 1..D {
@@ -191,22 +194,23 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 visit(j, 1);
             }
         }
-        0
+        (count, false)
     }
 
-    /// A window that visits eight entries at a time.
+    /// A window that visits eight entries at a time, also some past the range.
     #[inline(always)]
     fn window_by_eights<const BOTH_SIDES: bool>(
         self,
-        start: usize,
+        range: Range<usize>,
         aabb: &Aabb<R, D>,
         mut visit: impl FnMut(usize, u32),
-    ) -> usize {
+    ) -> (usize, bool) {
         let mins = aabb.mins.map(R::Lanes::splat);
         let maxs = aabb.maxs.map(R::Lanes::splat);
-        let mut j = start;
+        let mut j = range.start;
         // The padding after the last sentinel is long enough.
-        while j <= self.owners.len().saturating_sub(LANES) {
+        let end = range.end.min((self.owners.len() + 1).saturating_sub(LANES));
+        while j < end {
             let reached = load::<R>(self.mins[0], j).le(maxs[0]);
             let mut overlap = reached;
             if BOTH_SIDES {
@@ -223,10 +227,10 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             visit(j, overlap.bits() & in_window);
             j += LANES;
             if reached != (1 << LANES) - 1 {
-                break;
+                return (j - range.start, true);
             }
         }
-        j - start
+        (j - range.start, false)
     }
 }
 
@@ -308,10 +312,11 @@ mod tests {
             assert_eq!(by_eights, singly);
             let Entry { aabb, .. } = entry(count);
             let [mut by_eights, mut singly] = [Vec::new(), Vec::new()];
-            columns.window_by_eights::<true>(tube.start, &aabb, |j, hits| {
+            let window = tube.start..columns.owners.len();
+            columns.window_by_eights::<true>(window.clone(), &aabb, |j, hits| {
                 by_eights.extend((0..LANES).filter(|i| hits >> i & 1 == 1).map(|i| j + i));
             });
-            columns.window_singly::<true>(tube.start, &aabb, |j, _| singly.push(j));
+            columns.window_singly::<true>(window, &aabb, |j, _| singly.push(j));
             assert_eq!(by_eights, singly);
         }
     }

@@ -3,7 +3,6 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use crate::tuning::kernel::GRID_SAMPLE;
-#[cfg(feature = "_adapter")]
 use oorandom::Rand32;
 
 /// Compares the pairs that a kernel finds with those that brute force finds.
@@ -112,18 +111,61 @@ fn a_crowd_has_a_grid_of_its_own() {
     assert!(found == expected);
 }
 
-/// Boxes of two sizes, and specks that crowd in one tube.
+/// Boxes of two sizes, specks that crowd in one tube, and rods that pass between them.
+#[cfg(feature = "_adapter")]
+fn boxes_rods_and_a_crowd() -> Vec<Aabb<f32, 3>> {
+    let mut random = Rand32::new(9);
+    let mut at = |least: [f32; 3], spread: [f32; 3], sides: [f32; 3]| {
+        let mins = core::array::from_fn(|k| least[k] + spread[k] * random.rand_float());
+        Aabb::new(mins, core::array::from_fn(|k| mins[k] + sides[k]))
+    };
+    let mut boxes: Vec<_> = (0..1000)
+        .map(|_| at([0.0; 3], [40.0; 3], [3.0; 3]))
+        .collect();
+    boxes.extend((0..100).map(|_| at([0.0; 3], [40.0; 3], [30.0; 3])));
+    let (corner, spread) = ([35.0, 38.0, 38.0], [0.02, 2.0, 2.0]);
+    boxes.extend((0..1000).map(|_| at(corner, spread, [0.01; 3])));
+    boxes.extend((0..50).map(|_| at([35.0, 0.0, 38.0], [0.02, 0.0, 2.0], [1e-3, 40.0, 1e-3])));
+    boxes
+}
+
+#[cfg(feature = "_adapter")]
+#[test]
+fn queries_within_their_budget_have_all_their_pairs() {
+    let boxes = boxes_rods_and_a_crowd();
+    let members: Vec<_> = (0..boxes.len() as u32).collect();
+    let stopwatch = &mut Stopwatch::default();
+    let mut kernel = GridSweep::<f32, 3>::default();
+    let none = None::<fn([u32; 2]) -> bool>;
+    kernel.find_among(&boxes, &members, none, usize::MAX, &mut vec![], stopwatch);
+    kernel.prepare_lookup();
+    let mut given_up = Vec::new();
+    for budget in (0..100).map(|i| 20 * i).chain([usize::MAX]) {
+        let mut found = Vec::new();
+        let mut search = Search::new(&boxes, &mut found, stopwatch);
+        let look_up = |i, emitter: &mut Emitter| kernel.look_up_box(&boxes[i as usize], i, emitter);
+        let costly = search.look_up(&members, budget, look_up);
+        let mut expected = Vec::new();
+        for &i in members.iter().filter(|i| costly.binary_search(i).is_err()) {
+            let overlaps = |&j: &u32| boxes[i as usize].intersects(&boxes[j as usize]);
+            let others = members.iter().copied().filter(overlaps);
+            expected.extend(others.map(|j| [i.min(j), i.max(j)]));
+        }
+        found.sort_unstable();
+        expected.sort_unstable();
+        assert!(found == expected, "budget {budget}");
+        given_up.push(costly.len());
+    }
+    assert!(
+        given_up[0] > 0 && given_up[10] > 0 && given_up[100] == 0,
+        "{given_up:?}"
+    );
+}
+
 #[cfg(feature = "_adapter")]
 #[test]
 fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
-    let mut random = Rand32::new(9);
-    let mut at = |spread: [f32; 3], size: f32| {
-        let mins = spread.map(|x| x * random.rand_float());
-        Aabb::new(mins, mins.map(|x| x + size))
-    };
-    let mut boxes: Vec<_> = (0..1000).map(|_| at([40.0; 3], 3.0)).collect();
-    boxes.extend((0..100).map(|_| at([40.0; 3], 30.0)));
-    boxes.extend((0..1000).map(|_| at([5.0, 2.0, 2.0], 0.01)));
+    let boxes = boxes_rods_and_a_crowd();
     let mut all = Vec::new();
     BruteForce.find_pairs(&boxes, &mut all).unwrap();
     let members: Vec<_> = (0..boxes.len() as u32).collect();
@@ -156,5 +198,58 @@ fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
             assert_eq!(tally.emitted > most, both > most);
         }
         assert_eq!(found.len(), both);
+    }
+}
+
+/// Boxes of all shapes, many of which begin or end at one coordinate, some without an end.
+#[test]
+fn a_segment_tree_finds_the_pairs_of_brute_force() {
+    fn check<const D: usize>(seed: u64) {
+        let mut random = Rand32::new(seed);
+        let mut index = |count: usize| random.rand_range(0..count as u32) as usize;
+        let steps = [3, 30, 1000][index(3)];
+        let boxes: Vec<Aabb<f32, D>> = (0..200 + index(300))
+            .map(|_| {
+                let mins = core::array::from_fn(|_| match index(20) {
+                    0 => f32::NEG_INFINITY,
+                    _ => index(steps) as f32,
+                });
+                let maxs = mins.map(|min| match index(20) {
+                    0 => f32::INFINITY,
+                    1 => min,
+                    2..10 => min + index(steps) as f32,
+                    _ => min + index(2) as f32,
+                });
+                Aabb::new(mins, maxs)
+            })
+            .collect();
+        let mut all = Vec::new();
+        BruteForce.find_pairs(&boxes, &mut all).unwrap();
+        let entry = |(i, &aabb)| entry::Entry {
+            aabb,
+            owner: entry::Owner(i),
+        };
+        let mut entries: Vec<_> = (0..).zip(&boxes).map(entry).collect();
+        let mut found = Vec::new();
+        let mut emitter = Emitter::new(&mut found, usize::MAX);
+        segment_tree::match_all(&mut entries, &mut emitter);
+        assert_eq!(emitter.finish().emitted, all.len());
+        found.sort_unstable();
+        assert!(found == all);
+        // Between two lists, by any number of threads.
+        let (left, right): (Vec<u32>, Vec<u32>) = (0..boxes.len() as u32).partition(|i| i % 5 < 2);
+        all.retain(|pair| (pair[0] % 5 < 2) != (pair[1] % 5 < 2));
+        for threads in [1, 8] {
+            let (mut found, stopwatch) = (vec![[7; 2]], &mut Stopwatch::default());
+            parallel::with_threads(threads, || {
+                Search::new(&boxes, &mut found, stopwatch).match_lists(&left, &right);
+            });
+            assert!(found[0] == [7; 2] && found[1..] == all);
+        }
+    }
+    for seed in 0..60 {
+        check::<1>(seed);
+        check::<2>(seed);
+        check::<3>(seed);
     }
 }

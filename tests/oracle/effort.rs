@@ -1,7 +1,7 @@
 //! The effort of `GridSweep` grows with boxes and pairs. It is counted in comparisons, so the tests need no clock.
 
-use crate::arrangements::{HardBoxes, Mixture};
-use unisize::{Aabb, GridSweep, PairFinder};
+use crate::arrangements::{HardBoxes, Mixture, Needles};
+use unisize::{Aabb, BruteForce, GridSweep, PairFinder};
 
 /// The limit of comparisons and visited tubes per box and pair.
 const BOUND: f64 = 400.0;
@@ -10,15 +10,19 @@ const BOUND: f64 = 400.0;
 /// of grids may be one level deeper.
 const GROWTH: f64 = 3.0;
 
-/// Comparisons per box and pair, with the axes rotated `turns` times.
-fn effort<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> f64 {
+/// The boxes with the axes rotated `turns` times.
+fn turned<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> Vec<Aabb<f32, D>> {
     let turned = |corner: &[f32; D]| std::array::from_fn(|k| corner[(k + turns) % D]);
-    let boxes: Vec<Aabb<f32, D>> = boxes
-        .iter()
+    let boxes = boxes.iter();
+    boxes
         .map(|[mins, maxs]| Aabb::new(turned(mins), turned(maxs)))
-        .collect();
+        .collect()
+}
+
+/// Comparisons per box and pair.
+fn effort<const D: usize>(boxes: &[Aabb<f32, D>]) -> f64 {
     let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
-    assert_eq!(kernel.find_pairs(&boxes, &mut pairs), Ok(()));
+    assert_eq!(kernel.find_pairs(boxes, &mut pairs), Ok(()));
     kernel.compared() as f64 / (boxes.len() + pairs.len()) as f64
 }
 
@@ -33,7 +37,7 @@ fn check_growth<const D: usize>(
     boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>,
 ) {
     for turns in 0..D {
-        let [few, many] = counts.map(|count| effort(&boxes(count), turns));
+        let [few, many] = counts.map(|count| effort(&turned(&boxes(count), turns)));
         assert!(
             many < BOUND && many < GROWTH * few.max(least),
             "{name} in {D}D, turned {turns} times: {few}, {many}"
@@ -114,5 +118,35 @@ fn effort_grows_linearly_for_the_worst_known_mixtures() {
         // The best way to search a mixture may be another one with more boxes.
         check::<2>(&name, BOUND / 4.0, |count| mixture.boxes(count, 7));
         check::<3>(&name, BOUND / 4.0, |count| mixture.boxes(count, 7));
+    }
+}
+
+/// Look-ups between needles of several directions, each of which reaches many tubes, once took thousands of comparisons.
+#[test]
+fn effort_is_bounded_for_needles_that_pass_each_other() {
+    let random = (0..40).map(|seed| Needles::random(seed).varied(seed));
+    for (i, needles) in Needles::WORST.into_iter().chain(random).enumerate() {
+        for turns in 0..3 {
+            let effort = effort(&turned(&needles.boxes::<3>(1 << 14, 7), turns));
+            assert!(
+                effort < 1000.0,
+                "needles {i}, turned {turns} times: {effort}"
+            );
+        }
+    }
+}
+
+/// Lists of a few hundred boxes seldom need a segment tree.
+#[test]
+fn many_needles_have_the_pairs_of_brute_force() {
+    for needles in Needles::WORST {
+        for turns in 0..3 {
+            let boxes = turned(&needles.boxes::<3>(1 << 14, 7), turns);
+            let [mut found, mut expected] = [Vec::new(), Vec::new()];
+            assert_eq!(GridSweep::default().find_pairs(&boxes, &mut found), Ok(()));
+            assert_eq!(BruteForce.find_pairs(&boxes, &mut expected), Ok(()));
+            found.sort_unstable();
+            assert!(found == expected);
+        }
     }
 }

@@ -1,48 +1,82 @@
 //! A search for boxes on which `GridSweep` does much work for few pairs. It counts the work, without a clock.
 //!
-//! It climbs from random mixtures, changing a number or two at a time, to mixtures with the most comparisons of boxes and visits of tubes
-//! for each box and pair. If no change makes a mixture worse, it begins again with another one.
+//! It climbs from a random arrangement, a mixture or blocks of needles, changing a number or two at a time, to one with the most comparisons
+//! of boxes and visits of tubes for each box and pair. If no change makes it worse, it begins again with another one.
 
 use crate::Options;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, GridSweep, PairFinder};
 use unisize_report::Report;
-use unisize_scenes::Mixture;
+use unisize_scenes::{Mixture, Needles};
 
-/// The number of boxes of a mixture, and the larger number of the worst one, which shows how the work grows.
+/// The number of boxes of an arrangement, and the larger number of the worst one, which shows how the work grows.
 const COUNT: usize = 1 << 14;
 const LARGE: usize = 1 << 17;
 
-/// Mixtures with more pairs than this for each box are hard for any method, and take long.
+/// Arrangements with more pairs than this for each box are hard for any method, and take long.
 const MOST_PAIRS: usize = 64;
 
-/// After this many changes in vain, the search begins with another mixture.
+/// After this many changes in vain, the search begins with another arrangement.
 const PATIENCE: u64 = 60;
 
 /// The bound of comparisons and visits for each box and pair, for both numbers of boxes.
 const BOUND: f64 = 1200.0;
 
+/// Boxes that the search varies.
+#[derive(Clone, Copy, Debug)]
+enum Arrangement {
+    Mixture(Mixture),
+    Needles(Needles),
+}
+
+impl Arrangement {
+    /// A mixture if the seed is even.
+    fn random(seed: u64) -> Self {
+        match seed % 2 {
+            0 => Self::Mixture(Mixture::random(seed)),
+            _ => Self::Needles(Needles::random(seed)),
+        }
+    }
+
+    fn varied(self, seed: u64) -> Self {
+        match self {
+            Self::Mixture(mixture) => Self::Mixture(mixture.varied(seed)),
+            Self::Needles(needles) => Self::Needles(needles.varied(seed)),
+        }
+    }
+
+    fn boxes<const D: usize>(&self, count: usize) -> Vec<[[f32; D]; 2]> {
+        match self {
+            Self::Mixture(mixture) => mixture.boxes(count, 7),
+            Self::Needles(needles) => needles.boxes(count, 7),
+        }
+    }
+}
+
 /// Searches in one dimension, for the minutes of the options.
 ///
 /// # Errors
-/// If it finds a mixture above the bound.
+/// If it finds an arrangement above the bound.
 pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> anyhow::Result<()> {
     let begin = Instant::now();
     let enough = match options.quick {
         true => Duration::ZERO,
         false => Duration::from_secs(60 * u64::from(options.minutes)),
     };
-    let mut worst = (0.0, Mixture::random(0));
+    let mut worst = (0.0, Arrangement::random(0));
     let (mut seed, mut tried) = (1, 0);
-    while tried == 0 || begin.elapsed() < enough {
-        let mut best = (0.0, Mixture::random(seed));
+    for climb in 0.. {
+        if tried > 0 && begin.elapsed() >= enough {
+            break;
+        }
+        let mut best = (0.0, Arrangement::random(2 * seed + climb % 2));
         let mut vain = 0;
         while vain < PATIENCE && (tried == 0 || begin.elapsed() < enough) {
-            let mixture = best.1.varied(seed);
-            let effort = effort::<D>(&mixture, COUNT).unwrap_or_default();
+            let arrangement = best.1.varied(seed);
+            let effort = effort::<D>(&arrangement, COUNT).unwrap_or_default();
             (seed, tried, vain) = (seed + 1, tried + 1, vain + 1);
             if effort > best.0 {
-                (best, vain) = ((effort, mixture), 0);
+                (best, vain) = ((effort, arrangement), 0);
             }
         }
         if best.0 > worst.0 {
@@ -50,8 +84,8 @@ pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> 
         }
         seed += 1;
     }
-    let (effort_of_few, mixture) = worst;
-    let effort_of_many = effort::<D>(&mixture, LARGE);
+    let (effort_of_few, arrangement) = worst;
+    let effort_of_many = effort::<D>(&arrangement, LARGE);
     report.row(&[
         ("dim", D.into()),
         ("tried", tried.into()),
@@ -59,16 +93,19 @@ pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> 
         ("compared_a_box_and_pair", effort_of_few.into()),
         ("more_boxes", LARGE.into()),
         ("compared_a_box_and_pair_then", effort_of_many.into()),
-        ("mixture", format!("{mixture:?}").into()),
+        ("arrangement", format!("{arrangement:?}").into()),
     ])?;
     let most = effort_of_few.max(effort_of_many.unwrap_or_default());
-    anyhow::ensure!(most <= BOUND, "{most} is more than {BOUND}: {mixture:?}");
+    anyhow::ensure!(
+        most <= BOUND,
+        "{most} is more than {BOUND}: {arrangement:?}"
+    );
     Ok(())
 }
 
 /// The number of comparisons of boxes and of visited tubes for each box and pair; `None` if there are too many pairs.
-fn effort<const D: usize>(mixture: &Mixture, count: usize) -> Option<f64> {
-    let boxes = mixture.boxes(count, 7);
+fn effort<const D: usize>(arrangement: &Arrangement, count: usize) -> Option<f64> {
+    let boxes = arrangement.boxes(count);
     let boxes: Vec<Aabb<f32, D>> = boxes.iter().map(|&[a, b]| Aabb::new(a, b)).collect();
     let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
     let found = kernel.find_pairs(&boxes, &mut pairs);

@@ -8,7 +8,7 @@ use std::io;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
 use unisize_report::Report;
-use unisize_scenes::{HardBoxes, Mixture};
+use unisize_scenes::{HardBoxes, Mixture, Needles};
 
 /// Numbers of boxes.
 const COUNTS: [usize; 4] = [1 << 12, 1 << 14, 1 << 16, 1 << 18];
@@ -62,6 +62,10 @@ pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
             let pairs = run::<GridSweep<f32, D>, D>(&boxes, Duration::ZERO).work - n as f64;
             (pairs <= (MOST_PAIRS * n) as f64).then_some(boxes)
         })?;
+    }
+    for (i, needles) in Needles::WORST.iter().enumerate() {
+        let name = format!("blocks of needles {}", i + 1);
+        grow(&name, &|n| Some(needles.boxes(n, 7)))?;
     }
     Ok(())
 }

@@ -5,8 +5,10 @@ mod named;
 
 mod hard_boxes;
 mod mixture;
+mod needles;
 pub(crate) mod random;
 mod worst_mixtures;
 
 pub use hard_boxes::HardBoxes;
 pub use mixture::Mixture;
+pub use needles::Needles;

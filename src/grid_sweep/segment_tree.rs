@@ -1,0 +1,203 @@
+//! Pairs by a segment tree that is not stored: boxes stream through its nodes.
+//!
+//! No grid helps where boxes as long as the world pass each other without touching. This search takes **O(n logᴰ n + pairs)** time for
+//! boxes of any sizes in any places, and **O(n)** memory. It reads each box many times, so it is slower where a grid does help.
+//!
+//! If two intervals overlap, one of them holds the beginning of the other. So on one axis some boxes count as *intervals* and others by
+//! their `mins` as *points*, and then the other way round. Each node of the tree halves the points. An interval that holds all points of
+//! a node is done with that axis, and is compared with them on the next one; this happens in at most two nodes of each level. Other
+//! intervals go down to the halves that they reach.
+//!
+//! Source: Zomorodian and Edelsbrunner, "Fast software for box intersections", 2000.
+
+use core::cmp::Ordering;
+
+use super::choose::sample_indices;
+use super::emitter::Emitter;
+use super::entry::{Entry, Owner};
+use super::search::{Found, Search};
+use crate::parallel::{Section, join};
+use crate::real::Real;
+use crate::tuning::kernel::{EFFORT_SAMPLE, LEAF_UP_TO};
+use crate::tuning::prices::MATCHED;
+
+impl<R: Real, const D: usize> Search<'_, R, D> {
+    /// Appends the pairs between two lists of members, in order. **O(n logᴰ n + pairs log pairs)**.
+    pub(super) fn match_lists(&mut self, left: &[u32], right: &[u32]) {
+        let boxes = self.boxes;
+        let entry = |&i: &u32| Entry {
+            aabb: boxes[i as usize],
+            owner: Owner(i),
+        };
+        let lists = [left, right].map(|members| members.iter().map(entry).collect::<Vec<_>>());
+        let axes = axes_by_overlap::<R, D>(&lists[0], &lists[1]);
+        let [mut left, mut right] = lists.clone();
+        let section = Section::of(left.len() + right.len(), MATCHED);
+        let part_count = section.parts();
+        let sort = |list: &mut [Entry<R, D>]| list.sort_unstable_by(|a, b| order(a, b, axes[0]));
+        if part_count == 1 {
+            sort(&mut left);
+            sort(&mut right);
+        } else {
+            join(|| sort(&mut left), || sort(&mut right));
+        }
+        let mut nodes = Vec::new();
+        for (intervals, points) in [(&lists[1], &mut left), (&lists[0], &mut right)] {
+            let points_a_node = points.len().div_ceil(part_count).max(1);
+            nodes.extend(
+                points
+                    .chunks_mut(points_a_node)
+                    .map(|points| (intervals, points)),
+            );
+        }
+        let nodes_a_part = if part_count == 1 { nodes.len() } else { 1 };
+        let parts = nodes.chunks_mut(nodes_a_part.max(1));
+        let mut parts: Vec<_> = parts.map(|nodes| (nodes, Found::default())).collect();
+        let find = |(nodes, _): &mut (&mut [(&Vec<_>, &mut [_])], _), emitter: &mut Emitter| {
+            for (intervals, points) in nodes.iter_mut() {
+                descend(
+                    &mut intervals.to_vec(),
+                    points,
+                    axes[0],
+                    &axes[1..],
+                    emitter,
+                );
+            }
+        };
+        let first = self.pairs.len();
+        self.collect(section, &mut parts, |(_, found)| found, find);
+        // The number of parts makes no difference.
+        self.pairs[first..].sort_unstable();
+    }
+}
+
+/// Emits the pairs among entries. Reorders them.
+pub(super) fn match_all<R: Real, const D: usize>(
+    entries: &mut [Entry<R, D>],
+    emitter: &mut Emitter,
+) {
+    let axes = axes_by_overlap(entries, entries);
+    stab(&mut entries.to_vec(), entries, &axes, emitter);
+}
+
+/// The axes, those first on which fewer pairs of a sample overlap: an axis that separates most boxes leaves few for the next one.
+fn axes_by_overlap<R: Real, const D: usize>(
+    left: &[Entry<R, D>],
+    right: &[Entry<R, D>],
+) -> [usize; D] {
+    let [left, right] = [left, right].map(|list| -> Vec<_> {
+        let sample = sample_indices(list.len(), EFFORT_SAMPLE);
+        sample.map(|i| list[i].aabb).collect()
+    });
+    let overlaps = |k: usize| {
+        let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
+        let overlap = pairs.filter(|(a, b)| (a.mins[k] <= b.maxs[k]) & (b.mins[k] <= a.maxs[k]));
+        overlap.count()
+    };
+    let mut axes = core::array::from_fn(|k| k);
+    axes.sort_by_cached_key(|&k| overlaps(k));
+    axes
+}
+
+/// Emits each pair of an interval and a point that it holds on the first of the axes, if they overlap on the others.
+fn stab<R: Real, const D: usize>(
+    intervals: &mut [Entry<R, D>],
+    points: &mut [Entry<R, D>],
+    axes: &[usize],
+    emitter: &mut Emitter,
+) {
+    if let Some((&axis, others)) = axes.split_first() {
+        emitter.tally.compared += points.len();
+        points.sort_unstable_by(|a, b| order(a, b, axis));
+        descend(intervals, points, axis, others, emitter);
+    } else {
+        for i in intervals {
+            for point in &*points {
+                emitter.emit_one(i.owner, point.owner, true);
+            }
+        }
+    }
+}
+
+/// The same at a node of the tree of one axis. The points are in order.
+fn descend<R: Real, const D: usize>(
+    intervals: &mut [Entry<R, D>],
+    points: &mut [Entry<R, D>],
+    axis: usize,
+    others: &[usize],
+    emitter: &mut Emitter,
+) {
+    let [Some(&first), Some(&last)] = [points.first(), points.last()] else {
+        return;
+    };
+    emitter.tally.compared += intervals.len();
+    let count = partition(intervals, |i| holds(i, &last, &first, axis));
+    let intervals = &mut intervals[..count];
+    if intervals.len().min(points.len()) <= LEAF_UP_TO {
+        emitter.tally.compared += intervals.len() * points.len();
+        for i in intervals {
+            for point in &*points {
+                let overlap = |is_one, &k: &usize| {
+                    is_one
+                        & (i.aabb.mins[k] <= point.aabb.maxs[k])
+                        & (point.aabb.mins[k] <= i.aabb.maxs[k])
+                };
+                let is_pair = others.iter().fold(holds(i, point, point, axis), overlap);
+                emitter.emit_one(i.owner, point.owner, is_pair);
+            }
+        }
+        return;
+    }
+    let count = partition(intervals, |i| holds(i, &first, &last, axis));
+    let (whole, partial) = intervals.split_at_mut(count);
+    if !partial.is_empty() {
+        let (low, high) = points.split_at_mut(points.len() / 2);
+        descend(partial, low, axis, others, emitter);
+        descend(partial, high, axis, others, emitter);
+    }
+    // At the end, for it reorders the points.
+    if !whole.is_empty() && !emitter.is_over() {
+        stab(whole, points, others, emitter);
+        if !others.is_empty() {
+            stab(points, whole, others, emitter);
+        }
+    }
+}
+
+/// Whether a box begins before another one does, and ends after a third one begins.
+#[inline(always)]
+fn holds<R: Real, const D: usize>(
+    aabb: &Entry<R, D>,
+    begins_before: &Entry<R, D>,
+    reaches: &Entry<R, D>,
+    axis: usize,
+) -> bool {
+    let [from, to] = [aabb, begins_before].map(|entry| entry.aabb.mins[axis]);
+    let is_first = aabb.owner.index() < begins_before.owner.index();
+    ((from < to) | ((from == to) & is_first)) & (aabb.aabb.maxs[axis] >= reaches.aabb.mins[axis])
+}
+
+/// The order in which two boxes begin on an axis, the same each time also if they begin at one place.
+fn order<R: Real, const D: usize>(a: &Entry<R, D>, b: &Entry<R, D>, axis: usize) -> Ordering {
+    let [from_a, from_b] = [a, b].map(|entry| entry.aabb.mins[axis]);
+    // Valid boxes have no NaN.
+    let order = from_a.partial_cmp(&from_b).unwrap_or(Ordering::Equal);
+    order.then_with(|| a.owner.index().cmp(&b.owner.index()))
+}
+
+/// Moves the items of which something is true to the front, and returns their number.
+fn partition<T>(items: &mut [T], is_true: impl Fn(&T) -> bool) -> usize {
+    let (mut low, mut high) = (0, items.len());
+    loop {
+        while low < high && is_true(&items[low]) {
+            low += 1;
+        }
+        while low < high && !is_true(&items[high - 1]) {
+            high -= 1;
+        }
+        if low == high {
+            return low;
+        }
+        items.swap(low, high - 1);
+    }
+}
