@@ -165,6 +165,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if acquainted.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used()) {
             return Err("snapshot: a slot is acquainted that is out of range");
         }
+        if !(snapshot.near.is_empty() || proxies.volumes.are_used()) {
+            return Err("snapshot: a pair is near, and no volume is in use");
+        }
         self.candidates
             .restore(found, &snapshot.near, &snapshot.acquainted)?;
         let notes = &proxies.notes;

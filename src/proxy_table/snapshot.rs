@@ -83,7 +83,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             return Err("snapshot: more boxes were set than can be counted");
         }
         table.has_warned = snapshot.has_warned;
-        table.stats = snapshot.stats;
+        table.stats = Stats {
+            times: PhaseTimes::default(),
+            ..snapshot.stats
+        };
         let proxies = table.count_proxies();
         table.stats.proxies = proxies.ok_or("snapshot: a box has no collider")?;
         let has_collider = |slot: u32| table.generations[slot as usize].is_some();

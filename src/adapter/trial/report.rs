@@ -96,7 +96,10 @@ impl TrialReport {
     pub fn with_steps(self, elapsed: Duration, narrow_phase: impl Into<Option<Duration>>) -> Self {
         // A step takes no less time than its parts.
         let narrow_phase = narrow_phase.into();
-        let parts = self.own.total + narrow_phase.unwrap_or_default();
+        let parts = self
+            .own
+            .total
+            .saturating_add(narrow_phase.unwrap_or_default());
         let total = elapsed.saturating_sub(self.overhead).max(parts);
         let steps = Some(Steps {
             total,

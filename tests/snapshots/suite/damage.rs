@@ -1,5 +1,7 @@
 //! A malformed snapshot is refused, or does no harm.
 
+use std::time::Duration;
+
 use oorandom::Rand32;
 use serde_json::{Value, json};
 
@@ -228,14 +230,36 @@ fn damages_are_named() {
     }
 }
 
+/// Whether the pair was touched or not: both would be compared by volumes that there are not.
+#[test]
+fn a_pair_that_is_near_without_volumes_is_named() {
+    let (_, broad_phase) = crowd(PairFilter::Off);
+    let value = serde_json::to_value(&broad_phase).unwrap();
+    let mut pairs = 0;
+    for pair in broad_phase.pairs() {
+        let slots = [pair.collider1, pair.collider2].map(|handle| handle.into_raw_parts().0);
+        let mut damaged = value.clone();
+        near(&mut damaged).push(json!([slots[0].min(slots[1]), slots[0].max(slots[1])]));
+        let outcome = serde_json::from_value::<UnisizeBroadPhase>(damaged);
+        let said = outcome.expect_err("it is accepted").to_string();
+        assert!(said.contains("a pair is near"), "{said}");
+        pairs += 1;
+    }
+    assert!(pairs > 10);
+}
+
 #[test]
 fn counters_may_be_any_number() {
     let (crowd, broad_phase) = crowd(PairFilter::Off);
     let mut value = serde_json::to_value(&broad_phase).unwrap();
     value["table"]["tracker"]["full_searches"] = json!(u64::MAX);
     value["table"]["stats"]["updates"] = json!(u64::MAX);
+    for phase in ["read", "sort"] {
+        value["table"]["stats"]["times"][phase] = json!({ "secs": u64::MAX, "nanos": 0 });
+    }
     let before = serde_json::from_value::<UnisizeBroadPhase>(value).unwrap();
     assert_eq!(before.stats().full_searches, u64::MAX);
+    assert_eq!(before.stats().times.total(), Duration::ZERO);
     let mut after = before.clone();
     let mut moved = crowd.clone();
     while after.stats().full_searches == u64::MAX {
