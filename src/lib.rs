@@ -50,7 +50,7 @@
 //!
 //! | kernel | time | use it |
 //! |---|---|---|
-//! | [`GridSweep`] | O(n + pairs) for boxes of about one size, O((n + pairs) log n) for others | always |
+//! | [`GridSweep`] | O(n + pairs) for boxes of about one size, O((n + pairs) log n) for most others | always |
 //! | [`RankSweep`] | O(n log n + pairs) for boxes of one size in 2D | to study the paper |
 //! | [`BruteForce`] | O(n²) | as the oracle of a test |
 //!
