@@ -1,4 +1,4 @@
-//! Collision events: beads fly through a sensor, and Rapier reports each that enters or leaves it.
+//! Collision events: beads fly through a sensor, and Rapier reports each bead that enters or leaves it.
 //!
 //! ```text
 //! cargo run --release --features rapier3d-027 --example collision_events

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! The program drives the broad phase: `update` takes the colliders that have moved, reports which pairs begin and end, and `pairs` returns
-//! the pairs that there are. This needs no patched copy of Rapier 0.36; in 0.27 the calls are the same. Prints the time of an update. Fails if
-//! the events do not add up to the pairs, or if two walkers overlap that are no pair.
+//! the present pairs. This needs no patched copy of Rapier 0.36; in 0.27 the calls are the same. Prints the time of an update. Fails if
+//! the events do not add up to the pairs, or if two overlapping walkers are not reported as a pair.
 
 use std::collections::HashSet;
 use std::time::{Duration, Instant};

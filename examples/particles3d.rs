@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The number of particles is optional. This is Rapier 0.27; `examples/patched` has a pile on 0.36. Prints the time of a step on either
-//! broad phase, while the particles fall and once they lie. Fails if one leaves the box.
+//! broad phase, while the particles fall and once they have settled. Fails if a particle leaves the box.
 
 use std::time::{Duration, Instant};
 

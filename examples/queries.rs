@@ -5,7 +5,7 @@
 //! ```
 //!
 //! This is Rapier 0.27. In a patched 0.36 `PhysicsWorld::cast_ray`, `query_pipeline` and the others work in the same way. Prints what the
-//! queries found. Fails if a ray misses the floor, or if the character does not get ahead.
+//! queries found. Fails if a ray misses the floor, or if the character makes no progress.
 
 use rapier3d::control::KinematicCharacterController;
 use rapier3d::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};

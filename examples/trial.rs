@@ -1,4 +1,4 @@
-//! Would unisize speed up your scene? `Trial` replaces the broad phase of your program for some hundred steps, and reports.
+//! Would unisize speed up your scene? `Trial` replaces the broad phase of your program for some hundred steps, and compares both.
 //!
 //! ```text
 //! cargo run --release --features rapier3d-027 --example trial

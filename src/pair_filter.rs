@@ -4,15 +4,16 @@
 ///
 /// A pair that is left out is dropped when a search finds it. It costs nothing between searches, nor in the narrow phase. It is reported
 /// once it may have an effect and one of its colliders is listed as modified. Rapier's `PhysicsPipeline` lists a collider whenever a
-/// property that the filter reads has changed. A reported pair that bodies, types or groups come to forbid stays until its boxes part, as
+/// property that the filter reads has changed, except for a body's soft CCD in 0.27. A reported pair that bodies, types or groups come to forbid stays until its boxes part, as
 /// with the own broad phase of Rapier 0.36.
 ///
 /// | world | filter |
 /// |---|---|
-/// | a map of many fixed colliders that touch | [`Bodies`](Self::Bodies) |
-/// | bodies of hundreds of colliders | [`Bodies`](Self::Bodies) |
-/// | crowds of which most members ignore each other | [`Groups`](Self::Groups) |
-/// | balls, capsules and boxes that move freely or lie in heaps | [`Shapes`](Self::Shapes) |
+/// | a map of many fixed colliders that touch, in 0.27 | [`Bodies`](Self::Bodies) |
+/// | bodies of hundreds of colliders, in 0.27 | [`Bodies`](Self::Bodies) |
+/// | crowds of which most members ignore each other, in 0.27 | [`Groups`](Self::Groups) |
+/// | stacks of boxes that have settled, in 0.36 | [`Groups`](Self::Groups) |
+/// | all others in 0.36 | [`Shapes`](Self::Shapes) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -45,7 +46,7 @@ pub enum PairFilter {
     /// A pair begins when its boxes *and* the present bounding volumes of its shapes are within the prediction distance and the contact
     /// skins. It ends when the boxes with their margins part. It also ends when the volumes are farther apart than both margins, unless the
     /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. A collider that has moved by less than
-    /// a sixteenth of the margin in a step is *slow* until it leaves its box: its volume is loosened by that distance, and read again only
+    /// a sixteenth of the margin since its volume was read is *slow* until it leaves its box: its volume is loosened by that distance, and read again only
     /// when the collider has moved farther.
     ///
     /// | shape | volume |

@@ -203,7 +203,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
-    /// some may repeat. **O(listed colliders)**.
+    /// some may repeat. **O(listed colliders)**, or O(n) if all volumes are read again.
     pub(crate) fn update<S>(
         &mut self,
         lists: &Lists<'_, S::Handle>,

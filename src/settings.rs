@@ -39,9 +39,8 @@ pub struct Settings<R> {
     /// Which pairs are left out because they can have no effect. Default: `None`, which is [`PairFilter::Off`] for Rapier 0.27
     /// and [`PairFilter::Shapes`] for 0.36.
     pub filter: Option<PairFilter>,
-    /// Whether each update measures its phases for [`Stats::times`](crate::Stats::times). Default: `false`, with
-    /// which an update reads the clock only for parts that threads may share, and only if another broad phase or kernel of the program is
-    /// timed. `wasm32-unknown-unknown` has no clock, so times are zero there.
+    /// Whether each update measures its phases for [`Stats::times`](crate::Stats::times). Default: `false`. Then
+    /// an update reads the clock only for parts that threads may share, once any broad phase or kernel of the program has been timed. `wasm32-unknown-unknown` has no clock, so times are zero there.
     pub timed: bool,
 }
 

@@ -16,7 +16,7 @@ pub struct Stats {
     /// Colliders with a box.
     pub proxies: usize,
     /// Colliders that are left out. One whose box has a NaN or is inverted returns automatically once its box is valid. One whose
-    /// index is 2²⁹ - 2¹⁶ or more never does, because no kernel takes so many boxes; a snapshot does not count those.
+    /// index is 2²⁹ - 2¹⁶ or more never does, because `GridSweep` takes no more boxes; a snapshot does not count those.
     pub refused: usize,
     /// Pairs held.
     pub pairs: usize,

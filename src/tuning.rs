@@ -1,8 +1,8 @@
-//! Constants that affect speed and nothing else: those of the kernels, of threads and of queries, the prices of an update's operations, and
-//! what else several files of an update read. Other constants of an update are in the files that read them.
+//! Constants that affect speed: those of the kernels, of threads and of queries, the prices of an update's operations, and others of an
+//! update. Further constants of an update are in the files that read them.
 //!
 //! Neither events nor their order depend on them, except on [`ROOM_AHEAD`](update::ROOM_AHEAD); a few unit tests do. Each has its unit, the
-//! effect of a larger and of a smaller value, and its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB
+//! effect of a larger and of a smaller value where that is not plain, and its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB
 //! of cache per core. A factor of two in either direction costs a few per cent, so none is a setting.
 
 /// Sorting and sweeping: the kernels. Shown by the package `unisize-peers`.

@@ -93,8 +93,8 @@ impl UnisizeBroadPhase {
 
     /// Marks all colliders as modified, so that the next step lists them as if they had just been inserted. Computes in **O(colliders)** time.
     ///
-    /// Call this whenever you replace the broad phase of a running world: to change its settings, after loading an old save, or to switch to
-    /// another kind of broad phase. A broad phase only receives changes, so a new one does not know the colliders at rest, and bodies
+    /// Call this whenever you replace the broad phase of a running world, but not on a patched copy of Rapier 0.36, which lists all colliders
+    /// itself: to change its settings, after loading an old save, or to switch to another kind of broad phase. A broad phase only receives changes, so a new one does not know the colliders at rest, and bodies
     /// fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
     ///
     /// ```text

@@ -21,7 +21,7 @@ pub(super) struct Outline {
     pub(super) silent: Option<Silent>,
 }
 
-/// The properties of a collider that affect its pairs, and that a program can change without Rapier marking the collider as modified; and
+/// The properties of a collider that affect its pairs, and that a program can change without Rapier recording what has changed; and
 /// whether it is a sensor.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Silent {

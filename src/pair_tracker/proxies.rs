@@ -35,7 +35,7 @@ pub(crate) struct Proxies<R, const D: usize, K> {
     pub(super) keys: Vec<K>,
     /// Whether any slot has had another key than the default one, with which all may meet.
     pub(super) are_filtered: bool,
-    /// Whether the key of any proxy with a box has ever changed, so that pairs may be held that their keys forbid.
+    /// Whether pairs may be held that their keys forbid: the key of a proxy with a box has changed.
     pub(super) are_rekeyed: bool,
     /// The volume of each slot, if volumes are in use.
     pub(super) volumes: Volumes<R, D>,
@@ -198,7 +198,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.notes.revolumed.push(slot);
     }
 
-    /// Removes repeated notes if they take much memory. **O(1)** per note, amortized.
+    /// Removes repeated notes if they take much memory. **O(log n)** per note, amortized.
     pub(crate) fn forget_repeats(&mut self) {
         self.notes
             .forget_repeats(MOST_NOTES_A_SLOT * self.boxes.len());

@@ -22,7 +22,7 @@ pub(super) type Pending = BTreeSet<(u32, u32)>;
 
 impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
-    /// whose boxes it has written; some may repeat. **O(1)** for each box.
+    /// whose boxes it has written; some may repeat. **O(1)** for the box of each known collider.
     ///
     /// `volume` returns the volume of a collider in a box. It is not called for balls, whose boxes show where they are, nor for
     /// [parts](crate::volume::VolumeKind::Part).

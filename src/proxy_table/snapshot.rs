@@ -12,7 +12,7 @@ use crate::settings::Settings;
 use crate::stats::Stats;
 use crate::stopwatch::PhaseTimes;
 
-/// The part of a table that decides future events.
+/// The part of a table that decides future events, and counts.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
     serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",

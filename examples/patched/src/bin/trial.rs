@@ -1,7 +1,7 @@
 //! Would unisize speed up your scene? `Trial` replaces the broad phase of your program for some hundred steps, and reports.
 //!
-//! Rapier's own broad phase still drives the world, which moves as before, bit for bit. unisize receives the same input at each filter
-//! level. Prints the report. Fails if unisize's pairs are not Rapier's.
+//! Rapier's own broad phase still drives the world, which moves as before, except that in large worlds pairs may come in another order.
+//! unisize receives the same input at each filter level. Prints the report. Fails if unisize's pairs are not Rapier's.
 
 use std::time::Instant;
 
