@@ -35,8 +35,9 @@ use crate::stats::Stats;
 ///
 /// # Complexity
 ///
-/// An update with empty lists takes **O(1)** time. For each listed collider an update compares one box. If colliders have left their margins,
-/// it also compares the boxes of the pairs that are near each other, which an earlier search found. A search looks some updates ahead. A
+/// An update with empty lists takes **O(1)** time, unless boxes were set, or parameters have changed on which all volumes depend. For each
+/// listed collider an update compares one box. If colliders have left their margins, it also compares the boxes of the pairs that are near
+/// each other, which an earlier search found. A search looks some updates ahead. A
 /// collider that moves otherwise than predicted is looked up among the others in about **O(log n)** time. If there are many, the
 /// [kernel](crate::GridSweep) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
 ///
@@ -94,8 +95,8 @@ impl UnisizeBroadPhase {
     /// Marks all colliders as modified, so that the next step lists them as if they had just been inserted. Computes in **O(colliders)** time.
     ///
     /// Call this whenever you replace the broad phase of a running world, but not on a patched copy of Rapier 0.36, which lists all colliders
-    /// itself: to change its settings, after loading an old save, or to switch to another kind of broad phase. A broad phase only receives changes, so a new one does not know the colliders at rest, and bodies
-    /// fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
+    /// itself: to change its settings, after loading an old save, or to switch to another kind of broad phase. A broad phase only receives
+    /// changes, so a new one does not know the colliders at rest, and bodies fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
     ///
     /// ```text
     /// broad_phase = UnisizeBroadPhase::with_settings(settings);

@@ -28,7 +28,8 @@ impl UnisizeBroadPhase {
     /// Returns the scene at the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
     ///
     /// The first call builds a tree in **O(n log n)** time. The tree is kept while the program queries it. The first call after an update
-    /// refreshes the tree, in about a tenth of the time of building it, or builds it again if it has become too loose. Other calls take **O(1)** time.
+    /// refreshes the tree, in about a tenth of the time of building it, or builds it again if it has become too loose. Other calls take
+    /// **O(1)** time.
     ///
     /// The boxes in the tree are those of Rapier's own broad phase. If several colliders are at exactly the same distance, a query may find
     /// another one of them.
