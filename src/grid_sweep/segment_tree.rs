@@ -115,6 +115,9 @@ fn stab<R: Real, const D: usize>(
             for point in &*points {
                 emitter.emit_one(i.owner, point.owner, true);
             }
+            if emitter.is_over() {
+                return;
+            }
         }
     }
 }
@@ -130,6 +133,9 @@ fn descend<R: Real, const D: usize>(
     let [Some(&first), Some(&last)] = [points.first(), points.last()] else {
         return;
     };
+    if emitter.is_over() {
+        return;
+    }
     emitter.tally.compared += intervals.len();
     let count = partition(intervals, |i| holds(i, &last, &first, axis));
     let intervals = &mut intervals[..count];
@@ -156,7 +162,7 @@ fn descend<R: Real, const D: usize>(
         descend(partial, high, axis, others, emitter);
     }
     // At the end, for it reorders the points.
-    if !whole.is_empty() && !emitter.is_over() {
+    if !whole.is_empty() {
         stab(whole, points, others, emitter);
         if !others.is_empty() {
             stab(points, whole, others, emitter);

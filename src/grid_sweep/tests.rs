@@ -245,6 +245,15 @@ fn a_segment_tree_finds_the_pairs_of_brute_force() {
                 Search::new(&boxes, &mut found, stopwatch).match_lists(&left, &right);
             });
             assert!(found[0] == [7; 2] && found[1..] == all);
+            for most in [0, all.len() / 2] {
+                found.clear();
+                parallel::with_threads(threads, || {
+                    let mut search = Search::new(&boxes, &mut found, stopwatch);
+                    search.most = most;
+                    search.match_lists(&left, &right);
+                    assert_eq!(search.is_over(), all.len() > most);
+                });
+            }
         }
     }
     for seed in 0..60 {
