@@ -21,7 +21,7 @@ use crate::pair_finder::{PairFinder, check_count, retain_from};
 use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{FEW_QUERIES, QUERY_BUDGET, ROW_FROM, TREE_FROM};
+use crate::tuning::kernel::{FEW_QUERIES, ROW_FROM, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
@@ -196,8 +196,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the pairs between two classes. A few coarse boxes are always looked up in the fine class; otherwise a sample decides
-    /// which class is looked up in the other, or that a segment tree finds the pairs. The tree also takes queries that cost more than the sample
-    /// has shown, unless they are few.
+    /// which class is looked up in the other, or that a segment tree finds the pairs. A query that exceeds its share of what the tree would take
+    /// is given up, and tried again with the others that did, or left to the tree.
     fn match_classes(&mut self, fine: usize, coarse: usize, search: &mut Search<R, D>) {
         let [finer, coarser] = &mut self.members;
         let (left, right) = self.classes.split_at_mut(coarse);
@@ -225,9 +225,10 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             }
         }
         let look_up = |i: u32, emitter: &mut Emitter| class.look_up(&boxes[i as usize], i, emitter);
+        // Rounds of look-ups together may take twice as long as the tree.
+        let mut price = TREE_FROM * (queries.len() + members.len()) as f64;
         while queries.len() > FEW_QUERIES && !search.is_over() {
-            let price = TREE_FROM * (queries.len() + members.len()) as f64;
-            let budget = QUERY_BUDGET + (price / queries.len() as f64) as usize;
+            let budget = (price / queries.len() as f64) as usize;
             let costly = match effort > price {
                 true => std::mem::take(queries),
                 false => search.look_up(queries, budget, look_up),
@@ -237,6 +238,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             }
             effort = class.effort(&costly, boxes);
             *queries = costly;
+            price /= 2.0;
         }
         search.look_up(queries, usize::MAX, look_up);
     }

@@ -57,11 +57,6 @@ pub(crate) mod kernel {
     /// takes longer than look-ups.
     pub(crate) const TREE_FROM: f64 = 500.0;
 
-    /// Comparisons of a query, besides some for each of its pairs. A query with more, and with more than its share of what the tree would
-    /// take, is given up and counts as costly. If larger: a few costly queries that no sample has shown take longest. If smaller: more
-    /// queries are looked up twice.
-    pub(crate) const QUERY_BUDGET: usize = 2048;
-
     /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf. If larger: boxes are compared that a further node
     /// would separate. If smaller: nodes of a few boxes, each of which costs more than it saves.
     pub(crate) const LEAF_UP_TO: usize = 16;
