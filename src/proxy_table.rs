@@ -191,15 +191,38 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         if self.beyond.get(&slot) == Some(&generation) {
             self.beyond.remove(&slot);
         }
-        if self.slot_of(handle).is_none() {
-            return;
+        if let Some(slot) = self.slot_of(handle) {
+            self.remove_known(slot);
         }
+    }
+
+    /// Removes the known collider of a slot.
+    fn remove_known(&mut self, slot: u32) {
         let index = slot as usize;
         self.generations[index] = None;
         self.memos[index] = M::default();
         self.known -= 1;
         self.stats.proxies -= usize::from(self.tracker.proxies.get(slot).is_some());
         self.tracker.remove(slot);
+    }
+
+    /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
+    #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
+    pub(crate) fn clear(&mut self) -> &[u32] {
+        let shared = self.begin();
+        self.beyond.clear();
+        for (slot, _) in std::mem::take(&mut self.pending) {
+            if self.generations.get(slot as usize) == Some(&None) {
+                self.tracker.proxies.clear_box(slot);
+            }
+        }
+        for slot in 0..self.known_slots {
+            if self.generations[slot].is_some() {
+                self.remove_known(slot as u32);
+            }
+        }
+        self.pause(shared);
+        self.touched()
     }
 
     /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
@@ -227,10 +250,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
-        self.read_in_place(lists.unmoved, source, |handle, memo| {
-            source.has_changed_unmoved(handle, memo)
+        self.read_in_place(lists.unmoved, source, |handle, memo, key| {
+            source.has_changed_unmoved(handle, memo, key)
         });
-        self.read_in_place(lists.swept, source, |_, _| true);
+        self.read_in_place(lists.swept, source, |_, _, _| true);
         self.pause(shared);
         &self.touched()[touched..]
     }

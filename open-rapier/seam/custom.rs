@@ -7,6 +7,7 @@ use crate::geometry::{
     Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderPair, ColliderSet, NarrowPhase,
 };
 use core::any::Any;
+use core::sync::atomic::{AtomicUsize, Ordering};
 use parry::partitioning::Bvh;
 
 /// The input of an update in a pipeline.
@@ -27,7 +28,8 @@ pub struct PipelineInput<'a> {
     pub reinserted: &'a [ColliderHandle],
     /// Listed colliders that Rapier's own broad phase would not read. Their boxes stay, even if their contact skin has changed.
     pub unmoved: &'a [ColliderHandle],
-    /// The colliders of changed bodies that have soft CCD. Their boxes stay.
+    /// The colliders of changed bodies that have soft CCD; and colliders that were assigned as a whole, of which nothing tells what has
+    /// changed. Their boxes stay.
     pub swept: &'a [ColliderHandle],
     /// The modified and unmoved colliders to whose change the narrow phase reacts: it wakes them and the colliders that they form pairs with.
     pub felt: &'a [ColliderHandle],
@@ -64,11 +66,15 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         );
     }
 
-    /// Whether it has never been updated, and so has no colliders. A pipeline then passes it the boxes of all colliders, and ends the pairs of
-    /// its narrow phase that the update does not report.
-    fn is_new(&self) -> bool {
+    /// Whether it has no colliders. A pipeline then passes it the boxes of all colliders, and ends the pairs of its narrow phase that the
+    /// update does not report.
+    fn is_empty(&self) -> bool {
         false
     }
+
+    /// Removes all colliders; their pairs end without an event. A pipeline calls this before an update if a set of bodies or colliders is not
+    /// the one that the last update left: the program has put a clone back, say.
+    fn clear(&mut self) {}
 
     /// Sets the box of a collider, which counts as modified in the next update: the contract of [`BroadPhaseBvh::set_aabb`].
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb);
@@ -145,8 +151,9 @@ impl BroadPhaseBvh {
         removed_colliders: &[ColliderHandle],
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
+        self.custom.note_update(colliders, bodies);
         let is_new = match &self.custom.broad_phase {
-            Some(custom) => custom.is_new(),
+            Some(custom) => custom.is_empty(),
             None => self.frame_index == 0 && self.tree.is_empty(),
         };
         if is_new {
@@ -248,6 +255,8 @@ impl BroadPhaseBvh {
 #[derive(Default)]
 pub(super) struct Custom {
     pub(super) broad_phase: Option<Box<dyn CustomBroadPhase>>,
+    /// The number of its last update in a pipeline; `None` before the first one.
+    last_update: Option<usize>,
     /// The list of the next update: see [`PipelineInput`].
     swept: Vec<ColliderHandle>,
     /// Scratch: the other lists of an update.
@@ -260,7 +269,10 @@ pub(super) struct Custom {
 impl Clone for Custom {
     fn clone(&self) -> Self {
         let broad_phase = self.broad_phase.as_ref();
-        Self::with(broad_phase.map(|custom| custom.clone_box()))
+        Self {
+            last_update: self.last_update,
+            ..Self::with(broad_phase.map(|custom| custom.clone_box()))
+        }
     }
 }
 
@@ -268,11 +280,26 @@ impl Custom {
     pub(super) fn with(broad_phase: Option<Box<dyn CustomBroadPhase>>) -> Self {
         Self {
             broad_phase,
+            last_update: None,
             swept: Vec::new(),
             modified: Vec::new(),
             reinserted: Vec::new(),
             unmoved: Vec::new(),
             felt: Vec::new(),
+        }
+    }
+
+    /// Notes that an update in a pipeline begins, and clears the broad phase if it has not seen the last update of both sets.
+    fn note_update(&mut self, colliders: &ColliderSet, bodies: &RigidBodySet) {
+        let update = UPDATES.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
+        let sets = [&colliders.last_update, &bodies.last_update];
+        let seen = sets.map(|last| Some(last.0.swap(update, Ordering::Relaxed)));
+        let last = self.last_update.replace(update);
+        if let Some(custom) = &mut self.broad_phase {
+            // One that was read from a save is taken to belong to its sets.
+            if last.is_some() && seen != [last; 2] {
+                custom.clear();
+            }
         }
     }
 
@@ -310,6 +337,10 @@ impl Custom {
             {
                 self.felt.push(handle);
             }
+            // Assigned as a whole, with the flags of another step.
+            if !changes.contains(ColliderChanges::IN_MODIFIED_SET) {
+                self.swept.push(handle);
+            }
             if changes.intersects(REINSERTING) {
                 self.reinserted.push(handle);
             }
@@ -333,6 +364,20 @@ impl Custom {
         custom.update_in_pipeline(&input, events);
         self.swept.clear();
         true
+    }
+}
+
+/// The number of updates in all pipelines.
+static UPDATES: AtomicUsize = AtomicUsize::new(0);
+
+/// The number of the last update that has seen a set; 0 before the first one. A clone of the set keeps it. So once the set has been put
+/// back, its number is not that of its broad phase.
+#[derive(Debug, Default)]
+pub(crate) struct LastUpdate(AtomicUsize);
+
+impl Clone for LastUpdate {
+    fn clone(&self) -> Self {
+        Self(AtomicUsize::new(self.0.load(Ordering::Relaxed)))
     }
 }
 

@@ -68,6 +68,11 @@ pub(crate) const FILES: &[(&str, &str, &str)] = &[
     ),
 ];
 
+/// The field of a set.
+const LAST_UPDATE: &str = r#"    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) last_update: crate::geometry::LastUpdate,
+"#;
+
 /// The edits of existing files.
 pub(crate) const EDITS: &[Edit] = &[
     Edit {
@@ -82,10 +87,39 @@ pub(crate) const EDITS: &[Edit] = &[
         purpose: "exports `CustomBroadPhase` and `PipelineInput`",
         find: "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};",
         times: 1,
-        change: Change::Replace(
-            "pub use self::broad_phase_bvh::{BroadPhaseBvh, BvhOptimizationStrategy};
+        change: Change::After(
+            "
+pub(crate) use self::broad_phase_bvh::LastUpdate;
 pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
         ),
+    },
+    Edit {
+        file: "src/geometry/collider_set.rs",
+        purpose: "a set knows which update has seen it last; serde skips it",
+        find: "    pub(crate) removed_colliders: Vec<ColliderHandle>,\n",
+        times: 1,
+        change: Change::After(LAST_UPDATE),
+    },
+    Edit {
+        file: "src/geometry/collider_set.rs",
+        purpose: "no update has seen a new set",
+        find: "            removed_colliders: Vec::new(),\n",
+        times: 2,
+        change: Change::After("            last_update: Default::default(),\n"),
+    },
+    Edit {
+        file: "src/dynamics/rigid_body_set.rs",
+        purpose: "a set knows which update has seen it last; serde skips it",
+        find: "    pub(crate) default_fixed: RigidBody,\n",
+        times: 1,
+        change: Change::After(LAST_UPDATE),
+    },
+    Edit {
+        file: "src/dynamics/rigid_body_set.rs",
+        purpose: "no update has seen a new set",
+        find: "            default_fixed: RigidBodyBuilder::fixed().build(),\n",
+        times: 2,
+        change: Change::After("            last_update: Default::default(),\n"),
     },
     Edit {
         file: "src/geometry/broad_phase_bvh/mod.rs",
@@ -97,6 +131,7 @@ pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
 mod update;
 
 use self::custom::Custom;
+pub(crate) use self::custom::LastUpdate;
 pub use self::custom::{CustomBroadPhase, PipelineInput};
 ",
         ),

@@ -193,6 +193,12 @@ impl UnisizeBroadPhase {
         self.run(input, events);
     }
 
+    /// Removes all colliders, as a part of the next update. Their pairs end without an event.
+    #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
+    pub(crate) fn remove_all(&mut self) {
+        self.query_tree.note(self.table.clear());
+    }
+
     /// Sets boxes, as a part of the next update. Without `colliders`, only balls keep their volumes.
     #[allow(dead_code, reason = "only Rapier 0.36 passes boxes")]
     pub(crate) fn set_boxes(

@@ -129,9 +129,18 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     }
 
     #[inline(always)]
-    fn has_changed_unmoved(&self, handle: ColliderHandle, outline: &Outline) -> bool {
+    fn has_changed_unmoved(
+        &self,
+        handle: ColliderHandle,
+        outline: &Outline,
+        key: &ColliderKey,
+    ) -> bool {
         let collider = self.input.colliders.get(handle);
-        collider.is_some_and(|collider| outline.silent != Some(Silent::of(collider)))
+        collider.is_some_and(|collider| {
+            outline.silent != Some(Silent::of(collider))
+                || !outline.may_be_of(collider.shared_shape())
+                || !key.may_be_of(self.filter, collider)
+        })
     }
 
     /// The box is loosened by the contact skin and half the prediction distance, so the boxes of two colliders within that distance touch.

@@ -72,6 +72,17 @@ fn type_bits(body_type: RigidBodyType, meets: ActiveCollisionTypes) -> u32 {
     met | index << TYPE | (body_type as u32) << EXACT_TYPE
 }
 
+/// The index of the body of a collider, and the groups that count with this filter.
+#[inline(always)]
+fn body_and_groups(filter: PairFilter, collider: &Collider) -> (u32, InteractionGroups) {
+    let body = collider.parent();
+    let groups = match filter >= PairFilter::Groups || version::REINSERTS {
+        true => collider.collision_groups(),
+        false => InteractionGroups::all(),
+    };
+    (body.map_or(NO_BODY, |body| body.into_raw_parts().0), groups)
+}
+
 impl ColliderKey {
     /// Whether this filter, or this version of Rapier, needs keys at all.
     pub(super) fn differ(filter: PairFilter) -> bool {
@@ -83,15 +94,11 @@ impl ColliderKey {
         if !Self::differ(filter) {
             return Self::default();
         }
-        let parent = collider.parent();
+        let (body_index, groups) = body_and_groups(filter, collider);
         let body_type = body.map_or(RigidBodyType::Fixed, RigidBody::body_type);
-        let groups = match filter >= PairFilter::Groups || version::REINSERTS {
-            true => collider.collision_groups(),
-            false => InteractionGroups::all(),
-        };
         let flag = |flag: u32, is_set: bool| if is_set { flag } else { 0 };
         Self {
-            body: parent.map_or(NO_BODY, |body| body.into_raw_parts().0),
+            body: body_index,
             memberships: groups.memberships.bits(),
             filter: groups.filter.bits(),
             bits: type_bits(body_type, collider.active_collision_types())
@@ -103,6 +110,16 @@ impl ColliderKey {
                 | flag(BODIES_DECIDE, filter >= PairFilter::Bodies)
                 | flag(GROUPS_DECIDE, filter >= PairFilter::Groups),
         }
+    }
+
+    /// False if the key is one of another body or of other groups.
+    #[inline(always)]
+    pub(super) fn may_be_of(&self, filter: PairFilter, collider: &Collider) -> bool {
+        let (body, groups) = body_and_groups(filter, collider);
+        let is_either_enough = self.bits & IS_EITHER_ENOUGH != 0;
+        (self.body, self.memberships, self.filter)
+            == (body, groups.memberships.bits(), groups.filter.bits())
+            && is_either_enough == version::is_either_enough(&groups)
     }
 }
 

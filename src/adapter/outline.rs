@@ -22,7 +22,7 @@ pub(super) struct Outline {
 }
 
 /// The properties of a collider that affect its pairs, and that a program can change without Rapier recording what has changed; and
-/// whether it is a sensor.
+/// whether it is a sensor. The shape and the [key](super::collider_key::ColliderKey) have the others.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Silent {
     contact_skin: Real,
@@ -115,6 +115,13 @@ impl Outline {
             let half = (pose.rotation * extent).into();
             Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
         }
+    }
+
+    /// False if the cache has another shape.
+    #[inline(always)]
+    pub(super) fn may_be_of(&self, shape: &SharedShape) -> bool {
+        let mut known = self.known.iter();
+        known.all(|(known, _)| Arc::ptr_eq(&known.0, &shape.0))
     }
 
     #[inline(always)]

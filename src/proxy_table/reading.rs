@@ -78,7 +78,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &mut self,
         handles: &[S::Handle],
         source: &S,
-        has_changed: impl Fn(S::Handle, &M) -> bool + Send + Sync,
+        has_changed: impl Fn(S::Handle, &M, &K) -> bool + Send + Sync,
     ) where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {

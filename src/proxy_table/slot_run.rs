@@ -65,14 +65,14 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         i: usize,
         handle: S::Handle,
         source: &S,
-        has_changed: &impl Fn(S::Handle, &M) -> bool,
+        has_changed: &impl Fn(S::Handle, &M, &K) -> bool,
     ) -> bool
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let Self { proxies, memos, .. } = self;
         let memo = &mut memos[i];
-        if !has_changed(handle, memo) {
+        if !has_changed(handle, memo, proxies.key(i)) {
             return true;
         }
         let reading = source.reading(handle, memo);

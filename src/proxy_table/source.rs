@@ -22,7 +22,7 @@ pub(crate) struct Lists<'a, H> {
     pub(crate) reinserted: &'a [H],
     /// Colliders whose filter key may have changed, or whose volume may have changed in the same pose. Their boxes stay.
     pub(crate) unmoved: &'a [H],
-    /// Colliders whose bodies have changed. Their boxes stay.
+    /// Colliders of which anything may have changed, and their bodies. Their boxes stay.
     pub(crate) swept: &'a [H],
     /// Colliders that are gone. Their pairs end without an event.
     pub(crate) removed: &'a [H],
@@ -64,8 +64,9 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// The distance by which the volumes of all colliders are extended.
     fn reach(&self) -> R;
 
-    /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read.
-    fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo) -> bool;
+    /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read, with this key.
+    fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo, key: &Self::Key)
+    -> bool;
 
     /// Whether filter keys differ at all; if not, they are not compared.
     fn has_keys(&self) -> bool;

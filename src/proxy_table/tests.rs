@@ -54,7 +54,7 @@ impl BoxSource<f32, 2> for Colliders {
         0.0
     }
 
-    fn has_changed_unmoved(&self, _: Id, _: &Memo) -> bool {
+    fn has_changed_unmoved(&self, _: Id, _: &Memo, _: &Side) -> bool {
         true
     }
 
@@ -333,7 +333,7 @@ impl BoxSource<f32, 2> for Silent {
         self.reach
     }
 
-    fn has_changed_unmoved(&self, (slot, _): Id, memo: &Option<Side>) -> bool {
+    fn has_changed_unmoved(&self, (slot, _): Id, memo: &Option<Side>, _: &Side) -> bool {
         *memo != Some(self.colliders[slot as usize].1)
     }
 

@@ -142,7 +142,8 @@ impl<'a> Bytes<'a> {
             38 => Op::HandOver(self.pick(), self.flag().then(|| self.place())),
             43 => match self.below(4) {
                 0 => Op::Renew(self.flag()),
-                _ => Op::Ask,
+                1 => Op::Ask,
+                _ => Op::Rewind(1 + self.below(3)),
             },
             _ => match self.below(2) {
                 0 => Op::HandOverStale(self.pick(), self.place()),

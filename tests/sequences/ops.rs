@@ -148,6 +148,8 @@ pub(crate) enum Op {
         body: Pick,
         with_colliders: bool,
     },
+    /// Puts clones of the sets back, as they were so many updates ago, and lists all colliders. The broad phase stays.
+    Rewind(usize),
     /// Changes the length unit, and with it margin and prediction distance.
     LengthUnit(f32),
     /// Lists a collider once more. This and the following are for lists made by hand.

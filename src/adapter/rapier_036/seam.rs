@@ -118,8 +118,12 @@ macro_rules! impl_custom_broad_phase {
                 with_input(input, self.stats(), |input| self.$run_in_pipeline(input, events));
             }
 
-            fn is_new(&self) -> bool {
-                self.stats().updates == 0
+            fn is_empty(&self) -> bool {
+                self.stats().proxies == 0
+            }
+
+            fn clear(&mut self) {
+                self.remove_all();
             }
 
             fn set_aabb(

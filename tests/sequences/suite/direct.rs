@@ -28,6 +28,7 @@ pub(super) fn play(sequence: &Sequence) {
         );
         world.modified.clear();
         world.removed.clear();
+        world.keep();
     }
 }
 

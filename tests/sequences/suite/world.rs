@@ -22,6 +22,17 @@ pub(crate) struct World {
     live: Vec<ColliderHandle>,
     live_bodies: Vec<RigidBodyHandle>,
     gone: Vec<ColliderHandle>,
+    /// Clones of the sets after each update that was [kept](Self::keep).
+    history: Vec<Sets>,
+}
+
+/// The sets of a world, and the handles in them.
+struct Sets {
+    islands: IslandManager,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    live: Vec<ColliderHandle>,
+    live_bodies: Vec<RigidBodyHandle>,
 }
 
 /// What is done between two updates.
@@ -66,6 +77,7 @@ impl World {
                 body,
                 with_colliders,
             } => self.remove_body(body, with_colliders),
+            Op::Rewind(updates) => self.rewind(updates),
             Op::LengthUnit(unit) => self.params.length_unit = unit.into(),
             Op::ListStale(list, pick) => {
                 if let Some(handle) = nth(&self.gone, pick) {
@@ -137,6 +149,37 @@ impl World {
                 }
             }
         }
+    }
+
+    /// Keeps clones of the sets.
+    pub(crate) fn keep(&mut self) {
+        self.history.push(Sets {
+            islands: self.islands.clone(),
+            bodies: self.bodies.clone(),
+            colliders: self.colliders.clone(),
+            live: self.live.clone(),
+            live_bodies: self.live_bodies.clone(),
+        });
+    }
+
+    /// Puts back the clones that were kept so many updates ago, if there are some.
+    fn rewind(&mut self, updates: usize) {
+        let kept = self.history.len().checked_sub(updates);
+        let Some(sets) = kept.and_then(|i| self.history.drain(i..).next()) else {
+            return;
+        };
+        Sets {
+            islands: self.islands,
+            bodies: self.bodies,
+            colliders: self.colliders,
+            live: self.live,
+            live_bodies: self.live_bodies,
+        } = sets;
+        let all = self.colliders.iter_mut().map(|(handle, _)| handle);
+        self.modified = all.collect();
+        self.removed.clear();
+        let live = &self.live;
+        self.gone.retain(|handle| !live.contains(handle));
     }
 
     fn list(&mut self, list: List, handle: ColliderHandle) {

@@ -222,6 +222,14 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
             });
         }
 
+        fn clear(&mut self) {
+            self.inner.clear();
+        }
+
+        fn is_empty(&self) -> bool {
+            self.inner.is_empty()
+        }
+
         fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
             self.inner.visit_unreported(visit);
         }

@@ -19,6 +19,7 @@ mod queries;
 pub(super) mod random;
 mod random_worlds;
 mod removals;
+mod rollback;
 pub(super) mod snapshot;
 mod trial;
 pub(super) mod twins;

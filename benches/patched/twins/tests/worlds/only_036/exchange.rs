@@ -240,6 +240,39 @@ fn a_broad_phase_that_knows_the_world_is_left_alone() {
     assert_eq!((before.pairs, before.updates), (after.pairs, after.updates));
 }
 
+/// Clones of sets and broad phase belong together, in a world that goes back and in another one.
+#[test]
+fn a_broad_phase_that_is_put_back_with_its_sets_is_left_alone() {
+    let (mut world, _) = column(ours());
+    let saved = || {
+        (
+            world.broad_phase.clone(),
+            world.bodies.clone(),
+            world.colliders.clone(),
+        )
+    };
+    let [back, other] = [saved(), saved()];
+    let islands = world.islands.clone();
+    world.step();
+    let (broad_phase, bodies, colliders) = other;
+    let other = PhysicsWorld {
+        broad_phase,
+        bodies,
+        colliders,
+        islands: islands.clone(),
+        narrow_phase: world.narrow_phase.clone(),
+        ..PhysicsWorld::default()
+    };
+    (world.broad_phase, world.bodies, world.colliders) = back;
+    world.islands = islands;
+    for mut world in [world, other] {
+        let before = unisize(&world).stats();
+        world.step();
+        let after = unisize(&world).stats();
+        assert_eq!((before.pairs, before.updates), (after.pairs, after.updates));
+    }
+}
+
 #[test]
 fn it_is_found_by_its_own_type_only() {
     let mut ours = ours();
