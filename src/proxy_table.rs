@@ -273,7 +273,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// Whether an update without listed colliders has something to do: boxes have been set, or all volumes must be read again.
     pub(crate) fn is_due(&self, margin: R, reach: R) -> bool {
         let volumes = self.tracker.proxies.volumes();
-        self.gathered.is_begun || self.known > 0 && volumes.have_other_extents(margin, reach)
+        self.gathered.is_begun || self.known > 0 && volumes.have_longer_extents(margin, reach)
+    }
+
+    /// The [reach](BoxSource::reach) of a source, if its parameters ask for this one.
+    pub(crate) fn reach_for(&self, reach: R) -> R {
+        self.tracker.proxies.volumes().reach_for(reach)
     }
 
     /// Begins an update, or continues the one that has begun. Returns the argument for [`pause`](Self::pause).

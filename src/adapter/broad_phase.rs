@@ -10,6 +10,7 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::{Input, Settings, version};
+use crate::aabb::Aabb;
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::parallel;
@@ -35,9 +36,9 @@ use crate::stats::Stats;
 ///
 /// # Complexity
 ///
-/// An update with empty lists takes **O(1)** time, unless boxes were set, or parameters have changed on which all volumes depend. For each
-/// listed collider an update compares one box. If colliders have left their margins, it also compares the boxes of the pairs that are near
-/// each other, which an earlier search found. A search looks some updates ahead. A
+/// An update with empty lists takes **O(1)** time, unless boxes were set, or the prediction distance or the length unit is larger than
+/// ever, which takes **O(colliders)**. For each listed collider an update compares one box. If colliders have left their margins, it also
+/// compares the boxes of the pairs that are near each other, which an earlier search found. A search looks some updates ahead. A
 /// collider that moves otherwise than predicted is looked up among the others in about **O(log n)** time. If there are many, the
 /// [kernel](crate::GridSweep) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
 ///
@@ -210,13 +211,15 @@ impl UnisizeBroadPhase {
         if aabbs.is_empty() {
             return;
         }
-        let margin = self.margin(params);
+        let (margin, half_distance) = (self.margin(params), params.prediction_distance() / 2.0);
+        let reach = self.table.reach_for(half_distance);
+        let shortfall = (reach - half_distance).max(0.0);
         parallel::enter(self.table.reading(aabbs.len()), || {
-            let volume = |handle, outline: &mut _, aabb: &_| {
+            let volume = |handle, outline: &mut _, aabb: &Aabb<_, _>| {
                 let collider = colliders.and_then(|colliders| colliders.get(handle));
-                volume(collider, params, outline, aabb)
+                volume(collider, reach, outline, &aabb.loosened(shortfall))
             };
-            let written = self.table.set_boxes(aabbs, margin, volume);
+            let written = self.table.set_boxes(aabbs, [margin, shortfall], volume);
             self.query_tree.note(written);
         });
     }
@@ -224,7 +227,8 @@ impl UnisizeBroadPhase {
     /// Updates the boxes and the pairs, and appends the events.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
-        let boxes = ColliderBoxes::new(*input, filter_of(&self.settings));
+        let reach_for = |reach| self.table.reach_for(reach);
+        let boxes = ColliderBoxes::new(*input, filter_of(&self.settings), reach_for);
         if input.lists.are_empty() && !self.table.is_due(margin, boxes.reach()) {
             return;
         }

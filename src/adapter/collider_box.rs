@@ -3,7 +3,7 @@
 use super::Input;
 use super::collider_key::ColliderKey;
 use super::outline::{Outline, Silent};
-use super::rapier::dynamics::{IntegrationParameters, RigidBody, RigidBodySet};
+use super::rapier::dynamics::{RigidBody, RigidBodySet};
 use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
 use super::version;
@@ -39,14 +39,23 @@ pub(super) struct ColliderBoxes<'a> {
     input: Input<'a>,
     /// Half the prediction distance.
     half_distance: Real,
+    /// The distance by which volumes are extended, at least that.
+    reach: Real,
     filter: PairFilter,
 }
 
 impl<'a> ColliderBoxes<'a> {
-    pub(super) fn new(input: Input<'a>, filter: PairFilter) -> Self {
+    /// `reach_for` returns the distance by which volumes are extended, given that for boxes.
+    pub(super) fn new(
+        input: Input<'a>,
+        filter: PairFilter,
+        reach_for: impl FnOnce(Real) -> Real,
+    ) -> Self {
+        let half_distance = input.params.prediction_distance() / 2.0;
         Self {
             input,
-            half_distance: input.params.prediction_distance() / 2.0,
+            half_distance,
+            reach: reach_for(half_distance),
             filter,
         }
     }
@@ -58,20 +67,20 @@ pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Opti
     bodies.get(collider.parent()?)
 }
 
-/// The volume of a collider in this box.
+/// The volume of a collider in this box, extended by `reach`.
 ///
 /// A collider with hooks has none, because a hook may count the pairs that it is asked about, or keep state for them.
 #[inline(always)]
 pub(super) fn volume(
     collider: Option<&Collider>,
-    params: &IntegrationParameters,
+    reach: Real,
     outline: &mut Outline,
     aabb: &Aabb<Real, DIM>,
 ) -> Volume<Real, DIM> {
     match collider {
         Some(collider) if collider.active_hooks().is_empty() => {
-            let distance = distance(collider, params.prediction_distance() / 2.0);
-            outline.volume(collider, distance).in_box(aabb)
+            let volume = outline.volume(collider, distance(collider, reach));
+            volume.in_box(aabb)
         }
         _ => Volume::BOX,
     }
@@ -115,17 +124,13 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
             body.colliders().len() <= MOST_WITH_VOLUMES && body.soft_ccd_prediction() <= 0.0
         };
         match body.is_none_or(has_volume) {
-            true => volume(collider, self.input.params, outline, aabb),
+            true => volume(collider, self.reach, outline, aabb),
             false => Volume::PART,
         }
     }
 
     fn reach(&self) -> Real {
-        // A NaN would differ from itself in each update.
-        match self.half_distance.is_nan() {
-            true => 0.0,
-            false => self.half_distance,
-        }
+        self.reach
     }
 
     #[inline(always)]

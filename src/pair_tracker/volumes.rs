@@ -9,6 +9,7 @@
 mod chunk;
 
 use super::odometer::{Due, Odometer};
+use crate::aabb::max;
 use crate::real::Real;
 use crate::tuning::prices::BEYOND_BALLS;
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
@@ -24,6 +25,10 @@ const DUES_FROM: usize = 2;
 /// come to rest are compared in each update. Events depend on it.
 pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
+/// The least factor by which a margin or a reach grows. All volumes are read again when one does. If larger: more pairs begin that are near and
+/// do not touch. If smaller: volumes are read more often where a parameter grows in every frame. Events depend on it.
+const GROWTH: f64 = 2.0;
+
 /// Volumes by slot; none unless they are in use.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Volumes<R, const D: usize> {
@@ -38,9 +43,13 @@ pub(crate) struct Volumes<R, const D: usize> {
     odometers: Vec<Odometer>,
     /// Updates since the last full search.
     moves: u32,
+    /// The largest margin so far.
     margin: R,
-    /// How far all shapes were extended when volumes were last read.
+    /// The largest distance so far by which all shapes are extended. Volumes are read with it even while the parameters ask for less, so that
+    /// parameters may alternate, and any two volumes are right for the larger ones.
     reach: R,
+    /// The distance by which the boxes that a program passes are extended less.
+    pub(crate) shortfall: R,
 }
 
 /// The serialized form of volumes.
@@ -64,20 +73,26 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     }
 
     /// Notes the margin of boxes, and how far all shapes are extended. Returns whether either [has
-    /// changed](Self::have_other_extents); then the caller must [reset](super::Proxies::reset_volume) all volumes.
+    /// grown](Self::have_longer_extents); then the caller must [reset](super::Proxies::reset_volume) all volumes.
     pub(crate) fn note_extents(&mut self, margin: R, reach: R) -> bool {
-        let have_changed = self.have_other_extents(margin, reach);
-        if have_changed {
-            (self.margin, self.reach) = (margin * R::from_f64(VOLUME_MARGIN), reach);
+        let have_grown = self.have_longer_extents(margin, reach);
+        if have_grown {
+            self.margin = at_least(self.margin, margin * R::from_f64(VOLUME_MARGIN));
+            self.reach = self.reach_for(reach);
             self.odometers.fill(Odometer::LOST);
         }
-        have_changed
+        have_grown
     }
 
-    /// Whether volumes are in use, and the margin or the reach is another than the noted one.
-    pub(crate) fn have_other_extents(&self, margin: R, reach: R) -> bool {
+    /// Whether volumes are in use, and the margin or the reach is larger than the noted one.
+    pub(crate) fn have_longer_extents(&self, margin: R, reach: R) -> bool {
         let margin = margin * R::from_f64(VOLUME_MARGIN);
-        self.are_used && (self.margin, self.reach) != (margin, reach)
+        self.are_used && (margin > self.margin || reach > self.reach)
+    }
+
+    /// The distance by which shapes are extended where volumes are read, if the parameters ask for this one. A NaN counts as 0.
+    pub(crate) fn reach_for(&self, reach: R) -> R {
+        at_least(self.reach, reach)
     }
 
     pub(crate) fn are_used(&self) -> bool {
@@ -196,9 +211,9 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
         self.margin = margin.unwrap_or(R::INFINITY);
         self.reach = reach.unwrap_or(R::INFINITY);
-        let is_distance = self.margin >= R::ZERO;
-        if !is_distance {
-            return Err("snapshot: the margin of volumes is not a distance");
+        let are_distances = self.margin >= R::ZERO && self.reach >= R::ZERO;
+        if !are_distances {
+            return Err("snapshot: the margin or the reach of volumes is not a distance");
         }
         self.make_room(by_slot.len());
         for (slot, (kind, is_slow, numbers)) in (0..).zip(by_slot) {
@@ -223,6 +238,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             are_slow: &mut self.are_slow,
             odometers: &mut self.odometers,
             margin: self.margin,
+            shortfall: self.shortfall,
         }
     }
 
@@ -233,7 +249,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let mut half_axes = self.half_axes.chunks_mut(slots);
         let mut are_slow = self.are_slow.chunks_mut(slots);
         let mut odometers = self.odometers.chunks_mut(slots);
-        let margin = self.margin;
+        let (margin, shortfall) = (self.margin, self.shortfall);
         std::iter::repeat_with(move || VolumesChunk {
             kinds: kinds.next().unwrap_or_default(),
             balls: balls.next().unwrap_or_default(),
@@ -241,6 +257,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             are_slow: are_slow.next().unwrap_or_default(),
             odometers: odometers.next().unwrap_or_default(),
             margin,
+            shortfall,
         })
     }
 
@@ -311,6 +328,14 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             false => R::ZERO,
         });
         slack + (a + b)
+    }
+}
+
+/// The noted value, unless more is wanted.
+fn at_least<R: Real>(noted: R, wanted: R) -> R {
+    match wanted > noted {
+        true => max(wanted, noted * R::from_f64(GROWTH)),
+        false => noted,
     }
 }
 

@@ -24,15 +24,18 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
     /// whose boxes it has written; some may repeat. **O(1)** for the box of each known collider.
     ///
+    /// `shortfall` is the distance by which the boxes are extended less than volumes.
+    ///
     /// `volume` returns the volume of a collider in a box. It is not called for balls, whose boxes show where they are, nor for
     /// [parts](crate::volume::VolumeKind::Part).
     pub(crate) fn set_boxes<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         boxes: &[(H, B)],
-        margin: R,
+        [margin, shortfall]: [R; 2],
         volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync,
     ) -> &[u32] {
         let shared = self.begin();
+        self.tracker.proxies.volumes_mut().shortfall = shortfall;
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
         let section = self.section(boxes.len());

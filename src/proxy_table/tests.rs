@@ -1,5 +1,7 @@
 //! Cases that tests of whole broad phases do not reach: long lists in every order of reading, and unusual slots.
 
+mod extents;
+
 use oorandom::Rand32;
 
 use super::{BoxSource, Changes, FilterKey, Handle, Lists, ProxyTable};
@@ -166,7 +168,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
                 modified.swap(i, random.rand_range(0..i as u32 + 1) as usize);
             }
         }
-        at_once.set_boxes(&boxes, MARGIN, |id, memo, aabb| {
+        at_once.set_boxes(&boxes, [MARGIN, 0.0], |id, memo, aabb| {
             colliders.volume(id, memo, aabb)
         });
         at_once.update(&Lists::new(&modified, &removed), &colliders, MARGIN);
@@ -232,7 +234,7 @@ fn sections(count: u32) -> u32 {
     finish(&mut table);
     let moved = ids.iter().map(|&id| (id, place(id.0, 9.0)));
     let moved: Vec<_> = moved.collect();
-    table.set_boxes(&moved, MARGIN, |id, memo, aabb| {
+    table.set_boxes(&moved, [MARGIN, 0.0], |id, memo, aabb| {
         colliders.volume(id, memo, aabb)
     });
     table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
@@ -259,7 +261,7 @@ fn boxes_that_are_set_many_times_take_no_more_memory() {
     finish(&mut table);
     for i in 0..2_000 {
         let boxes = all.map(|id| (id, aabb((i % 7) as f32)));
-        table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
         let noted = table.touched().len() + table.pending.len();
         assert!(noted <= (MOST_NOTES_A_SLOT + 2) * all.len());
     }
@@ -275,7 +277,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
         let step = ROOM_AHEAD as u32 - 1;
         let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
         let boxes: Vec<_> = boxes.collect();
-        table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
     };
     for _ in 0..3 {
         set_boxes(&mut table, 0);
@@ -310,7 +312,7 @@ fn boxes_of_many_unknown_colliders_are_all_kept() {
         table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
         finish(&mut table);
         with_threads(threads, || {
-            table.set_boxes(&boxes, MARGIN, |_, _, _| Volume::BOX);
+            table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
         });
         table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
         finish(&mut table);
@@ -411,7 +413,7 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     assert_eq!(check(&mut table, Lists::new(&ids, &[]), &colliders, 200), 0);
 
     // Queries see the box until the update.
-    table.set_boxes(&[((250, 0), aabb)], MARGIN, |_, _, _| Volume::BOX);
+    table.set_boxes(&[((250, 0), aabb)], [MARGIN, 0.0], |_, _, _| Volume::BOX);
     assert!(table.boxes()[250].is_valid());
     check(&mut table, Lists::new(&[], &[]), &colliders, 200);
 

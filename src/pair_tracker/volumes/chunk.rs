@@ -14,6 +14,7 @@ pub(crate) struct VolumesChunk<'a, R, const D: usize> {
     /// Empty if they stand still.
     pub(super) odometers: &'a mut [Odometer],
     pub(super) margin: R,
+    pub(super) shortfall: R,
 }
 
 /// What happens to a volume when its collider has moved.
@@ -52,7 +53,7 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
             VolumeKind::Part => Some(Volume::PART),
             VolumeKind::Ball => Some(Volume {
                 kind: VolumeKind::Ball,
-                ball: self.balls[i].in_box(aabb),
+                ball: self.ball_in(i, aabb),
                 ..Volume::BOX
             }),
             _ => None,
@@ -98,7 +99,7 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         match self.kinds[i] {
             VolumeKind::Part => Some(VolumeUpdate::Keep),
             VolumeKind::Ball => {
-                let ball = self.balls[i].in_box(aabb);
+                let ball = self.ball_in(i, aabb);
                 let change = self.balls[i].change_to(&ball);
                 let update = self.update_for(i, change, is_renewed);
                 if update == VolumeUpdate::Replace {
@@ -108,6 +109,12 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
             }
             _ => None,
         }
+    }
+
+    /// The ball of the slot `i` in this box of a collider.
+    #[inline(always)]
+    fn ball_in(&self, i: usize, aabb: &Aabb<R, D>) -> Ball<R, D> {
+        self.balls[i].in_box(&aabb.loosened(self.shortfall))
     }
 
     /// What happens to the volume of the slot `i` if its collider differs from it by `change`. Notes whether it is slow, and advances its

@@ -1,6 +1,7 @@
 //! Boxes passed by `set_aabbs`, for known and unknown colliders, and their part in snapshots.
 
 use super::super::Desk;
+use super::super::rapier::parry::bounding_volume::BoundingVolume;
 use super::super::rapier::parry::query::DefaultQueryDispatcher;
 use super::*;
 
@@ -43,6 +44,26 @@ fn a_longer_reach_counts_without_a_listed_collider() {
     assert_eq!(desk.update(&balls, &[]), []);
     assert_eq!(desk.update(&[], &[]), []);
     desk.params.normalized_prediction_distance = 0.2;
+    assert_eq!(desk.update(&[], &[]), [(true, balls)]);
+}
+
+/// A box may reach to where a ball is going, and so does not show where the ball is, even if volumes have reached as far before.
+#[test]
+fn a_swept_box_is_no_ball_although_volumes_have_reached_as_far() {
+    let mut desk = Desk::default();
+    let usual = desk.params.normalized_prediction_distance;
+    desk.params.normalized_prediction_distance = 0.4;
+    let balls = [desk.ball(0.5, [0.0, 0.0]), desk.ball(0.5, [9.0, 0.0])];
+    assert_eq!(desk.update(&balls, &[]), []);
+    desk.params.normalized_prediction_distance = usual;
+    // They touch, and are about to part.
+    for (ball, place, step) in [(0, 20.0, -0.38), (1, 20.68, 0.38)] {
+        desk.place(balls[ball], [place; 2]);
+        let aabb = desk.colliders[balls[ball]].compute_broad_phase_aabb(&desk.params, &desk.bodies);
+        let step = (Vector::X + Vector::Y) * step;
+        let swept = aabb.merged(&Aabb::new(aabb.mins + step, aabb.maxs + step));
+        desk.broad_phase.set_aabb(&desk.params, balls[ball], swept);
+    }
     assert_eq!(desk.update(&[], &[]), [(true, balls)]);
 }
 

@@ -14,8 +14,6 @@ pub(crate) struct CheckedBroadPhase {
     overrides: Overrides,
     model: Model,
     updates: u64,
-    /// The margin and the prediction distance of the last update in which something could change.
-    extents: [Real; 2],
     /// The least prediction distance so far.
     prediction: Real,
     /// Boxes handed over since the last update.
@@ -40,7 +38,6 @@ impl CheckedBroadPhase {
             overrides,
             model: Model::new(sequence.filter),
             updates: 0,
-            extents: [0.0; 2],
             prediction: Real::MAX,
             handed_over: 0,
             is_deceived: false,
@@ -77,10 +74,11 @@ impl CheckedBroadPhase {
         if !version::hand_over(&mut self.inner, params, &boxes) {
             return;
         }
-        let margin = self.margin(params);
+        let (margin, prediction) = (self.margin(params), params.prediction_distance());
+        for &HandedOver { handle, aabb, .. } in handed_over {
+            self.model.hand_over(handle, aabb, margin, prediction);
+        }
         for handed_over in handed_over {
-            self.model
-                .hand_over(handed_over.handle, handed_over.aabb, margin);
             match handed_over.prediction {
                 Some(prediction) => self.prediction = self.prediction.min(prediction),
                 None => self.is_deceived = true,
@@ -149,6 +147,7 @@ impl CheckedBroadPhase {
         self.inner
             .update(params, colliders, bodies, modified, removed, &mut sent);
         let margin = self.margin(params);
+        let are_outgrown = self.model.are_outgrown(margin, params);
         let expected = self.model.update(margin, params, colliders, bodies, lists);
 
         assert_eq!(changes(&sent), expected, "events");
@@ -170,13 +169,10 @@ impl CheckedBroadPhase {
         }
         let listed = modified.len() + removed.len() + std::mem::take(&mut self.handed_over);
         // With volumes, longer extents may let colliders meet that are not listed.
-        let extents = [margin, params.prediction_distance()];
         let has_volumes = self.inner.settings().filter == Some(PairFilter::Shapes);
-        let are_read_again =
-            has_volumes && extents != self.extents && self.model.known().next().is_some();
+        let are_read_again = has_volumes && are_outgrown && self.model.known().next().is_some();
         if listed > 0 || are_read_again {
             self.updates += 1;
-            self.extents = extents;
             let stats = self.inner.stats();
             assert_eq!(self.inner.diagnostics().listed, listed);
             assert_eq!(stats.added, expected.added.len());

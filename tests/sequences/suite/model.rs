@@ -8,6 +8,9 @@ use super::version;
 use super::volume::{Kind, Volume};
 use unisize::PairFilter;
 
+/// The margin of volumes, in margins of boxes.
+const VOLUME_MARGIN: Real = 0.0625;
+
 /// Two colliders, by index and generation, the smaller index first.
 pub(super) type Pair = [(u32, u32); 2];
 
@@ -18,9 +21,9 @@ pub(super) struct Model {
     /// The boxes at the end of the last update.
     settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
-    /// The margin of volumes: a sixteenth of that of boxes in the last update.
+    /// The margin of volumes: a sixteenth of that of boxes, with which it grows and does not shrink.
     volume_margin: Real,
-    /// The prediction distance in the last update.
+    /// The prediction distance for which volumes are large enough. It grows in the same way.
     prediction: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
@@ -84,14 +87,21 @@ impl Model {
 
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
     /// at; otherwise the next update reads the collider, unless a newer one is known.
-    pub(super) fn hand_over(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real) {
+    pub(super) fn hand_over(
+        &mut self,
+        handle: ColliderHandle,
+        aabb: Aabb,
+        margin: Real,
+        prediction: Real,
+    ) {
         self.is_begun = true;
+        let shortfall = at_least(self.prediction, prediction) / 2.0 - prediction / 2.0;
         let (index, generation) = handle.into_raw_parts();
         if let Some(known) = self.proxies.get(&index).cloned() {
             if known.generation == generation {
                 // Where a ball is, its box tells; of others, only the collider knows.
                 let volume = match known.volume.kind {
-                    Kind::Ball => known.volume.in_box(&aabb),
+                    Kind::Ball => known.volume.in_box(&aabb.loosened(shortfall)),
                     _ => Volume::meeting_all(),
                 };
                 return self.renew(handle, aabb, margin, known.key, volume);
@@ -152,11 +162,11 @@ impl Model {
         for &handle in removed {
             self.forget(handle);
         }
-        let (volume_margin, prediction) = (margin * 0.0625, params.prediction_distance());
         // Also without a listed collider, if any is known.
         let is_due = is_begun || self.known().next().is_some();
-        if is_due && (self.volume_margin, self.prediction) != (volume_margin, prediction) {
-            (self.volume_margin, self.prediction) = (volume_margin, prediction);
+        if is_due && self.are_outgrown(margin, params) {
+            self.volume_margin = at_least(self.volume_margin, margin * VOLUME_MARGIN);
+            self.prediction = at_least(self.prediction, params.prediction_distance());
             self.reset_volumes(colliders, bodies);
         }
         let awaited = std::mem::take(&mut self.awaited).into_iter();
@@ -197,6 +207,12 @@ impl Model {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
         }
+    }
+
+    /// Whether an update with this margin and these parameters reads all volumes again.
+    pub(super) fn are_outgrown(&self, margin: Real, params: &IntegrationParameters) -> bool {
+        let extents = [margin * VOLUME_MARGIN, params.prediction_distance()];
+        extents[0] > self.volume_margin || extents[1] > self.prediction
     }
 
     /// Whether the filter lets a pair of known colliders pass.
@@ -347,6 +363,14 @@ impl Model {
 
 pub(super) fn overlap(a: &Aabb, b: &Aabb) -> bool {
     (0..DIM).all(|k| a.mins[k] <= b.maxs[k] && b.mins[k] <= a.maxs[k])
+}
+
+/// The former number, unless more is wanted: then that, and no less than twice the former one.
+fn at_least(former: Real, wanted: Real) -> Real {
+    match wanted > former {
+        true => wanted.max(2.0 * former),
+        false => former,
+    }
 }
 
 fn is_sound(aabb: &Aabb) -> bool {

@@ -139,7 +139,7 @@ fn first_slot(value: &mut Value) -> usize {
 }
 
 /// What the error must say, and the damage.
-const DAMAGES: [(&str, Change); 21] = [
+const DAMAGES: [(&str, Change); 22] = [
     ("no collider", |value| drop(generations(value).pop())),
     ("generations", |value| generations(value).push(json!(7))),
     ("no collider", |value| {
@@ -162,6 +162,9 @@ const DAMAGES: [(&str, Change); 21] = [
     ("near", |value| list(&mut near(value)[0]).reverse()),
     ("not a distance", |value| {
         tracker(value)["volumes"]["margin"] = json!(-1.0);
+    }),
+    ("not a distance", |value| {
+        tracker(value)["volumes"]["reach"] = json!(-1.0);
     }),
     ("not one volume", |value| drop(volumes(value).pop())),
     ("not one volume", |value| {

@@ -1,7 +1,8 @@
 //! Rapier's `CollisionPipeline`: collisions without dynamics.
 
 use super::rapier::prelude::*;
-use super::twins::{Twins, at, cube, fixed};
+use super::twins::{Twins, at, cube, cuboid, dynamic, fixed};
+use super::version;
 
 /// Inserts a collider without a body that meets everything.
 fn insert_loose(twins: &mut Twins, x: Real, sensor: bool) -> ColliderHandle {
@@ -66,4 +67,30 @@ fn a_body_type_that_changes_unlisted() {
     twins.collide();
     twins.change(right, |right| right.set_translation(at(0.95, 0.0)));
     assert!(twins.collide().touches(left, right));
+}
+
+/// This pipeline has the margin of a length unit of 1, and steps have that of their world. So the two alternate.
+#[test]
+fn between_the_steps_of_a_world_with_another_length_unit() {
+    let mut twins = Twins::weightless();
+    twins.both(|world| {
+        world.params.length_unit = 100.0;
+        version::look_at_contacts_anew(&mut world.params);
+    });
+    let shapes = [cuboid([50.0; 3]), ColliderBuilder::ball(50.0)];
+    let pairs = [0, 1, 2, 3, 4, 5].map(|i| {
+        let height = 400.0 * i as Real;
+        let sleeper = dynamic(0.0, height).sleeping(true);
+        let (_, sleeper) = twins.insert(sleeper, shapes[i % 2].clone());
+        let flyer = dynamic(-150.0 - 10.0 * i as Real, height + 20.0).linvel(at(200.0, 0.0));
+        let (_, flyer) = twins.insert(flyer, shapes[i / 3].clone());
+        [sleeper, flyer]
+    });
+    let mut started = 0;
+    for _ in 0..90 {
+        let seen = [twins.step(), twins.collide()];
+        let all = || pairs.iter().flat_map(|pair| seen.iter().map(move |seen| (seen, pair)));
+        started += all().filter(|(seen, &[a, b])| seen.started(a, b)).count();
+    }
+    assert_eq!(started, pairs.len());
 }
