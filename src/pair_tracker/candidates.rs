@@ -59,11 +59,11 @@ pub(super) struct Candidates {
 }
 
 impl Candidates {
-    /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near` are not held. There must be room for the
-    /// acquainted slots.
+    /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near`, in ascending order, are not held. There must be room
+    /// for the acquainted slots.
     ///
     /// # Errors
-    /// A message, if a pair was found twice, or if one in `near` was not found or is there twice.
+    /// A message, if a pair was found twice, or if one in `near` was not found or is out of order.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
@@ -71,17 +71,17 @@ impl Candidates {
         near: &[[u32; 2]],
         acquainted: &[u32],
     ) -> Result<(), &'static str> {
-        found.sort_unstable();
+        // Packed pairs compare as single numbers, not slot by slot.
+        found.sort_unstable_by_key(|&[a, b]| u64::from(a) << 32 | u64::from(b));
         if !found.is_sorted_by(|a, b| a < b) {
             return Err("snapshot: a pair is there twice");
         }
         let mut states = vec![PairState::Held; found.len()];
+        let mut rows = 0..found.len();
         for pair in near {
-            let row = found.binary_search(pair).ok();
-            match row.map(|row| &mut states[row]) {
-                Some(state) if state.is_held() => *state = PairState::Near,
-                _ => return Err("snapshot: a pair is near although its boxes do not overlap"),
-            }
+            let row = rows.find(|&row| found[row] == *pair);
+            let row = row.ok_or("snapshot: near pairs are out of order, or do not overlap")?;
+            states[row] = PairState::Near;
         }
         self.held_count = found.len() - near.len();
         self.overlapping_count = found.len();
