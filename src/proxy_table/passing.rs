@@ -78,9 +78,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Moves proxies on several threads, each of which has a run of slots. Returns the ascending indices of the boxes that it has not
-    /// applied: the first in each run that needs more than a move, and all after it in that run, so that the boxes of a collider are
-    /// applied in order.
-    fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
+    /// applied: those that need more than a move, and later ones of the same slots, so that the boxes of a collider are applied in order.
+    pub(super) fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         section: Section,
         boxes: &[(H, B)],
@@ -121,13 +120,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let runs = runs.enumerate();
         let mut followed: Vec<_> = runs.map(|(part, run)| (part, run, Vec::new())).collect();
         section.for_each(&mut followed, |(part, run, unusual)| {
-            let mut places = places(*part);
-            let first = places.find(|&place| {
+            let mut slots = BTreeSet::new();
+            for place in places(*part) {
                 let (handle, aabb) = boxes[place];
-                !run.follow(handle, &aabb.into(), margin, volume)
-            });
-            unusual.extend(first);
-            unusual.extend(places);
+                let (slot, _) = handle.into_raw_parts();
+                if slots.contains(&slot) || !run.follow(handle, &aabb.into(), margin, volume) {
+                    slots.insert(slot);
+                    unusual.push(place);
+                }
+            }
         });
         let unusual = followed.into_iter().flat_map(|(_, _, unusual)| unusual);
         let mut unusual: Vec<_> = unusual.chain(places(parts)).collect();

@@ -8,7 +8,7 @@
 //! others have been read.
 
 use super::slot_run::{SlotRun, slot_runs};
-use super::{BoxSource, Handle, ProxyTable, is_known};
+use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes};
 use crate::parallel::Section;
@@ -202,7 +202,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.admit(handle, margin, |memo| source.reading(handle, memo));
     }
 
-    /// Replaces the boxes of known colliders by new ones without a margin.
+    /// Replaces the boxes of known colliders by new ones without a margin, and so their volumes.
     pub(super) fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
@@ -211,11 +211,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let Some(slot) = self.slot_of(handle) else {
                 continue;
             };
-            let read = source.read(handle, &mut self.memos[slot as usize]);
-            let held = self.tracker.proxies.get(slot);
-            if let (Some((aabb, _)), Some(held)) = (read, held) {
+            let reading = source.reading(handle, &mut self.memos[slot as usize]);
+            let proxies = &mut self.tracker.proxies;
+            if let (Some(Reading { aabb, volume, .. }), Some(held)) = (reading, proxies.get(slot)) {
                 if aabb != *held && aabb.is_valid() {
-                    self.tracker.proxies.place(slot, aabb);
+                    proxies.set_volume(slot, &volume, true);
+                    proxies.place(slot, aabb);
                     self.gathered.moved += 1;
                 }
             }

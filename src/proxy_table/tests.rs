@@ -1,6 +1,7 @@
 //! Cases that tests of whole broad phases do not reach: long lists in every order of reading, and unusual slots.
 
 mod extents;
+mod unusual;
 
 use oorandom::Rand32;
 
