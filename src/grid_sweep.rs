@@ -48,7 +48,7 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
-/// With the feature `parallel`, the threads of the current Rayon pool share the work on many boxes. The pairs are the same, in the
+/// With the feature `parallel`, as many threads as the current Rayon pool has share the work on many boxes. The pairs are the same, in the
 /// same order.
 ///
 /// ```
@@ -85,7 +85,11 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
         pairs.clear();
         check_count(boxes.len(), MAX_BOXES)?;
         let mut stopwatch = self.stopwatch.reset();
-        let found = parallel::enter(SEARCHED * boxes.len() as u64, || {
+        let work = match self.assignment.slabs_asked {
+            Some(2..) => u64::MAX,
+            _ => SEARCHED * boxes.len() as u64,
+        };
+        let found = parallel::enter(work, || {
             let mut search = Search::new(boxes, pairs, &mut stopwatch);
             let found = self.search(None, &mut search);
             self.compared = search.tally.compared;

@@ -9,10 +9,31 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use crate::stopwatch::{self, Shared};
 use crate::tuning::threads::{ENTER_COST, PART_FROM, SECTION_COST};
 
-/// The number of threads that can share work.
+#[cfg(feature = "parallel")]
+mod pool;
+
+/// The number of threads that share work here: 1 outside of the [pool].
 pub(crate) fn threads() -> usize {
+    threads_for(0)
+}
+
+/// The number of threads that can share this much `work`. Outside of the [pool], Rayon is asked for it, and starts its global pool for the
+/// answer, so it is asked only if the work may be worth it.
+fn threads_for(work: u64) -> usize {
+    // In a browser, the main thread must not wait, and others start in ways of their own.
+    const ARE_THREADS: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
     #[cfg(feature = "parallel")]
-    return rayon::current_num_threads();
+    if ARE_THREADS && (!is_outside() || work >= ENTER_COST) {
+        return rayon::current_num_threads();
+    }
+    let _ = (work, ARE_THREADS);
+    1
+}
+
+/// The largest number of threads that have shared work so far.
+pub(crate) fn most_threads() -> usize {
+    #[cfg(feature = "parallel")]
+    return pool::most_threads();
     #[cfg(not(feature = "parallel"))]
     return 1;
 }
@@ -29,19 +50,20 @@ pub(crate) fn join<A: Send, B: Send>(
     b: impl FnOnce() -> B + Send,
 ) -> (A, B) {
     #[cfg(feature = "parallel")]
-    return rayon::join(a, b);
-    #[cfg(not(feature = "parallel"))]
-    return (a(), b());
+    if threads() > 1 {
+        return rayon::join(a, b);
+    }
+    (a(), b())
 }
 
 /// Runs a function that consists of sections and takes about this much `work`, in tenths of a nanosecond.
 ///
-/// Much work runs on a thread of the pool. From there, waking the other threads takes microseconds. From outside it takes ten times as
+/// Much work runs on a thread of the [pool]. From there, waking the other threads takes microseconds. From outside it takes ten times as
 /// long, and every section would wait for it.
 pub(crate) fn enter<T: Send>(work: u64, run: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]
-    if is_outside() && gain(work, threads()) >= ENTER_COST {
-        return rayon::scope(|_| run());
+    if is_outside() && gain(work, threads_for(work)) >= ENTER_COST {
+        return pool::run(run);
     }
     let _ = work;
     run()
@@ -52,10 +74,10 @@ fn gain(work: u64, threads: usize) -> u64 {
     work - work / threads as u64
 }
 
-/// Whether the current thread is not in the pool.
+/// Whether the current thread is not in the [pool].
 fn is_outside() -> bool {
     #[cfg(feature = "parallel")]
-    return rayon::current_thread_index().is_none();
+    return !pool::is_inside();
     #[cfg(not(feature = "parallel"))]
     return true;
 }
@@ -82,7 +104,7 @@ impl Section {
             false => SECTION_COST,
         };
         let most = usize::try_from(self.work / PART_FROM).unwrap_or(usize::MAX);
-        match threads().min(most) {
+        match threads_for(self.work).min(most) {
             parts if parts > 1 && gain(self.work, parts) >= cost => parts,
             _ => 1,
         }
@@ -92,9 +114,14 @@ impl Section {
     pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
         self.run(|| {
             #[cfg(feature = "parallel")]
-            if parts.len() > 1 && threads() > 1 {
-                use rayon::prelude::*;
-                return parts.par_iter_mut().with_max_len(1).for_each(work);
+            if parts.len() > 1 {
+                return enter(self.work, || {
+                    if threads() == 1 {
+                        return parts.iter_mut().for_each(work);
+                    }
+                    use rayon::prelude::*;
+                    parts.par_iter_mut().with_max_len(1).for_each(work);
+                });
             }
             parts.iter_mut().for_each(work);
         });
@@ -138,8 +165,12 @@ pub(crate) fn shared() -> Shared {
 /// Runs a test in a pool with this number of threads, of which it uses one without the feature `parallel`.
 #[cfg(test)]
 pub(crate) fn with_threads<T: Send>(count: usize, test: impl FnOnce() -> T + Send) -> T {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-    pool.expect("there are threads to be had").install(test)
+    #[cfg(feature = "parallel")]
+    return pool::start(count)
+        .expect("there are threads to be had")
+        .install(test);
+    #[cfg(not(feature = "parallel"))]
+    return (count, test()).1;
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ use crate::radix_sort::RadixSort;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
+use crate::tuning::prices::SEARCHED;
 use succ_tree::SuccTree;
 
 /// Two endpoints per box, numbered by `u32`, with one number to spare.
@@ -110,23 +111,27 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         self.stopwatch.enter(Phase::Read);
         check_boxes(boxes).inspect_err(|_| self.stopwatch.leave())?;
         self.stopwatch.enter(Phase::Sort);
-        let sort_both = D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM && parallel::threads() > 1;
-        let ([first, second], lows, ranks) = (&mut self.axes, &mut self.lows, &mut self.ranks);
-        let mut rank_first = || {
-            first.sort(boxes, 0);
-            ranks::rank_endpoints(&first.keys, &first.order, lows, ranks)
+        let work = match D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM {
+            true => SEARCHED * boxes.len() as u64,
+            false => 0,
         };
-        let (is_exact, swept) = if sort_both {
-            let (is_exact, ()) = parallel::join(rank_first, || second.sort(boxes, 1));
-            (is_exact, 1)
-        } else {
+        let ([first, second], lows, ranks) = (&mut self.axes, &mut self.lows, &mut self.ranks);
+        let (is_exact, swept) = parallel::enter(work, || {
+            let mut rank_first = || {
+                first.sort(boxes, 0);
+                ranks::rank_endpoints(&first.keys, &first.order, lows, ranks)
+            };
+            if work > 0 && parallel::threads() > 1 {
+                let (is_exact, ()) = parallel::join(rank_first, || second.sort(boxes, 1));
+                return (is_exact, 1);
+            }
             let is_exact = rank_first();
             // This reuses the memory of the first axis. In 1D, the sweep goes over the first axis too.
             if D > 1 {
                 first.sort(boxes, 1);
             }
             (is_exact, 0)
-        };
+        });
         self.stopwatch.enter(Phase::Sweep);
         if is_exact {
             // The sweep decides two axes. One interval remains in 3D; in 2D, the boxes need not even be read.

@@ -128,7 +128,7 @@ impl Trial {
         TrialReport {
             updates,
             colliders: self.tried[0].stats().proxies,
-            threads: parallel::threads(),
+            threads: parallel::most_threads(),
             overhead: self.total.saturating_sub(own.total),
             own,
             levels: std::array::from_fn(|i| self.costs[i].measured(Some(LEVELS[i]), updates)),

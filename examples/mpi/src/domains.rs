@@ -43,7 +43,7 @@ pub struct Stats {
     pub bisected: bool,
 }
 
-/// The bodies that a process owns, and the pairs that it finds on the threads of the current Rayon pool. All processes must call the same
+/// The bodies that a process owns, and the pairs that it finds on as many threads as the current Rayon pool has. All processes must call the same
 /// methods in the same order.
 pub struct Domains<'a, R, const D: usize, T = ()> {
     /// All processes.

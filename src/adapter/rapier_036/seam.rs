@@ -1,5 +1,7 @@
 //! The trait of a patched Rapier 0.36, whose pipelines accept any broad phase that implements it.
 
+use std::sync::OnceLock;
+
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
@@ -18,19 +20,21 @@ const LOOKUP_COST: usize = 16;
 /// The contacts and intersections of a narrow phase, as its last step left them.
 struct Contacts<'a> {
     narrow_phase: &'a NarrowPhase,
+    /// About so many pairs will be asked for.
+    asked: usize,
     /// The indices of the colliders that have an active contact or an intersection; `None` if too few pairs will be asked for.
-    touching: Option<BitSet>,
+    touching: OnceLock<Option<BitSet>>,
 }
 
 impl<'a> Contacts<'a> {
-    /// About `asked` pairs will be asked for.
-    fn new(narrow_phase: &'a NarrowPhase, asked: usize) -> Self {
-        let pairs = || narrow_phase.contact_pairs();
-        let is_worth_it = asked / parallel::threads() > pairs().size_hint().0 / LOOKUP_COST;
-        let touching = is_worth_it.then(|| {
+    /// Finds [`touching`](Self::touching), on one of the threads that ask.
+    fn find_touching(&self) -> Option<BitSet> {
+        let pairs = || self.narrow_phase.contact_pairs();
+        let is_worth_it = self.asked / parallel::threads() > pairs().size_hint().0 / LOOKUP_COST;
+        is_worth_it.then(|| {
             let active = pairs().filter(|pair| pair.has_any_active_contact());
             let active = active.map(|pair| [pair.collider1, pair.collider2]);
-            let intersections = narrow_phase.intersection_pairs();
+            let intersections = self.narrow_phase.intersection_pairs();
             let intersecting = intersections.filter(|&(_, _, is_intersecting)| is_intersecting);
             let pairs = active.chain(intersecting.map(|(first, second, _)| [first, second]));
             let indices: Vec<u32> = pairs.flatten().map(index).collect();
@@ -38,19 +42,16 @@ impl<'a> Contacts<'a> {
             let mut touching = BitSet::default();
             touching.insert_all(&indices, capacity);
             touching
-        });
-        Self {
-            narrow_phase,
-            touching,
-        }
+        })
     }
 
     /// Whether two colliders have an active contact or an intersection.
     fn is_active(&self, first: ColliderHandle, second: ColliderHandle) -> bool {
         let touches_none = |handle| {
             let i = index(handle) as usize;
-            let touching = self.touching.as_ref();
+            let touching = self.touching.get_or_init(|| self.find_touching());
             touching
+                .as_ref()
                 .is_some_and(|touching| i >= 64 * touching.words().len() || !touching.contains(i))
         };
         if touches_none(first) || touches_none(second) {
@@ -71,9 +72,11 @@ fn index(handle: ColliderHandle) -> u32 {
 
 /// Calls `run` with the input of a pipeline, for an update that is expected to end about as many pairs as the last one.
 fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_>)) {
-    let contacts = input
-        .narrow_phase
-        .map(|narrow_phase| Contacts::new(narrow_phase, last.deleted));
+    let contacts = input.narrow_phase.map(|narrow_phase| Contacts {
+        narrow_phase,
+        asked: last.deleted,
+        touching: OnceLock::new(),
+    });
     let is_active = contacts
         .as_ref()
         .map(|contacts| |a, b| contacts.is_active(a, b));

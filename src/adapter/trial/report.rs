@@ -18,7 +18,7 @@ pub struct TrialReport {
     pub updates: u64,
     /// The number of colliders that unisize has now.
     pub colliders: usize,
-    /// The number of threads that unisize may use: those of the current Rayon pool with the feature `parallel`, else 1.
+    /// The largest number of threads that have shared an update of unisize in this program; 1 if no update was worth it.
     pub threads: usize,
     /// The wall-clock time of the trial without that of Rapier's own broad phase.
     pub overhead: Duration,
