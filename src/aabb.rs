@@ -126,6 +126,16 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         }
         valid
     }
+
+    /// Returns whether all coordinates are finite.
+    #[inline]
+    pub(crate) fn is_finite(&self) -> bool {
+        let mut finite = true;
+        for k in 0..D {
+            finite &= self.mins[k].is_finite() & self.maxs[k].is_finite();
+        }
+        finite
+    }
 }
 
 /// Returns the lesser of two numbers; the second one if they cannot be compared.

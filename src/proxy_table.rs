@@ -308,11 +308,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         }
     }
 
-    /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one.
+    /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one. See
+    /// [`BoxSource::SKIPS_UNBOUNDED`].
     fn admit<H: Handle>(
         &mut self,
         handle: H,
         margin: R,
+        skips_unbounded: bool,
         read: impl FnOnce(&mut M) -> Option<Reading<R, D, K>>,
     ) {
         let slot = self.slot_of(handle);
@@ -330,7 +332,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let proxies = &mut self.tracker.proxies;
         let renews_box = key.renews_box(proxies.key(slot));
         proxies.set_key(slot, key);
-        let update = BoxUpdate::of(&proxies.boxes[slot as usize], &aabb, margin);
+        let held = proxies.boxes[slot as usize];
+        let is_skipped = skips_unbounded && !aabb.is_finite();
+        let is_refused = is_skipped && !held.is_valid();
+        let aabb = if is_skipped && !is_refused {
+            held
+        } else {
+            aabb
+        };
+        let update = BoxUpdate::of(&held, &aabb, margin);
         let renewed = match update {
             BoxUpdate::Keep if !renews_box => None,
             BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
@@ -340,7 +350,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         proxies.set_volume(slot, &volume, renewed.is_some());
         match renewed {
             None => {}
-            Some(renewed) if renewed.is_valid() => {
+            Some(renewed) if renewed.is_valid() && !is_refused => {
                 self.place(slot, renewed);
                 self.gathered.moved += 1;
             }

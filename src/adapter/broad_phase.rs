@@ -45,7 +45,8 @@ use crate::stats::Stats;
 /// # Errors
 ///
 /// No input makes an update panic. A collider whose box is inverted or has a NaN is left out until its box is valid again, and
-/// [`Stats::refused`] counts it; the first one is logged as a warning.
+/// [`Stats::refused`] counts it; the first one is logged as a warning. In Rapier 0.36, a collider that is read and whose box is not finite keeps
+/// the box that it had; it is left out if it had none.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,

@@ -102,6 +102,8 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Memo = Outline;
     type Key = ColliderKey;
 
+    const SKIPS_UNBOUNDED: bool = version::SKIPS_UNBOUNDED;
+
     fn has_keys(&self) -> bool {
         ColliderKey::differ(self.filter)
     }

@@ -153,7 +153,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let proxies = &mut self.tracker.proxies;
         let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
         let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
-        self.admit(handle, margin, |memo| {
+        self.admit(handle, margin, false, |memo| {
             let volume = match by_box {
                 _ if !are_used => Volume::BOX,
                 Some(volume) => volume,

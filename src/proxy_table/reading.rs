@@ -199,7 +199,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        self.admit(handle, margin, |memo| source.reading(handle, memo));
+        self.admit(handle, margin, S::SKIPS_UNBOUNDED, |memo| {
+            source.reading(handle, memo)
+        });
     }
 
     /// Replaces the boxes of known colliders by new ones without a margin, and so their volumes.
@@ -214,7 +216,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let reading = source.reading(handle, &mut self.memos[slot as usize]);
             let proxies = &mut self.tracker.proxies;
             if let (Some(Reading { aabb, volume, .. }), Some(held)) = (reading, proxies.get(slot)) {
-                if aabb != *held && aabb.is_valid() {
+                let is_skipped = S::SKIPS_UNBOUNDED && !aabb.is_finite();
+                if aabb != *held && aabb.is_valid() && !is_skipped {
                     proxies.set_volume(slot, &volume, true);
                     proxies.place(slot, aabb);
                     self.gathered.moved += 1;

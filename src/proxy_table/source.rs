@@ -58,6 +58,9 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// What decides, with the boxes, which colliders may be a pair.
     type Key: FilterKey;
 
+    /// Whether a collider whose box is not finite is skipped: it keeps the box that it had, or has none. If not, it is like any other.
+    const SKIPS_UNBOUNDED: bool;
+
     /// The box of a collider without the margin, and its filter key; `None` if the collider is gone or disabled.
     fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
 

@@ -26,6 +26,9 @@ pub(super) const RUNS: usize = 2;
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from_fn(|i, _| Real::from(triple[i]))
 }
+/// Whether a collider whose box is not finite keeps the box that it had.
+pub(super) const SKIPS_UNBOUNDED: bool = false;
+
 
 /// A point with these coordinates.
 pub(super) fn point(triple: Triple) -> Point {

@@ -19,6 +19,9 @@ pub(super) const RUNS: usize = 1;
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from(std::array::from_fn(|i| Real::from(triple[i])))
 }
+/// Whether a collider whose box is not finite keeps the box that it had.
+pub(super) const SKIPS_UNBOUNDED: bool = true;
+
 
 /// A point with these coordinates.
 pub(super) fn point(triple: Triple) -> Point {

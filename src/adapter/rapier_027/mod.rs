@@ -34,6 +34,9 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 
 /// The number of interleaved runs of the pairs that begin. Without SIMD, the solver processes one contact after the other.
+/// Whether Rapier's own broad phase skips a listed collider whose box is not finite.
+pub(super) const SKIPS_UNBOUNDED: bool = false;
+
 pub(super) const RUNS: usize = 2;
 
 /// Whether it is enough that one of two groups is in the filter of the other.

@@ -30,6 +30,9 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 /// The filter at which the pairs are those of Rapier's own broad phase.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
 
+/// Whether Rapier's own broad phase skips a listed collider whose box is not finite, so that it keeps the box that it had, or has none.
+pub(super) const SKIPS_UNBOUNDED: bool = true;
+
 /// The number of interleaved runs of the pairs that begin. The solver processes contacts in groups in which no two share a body.
 pub(super) const RUNS: usize = 1;
 

@@ -52,7 +52,7 @@ pub(super) fn is_soft(body: &RigidBody) -> bool {
 pub(super) const PARTS_OF_SOFT_BODY: usize = 1;
 
 /// Inserts a soft body of this half size.
-pub(super) fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
+pub fn insert_soft_body(world: &mut World, center: Vector, half: Real) {
     let World {
         soft_bodies,
         bodies,

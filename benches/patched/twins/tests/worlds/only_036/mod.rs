@@ -1,6 +1,7 @@
 //! What is tested with Rapier 0.36 alone: its `PhysicsWorld`, what a user changes, exchanged broad phases and recycled contacts.
 
 use super::rapier;
+use super::scenes;
 use super::suite::{random, snapshot, twins};
 use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 
@@ -11,3 +12,4 @@ mod observing;
 mod physics_world;
 mod reach;
 mod recycling;
+mod unbounded;
