@@ -92,6 +92,15 @@ impl VolumeKind {
 /// rounding errors, and must not find a contact between volumes that are apart.
 const ROUNDINGS: f64 = 8.0;
 
+/// The most by which the norm squared of a rotation or of a normal may differ from 1, in rounding errors, so that a volume can be turned by
+/// it. Where the engine renormalizes, the difference is below 5 for a pose of a collider relative to its body.
+pub(crate) const MOST_OFF_UNIT: f64 = 8.0;
+
+/// A bound on the error that rotations add, in rounding errors of the size: the engine turns shapes into the frame of one of the two and back,
+/// with at most six products, each of which scales by as much as the norm squared is off. A place only enters as the distance of two colliders,
+/// which is about as large as their sizes when they meet.
+const TURNINGS: f64 = 6.0 * MOST_OFF_UNIT;
+
 impl<R: Real, const D: usize> Ball<R, D> {
     /// The ball in the middle of a box. If the box is larger than the ball on some axis, the center is NaN: such a box may contain the ball's
     /// predicted motion.
@@ -131,10 +140,11 @@ impl<R: Real, const D: usize> Ball<R, D> {
     #[inline(always)]
     fn loosened(&self, half_axes: &[[R; D]]) -> R {
         let extent = extent_of(half_axes.iter().copied());
-        let size = (0..D).fold(self.radius, |size, k| {
-            size + (self.center[k].abs() + extent[k])
-        });
-        self.radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
+        let size = extent.iter().fold(self.radius, |size, &x| size + x);
+        let place = sum_of_abs(self.center);
+        let roundings =
+            [ROUNDINGS, ROUNDINGS + TURNINGS].map(|count| R::from_f64(count) * R::EPSILON);
+        self.radius + (place * roundings[0] + size * roundings[1])
     }
 }
 

@@ -2,10 +2,11 @@
 
 use super::BroadPhaseBvh;
 use crate::alloc_prelude::*;
-use crate::dynamics::{IntegrationParameters, IslandManager, RigidBodyHandle, RigidBodySet};
+use crate::dynamics::{IntegrationParameters, IslandManager, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::geometry::{
     Aabb, BroadPhasePairEvent, ColliderChanges, ColliderHandle, ColliderPair, ColliderSet, NarrowPhase,
 };
+use crate::math::Real;
 use core::any::Any;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use parry::partitioning::Bvh;
@@ -28,8 +29,8 @@ pub struct PipelineInput<'a> {
     pub reinserted: &'a [ColliderHandle],
     /// Listed colliders that Rapier's own broad phase would not read. Their boxes stay, even if their contact skin has changed.
     pub unmoved: &'a [ColliderHandle],
-    /// The colliders of changed bodies that have soft CCD; and colliders that were assigned as a whole, of which nothing tells what has
-    /// changed. Their boxes stay.
+    /// The colliders of changed bodies that have soft CCD or whose next rotation is not of unit length, those of all multibodies that are
+    /// awake, and colliders that were assigned as a whole, of which nothing tells what has changed. Their boxes stay.
     pub swept: &'a [ColliderHandle],
     /// The modified and unmoved colliders to whose change the narrow phase reacts: it wakes them and the colliders that they form pairs with.
     pub felt: &'a [ColliderHandle],
@@ -208,16 +209,24 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Keeps the colliders of changed bodies that have soft CCD for the next update.
-    pub(crate) fn note_modified_bodies(
+    /// Keeps the colliders of changed bodies that have soft CCD for the next update, and those of bodies whose rotation may be of any length:
+    /// changed kinematic bodies whose next rotation is not of unit length, and all links of multibodies, which are never renormalized.
+    pub(crate) fn note_bodies(
         &mut self,
         bodies: &RigidBodySet,
         modified_bodies: &[RigidBodyHandle],
+        links: impl Iterator<Item = RigidBodyHandle>,
     ) {
         if self.custom.broad_phase.is_some() {
+            let is_off_unit = |body: &RigidBody| {
+                let norm = body.next_position().rotation.length_squared();
+                body.is_kinematic() && !((norm - 1.0).abs() <= 8.0 * Real::EPSILON)
+            };
             let modified = modified_bodies.iter().filter_map(|handle| bodies.get(*handle));
-            let fast = modified.filter(|body| body.soft_ccd_prediction() > 0.0);
-            let swept = fast.flat_map(|body| body.colliders().iter().copied());
+            let modified = modified.filter(|body| body.soft_ccd_prediction() > 0.0 || is_off_unit(body));
+            let links = links.filter_map(|handle| bodies.get(handle));
+            let links = links.filter(|body| !body.is_sleeping());
+            let swept = modified.chain(links).flat_map(|body| body.colliders().iter().copied());
             self.custom.swept.extend(swept);
         }
     }

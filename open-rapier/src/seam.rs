@@ -236,11 +236,12 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
     },
     Edit {
         file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "passes the colliders of changed bodies that have soft CCD",
+        purpose: "passes the colliders of bodies whose contacts reach farther or whose rotation may be of any length",
         find: "        // Disabled colliders are treated as if they were removed.
 ",
         times: 1,
-        change: Change::Before("        broad_phase.note_modified_bodies(bodies, &modified_bodies);
+        change: Change::Before("        let links = multibody_joints.multibodies().flat_map(|it| it.links().map(|link| link.rigid_body_handle()));
+        broad_phase.note_bodies(bodies, &modified_bodies, links);
 
 "),
     },
@@ -250,7 +251,7 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
         find: "        // Disabled colliders are treated as if they were removed.
 ",
         times: 1,
-        change: Change::Before("        broad_phase.note_modified_bodies(bodies, &modified_bodies);
+        change: Change::Before("        broad_phase.note_bodies(bodies, &modified_bodies, core::iter::empty());
 
 "),
     },

@@ -2,7 +2,7 @@
 
 use super::Input;
 use super::collider_key::ColliderKey;
-use super::outline::{Outline, Silent};
+use super::outline::{Outline, Silent, is_unit};
 use super::rapier::dynamics::{RigidBody, RigidBodySet};
 use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
@@ -125,7 +125,12 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         let has_volume = |body: &RigidBody| {
             body.colliders().len() <= MOST_WITH_VOLUMES && body.soft_ccd_prediction() <= 0.0
         };
+        // A kinematic body takes such a rotation as it is, and then only the box of a ball is passed.
+        let is_off_unit = |body: &RigidBody| {
+            body.is_kinematic() && !is_unit(version::norm_squared(body.next_position()))
+        };
         match body.is_none_or(has_volume) {
+            true if body.is_some_and(is_off_unit) => Volume::BOX,
             true => volume(collider, self.reach, outline, aabb),
             false => Volume::PART,
         }

@@ -11,7 +11,7 @@ use super::rapier::geometry::{ActiveCollisionTypes, Collider, ShapeType, SharedS
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
 use crate::aabb::Aabb;
-use crate::volume::{Volume, VolumeKind};
+use crate::volume::{MOST_OFF_UNIT, Volume, VolumeKind};
 
 /// The cache of one collider; empty until it is first read.
 #[derive(Clone, Default)]
@@ -101,6 +101,9 @@ impl Outline {
     #[inline(always)]
     pub(super) fn volume(&mut self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
         let (shape, pose) = (collider.shared_shape(), collider.position());
+        if !is_unit(version::norm_squared(pose)) {
+            return Volume::BOX;
+        }
         let Some(profile) = self.profile(shape) else {
             return unusual_volume(shape, pose, distance);
         };
@@ -146,6 +149,14 @@ fn coordinates(point: impl Into<[Real; DIM]>) -> Vector {
     Vector::from(point.into())
 }
 
+/// Whether a rotation or a normal with this norm squared is of unit length. Rapier keeps others as they are, and Parry's shapes grow or shrink
+/// by them, each algorithm in its own way.
+#[inline(always)]
+pub(super) fn is_unit(norm_squared: Real) -> bool {
+    // False for NaN.
+    (norm_squared - 1.0).abs() <= MOST_OFF_UNIT as Real * Real::EPSILON
+}
+
 /// The volume of any other shape, loosened by this distance.
 #[inline(never)]
 fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> Volume<Real, DIM> {
@@ -159,8 +170,18 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
         return Volume::new(VolumeKind::Capsule, center.into(), radius, &[half]);
     }
     if let Some(half_space) = shape.as_halfspace() {
-        let normal = turned(version::normal(half_space)).into();
+        let normal = version::normal(half_space);
+        if !is_unit(<[Real; DIM]>::from(normal).iter().map(|x| x * x).sum()) {
+            return Volume::BOX;
+        }
+        let normal = turned(normal).into();
         return Volume::new(VolumeKind::HalfSpace, origin.into(), distance, &[normal]);
+    }
+    if let Some(compound) = shape.as_compound() {
+        let mut poses = compound.shapes().iter().map(|(pose, _)| pose);
+        if !poses.all(|pose| is_unit(version::norm_squared(pose))) {
+            return Volume::BOX;
+        }
     }
     let (center, half_extents, radius) = match (shape.as_round_cuboid(), shape.shape_type()) {
         (Some(cuboid), _) => {
@@ -316,6 +337,30 @@ mod tests {
             }
         }
         assert!(count > 10_000);
+    }
+
+    #[test]
+    fn volumes_need_rotations_of_unit_length() {
+        let kind = |collider: &Collider| Outline::default().volume(collider, 0.0).kind;
+        let turn = ColliderBuilder::ball(1.0).rotation(Turn::of([0.1, 0.2, 0.7]));
+        let pose = *turn.build().position();
+        for (factor, is_box) in [(1.0, false), (0.999, true), (1.001, true)] {
+            let pose = version::stretched(pose, factor);
+            let parts = vec![(pose, SharedShape::ball(1.0))];
+            let half_space = version::stretched_half_space(version::half_space(), factor);
+            let mut colliders = vec![SharedShape::compound(parts), half_space]
+                .into_iter()
+                .map(|shape| ColliderBuilder::new(shape).build())
+                .collect::<Vec<_>>();
+            colliders.extend(shapes().into_iter().map(|shape| {
+                let mut collider = ColliderBuilder::new(shape).build();
+                collider.set_position(pose);
+                collider
+            }));
+            for collider in &colliders {
+                assert_eq!(kind(collider) == VolumeKind::Box, is_box, "{factor}");
+            }
+        }
     }
 
     #[test]

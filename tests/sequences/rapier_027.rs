@@ -17,8 +17,17 @@ pub(super) type Pose = Isometry<Real>;
 pub(super) type Point = math::Point<Real>;
 pub(super) type Vector = math::Vector<Real>;
 
+#[cfg(test)]
+#[path = "../common/stretched_027.rs"]
+mod stretching;
+#[cfg(test)]
+pub(super) use stretching::{stretched, stretched_half_space};
+
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
+
+/// Whether a collider whose box is not finite keeps the box that it had.
+pub(super) const SKIPS_UNBOUNDED: bool = false;
 
 /// In how many runs pairs that begin take turns.
 pub(super) const RUNS: usize = 2;
@@ -26,9 +35,6 @@ pub(super) const RUNS: usize = 2;
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from_fn(|i, _| Real::from(triple[i]))
 }
-/// Whether a collider whose box is not finite keeps the box that it had.
-pub(super) const SKIPS_UNBOUNDED: bool = false;
-
 
 /// A point with these coordinates.
 pub(super) fn point(triple: Triple) -> Point {
@@ -84,6 +90,13 @@ pub(super) fn hand_over(
 /// How far apart two colliders are, where there is an answer.
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     query::distance(a.position(), a.shape(), b.position(), b.shape()).ok()
+}
+
+/// Whether two colliders have a contact within this distance, where there is an answer.
+#[cfg(test)]
+pub(super) fn are_in_contact(a: &Collider, b: &Collider, distance: Real) -> Option<bool> {
+    let contact = query::contact(a.position(), a.shape(), b.position(), b.shape(), distance);
+    Some(contact.ok()?.is_some())
 }
 
 pub(super) fn half_space(normal: Triple) -> SharedShape {

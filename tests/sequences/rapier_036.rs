@@ -10,8 +10,17 @@ use crate::ops::Triple;
 pub(super) use super::rapier::math::{Pose, Vector};
 pub(super) type Point = Vector;
 
+#[cfg(test)]
+#[path = "../common/stretched_036.rs"]
+mod stretching;
+#[cfg(test)]
+pub(super) use stretching::{stretched, stretched_half_space};
+
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = true;
+
+/// Whether a collider whose box is not finite keeps the box that it had.
+pub(super) const SKIPS_UNBOUNDED: bool = true;
 
 /// In how many runs pairs that begin take turns.
 pub(super) const RUNS: usize = 1;
@@ -19,9 +28,6 @@ pub(super) const RUNS: usize = 1;
 pub(super) fn vector(triple: Triple) -> Vector {
     Vector::from(std::array::from_fn(|i| Real::from(triple[i])))
 }
-/// Whether a collider whose box is not finite keeps the box that it had.
-pub(super) const SKIPS_UNBOUNDED: bool = true;
-
 
 /// A point with these coordinates.
 pub(super) fn point(triple: Triple) -> Point {
@@ -85,6 +91,13 @@ pub(super) fn hand_over(
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
     Some(distance.ok()?.distance)
+}
+
+/// Whether two colliders have a contact within this distance, where there is an answer.
+#[cfg(test)]
+pub(super) fn are_in_contact(a: &Collider, b: &Collider, distance: Real) -> Option<bool> {
+    let contact = query::contact(a.position(), a.shape(), b.position(), b.shape(), distance);
+    Some(contact.ok()?.is_some())
 }
 
 pub(super) fn half_space(normal: Triple) -> SharedShape {

@@ -4,12 +4,13 @@ use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{
     IntegrationParameters, RigidBody, RigidBodyPosition, RigidBodySet, RigidBodyVelocity,
 };
-#[cfg(test)]
-use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet, InteractionGroups,
 };
+#[cfg(test)]
+use super::rapier::geometry::{Group, SharedShape};
 use super::rapier::math::{DIM, Isometry, Real};
+use super::rapier::na::Normed;
 use super::rapier::parry::bounding_volume::BoundingVolume;
 #[cfg(test)]
 use super::rapier::parry::query::intersection_test;
@@ -21,11 +22,20 @@ use crate::pair_filter::PairFilter;
 pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
 
+#[cfg(test)]
+#[path = "../../../tests/common/stretched_027.rs"]
+mod stretching;
+#[cfg(test)]
+pub(super) use stretching::{stretched, stretched_half_space};
+
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
 
 /// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = false;
+
+/// Whether Rapier's own broad phase skips a listed collider whose box is not finite.
+pub(super) const SKIPS_UNBOUNDED: bool = false;
 
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
@@ -34,9 +44,6 @@ pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Off;
 
 /// The number of interleaved runs of the pairs that begin. Without SIMD, the solver processes one contact after the other.
-/// Whether Rapier's own broad phase skips a listed collider whose box is not finite.
-pub(super) const SKIPS_UNBOUNDED: bool = false;
-
 pub(super) const RUNS: usize = 2;
 
 /// Whether it is enough that one of two groups is in the filter of the other.
@@ -57,10 +64,22 @@ pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
     test == Ok(true)
 }
 
+/// A half-space.
+#[cfg(test)]
+pub(super) fn half_space() -> SharedShape {
+    SharedShape::halfspace(Vector::y_axis())
+}
+
 /// The origin of a pose.
 #[inline(always)]
 pub(super) fn origin(pose: &Isometry<Real>) -> Vector {
     pose.translation.vector
+}
+
+/// The norm squared of the rotation of a pose.
+#[inline(always)]
+pub(super) fn norm_squared(pose: &Isometry<Real>) -> Real {
+    Normed::norm_squared(pose.rotation.as_ref())
 }
 
 /// The half extents of the axis-aligned box around a rotated box with these half extents.

@@ -2,12 +2,12 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-#[cfg(test)]
-use super::rapier::geometry::Group;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
     InteractionGroups, InteractionTestMode,
 };
+#[cfg(test)]
+use super::rapier::geometry::{Group, SharedShape};
 use super::rapier::math::{DIM, Real};
 #[cfg(test)]
 use super::rapier::parry::query::intersection_test;
@@ -18,20 +18,26 @@ use crate::pair_filter::PairFilter;
 
 pub(super) use super::rapier::math::{Pose, Vector};
 
+#[cfg(test)]
+#[path = "../../../tests/common/stretched_036.rs"]
+mod stretching;
+#[cfg(test)]
+pub(super) use stretching::{stretched, stretched_half_space};
+
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
 
 /// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = true;
 
+/// Whether Rapier's own broad phase skips a listed collider whose box is not finite, so that it keeps the box that it had, or has none.
+pub(super) const SKIPS_UNBOUNDED: bool = true;
+
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 
 /// The filter at which the pairs are those of Rapier's own broad phase.
 pub(super) const FILTER_OF_OWN: PairFilter = PairFilter::Groups;
-
-/// Whether Rapier's own broad phase skips a listed collider whose box is not finite, so that it keeps the box that it had, or has none.
-pub(super) const SKIPS_UNBOUNDED: bool = true;
 
 /// The number of interleaved runs of the pairs that begin. The solver processes contacts in groups in which no two share a body.
 pub(super) const RUNS: usize = 1;
@@ -57,10 +63,22 @@ pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
     test.is_ok_and(|found| found.intersecting)
 }
 
+/// A half-space.
+#[cfg(test)]
+pub(super) fn half_space() -> SharedShape {
+    SharedShape::halfspace(Vector::Y)
+}
+
 /// The origin of a pose.
 #[inline(always)]
 pub(super) fn origin(pose: &Pose) -> Vector {
     pose.translation
+}
+
+/// The norm squared of the rotation of a pose.
+#[inline(always)]
+pub(super) fn norm_squared(pose: &Pose) -> Real {
+    pose.rotation.length_squared()
 }
 
 /// The half extents of the axis-aligned box around a rotated box with these half extents.
@@ -122,8 +140,8 @@ impl UnisizeBroadPhase {
     /// each step for every collider that the step has moved. Computes in **O(1)** time.
     ///
     /// `aabb` is the box of `Collider::compute_broad_phase_aabb`, or one that contains it. If it is not inside the current box, it is loosened
-    /// by the margin and takes its place. Only the position of the collider may have changed; list it as modified after any other change. A box
-    /// only shows where a ball is, so colliders of other shapes are pairs by their boxes until they are listed again.
+    /// by the margin and takes its place. Only the pose of the collider may have changed, by a rotation of unit length; list it as modified after
+    /// any other change. A box only shows where a ball is, so colliders of other shapes are pairs by their boxes until they are listed again.
     ///
     /// If the collider is unknown, the next update reads it from the set. The box is ignored if a newer collider has the index. A collider
     /// with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.

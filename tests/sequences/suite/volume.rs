@@ -142,12 +142,12 @@ impl Volume {
         volume
     }
 
-    /// The radius, and eight rounding errors of the sum of all numbers.
+    /// The radius, and eight rounding errors of the sum of all numbers, and for turns 48 more of those that are no place.
     fn loosened(&self) -> Real {
-        let (center, extent) = (self.center, self.extent());
-        let axes = 0..DIM;
-        let sum = axes.fold(self.radius, |sum, k| sum + (center[k].abs() + extent[k]));
-        self.radius + sum * (8.0 * Real::EPSILON)
+        let extent = self.extent();
+        let size = extent.iter().fold(self.radius, |size, x| size + x);
+        let place = self.center.iter().fold(0.0, |sum, x| sum + x.abs());
+        self.radius + (place * (8.0 * Real::EPSILON) + size * (56.0 * Real::EPSILON))
     }
 
     /// The radius that tells it apart.

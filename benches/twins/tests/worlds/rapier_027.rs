@@ -5,6 +5,10 @@ use super::rapier::prelude::*;
 use super::scenes::{Pose, Vector, vector};
 use super::{Installed, PairFilter, UnisizeBroadPhase};
 
+#[path = "../../../../tests/common/stretched_027.rs"]
+mod stretching;
+pub(crate) use stretching::{stretched, stretched_half_space};
+
 /// The level at which the pairs are those of Rapier's own broad phase.
 pub(crate) const LEVEL_OF_OWN: PairFilter = PairFilter::Off;
 
