@@ -17,6 +17,8 @@ pub struct World {
     pub params: IntegrationParameters,
     /// Scratch memory of the step, and its timings.
     pub pipeline: PhysicsPipeline,
+    /// Scratch memory of what detects collisions without dynamics.
+    pub collision_pipeline: CollisionPipeline,
     /// Which bodies are awake.
     pub islands: IslandManager,
     /// The contacts and intersections.
@@ -42,6 +44,7 @@ impl World {
             gravity,
             params: IntegrationParameters::default(),
             pipeline: PhysicsPipeline::new(),
+            collision_pipeline: CollisionPipeline::new(),
             islands: IslandManager::new(),
             narrow_phase: NarrowPhase::new(),
             bodies: RigidBodySet::new(),

@@ -151,7 +151,7 @@ impl World {
 
     /// Runs one step of a collision pipeline, without dynamics.
     pub fn collide(&mut self, broad_phase: &mut AnyBroadPhase, events: &dyn EventHandler) {
-        CollisionPipeline::new().step(
+        self.collision_pipeline.step(
             self.params.prediction_distance(),
             broad_phase,
             &mut self.narrow_phase,

@@ -16,6 +16,9 @@ pub(crate) const LEVEL_OF_OWN: PairFilter = PairFilter::Off;
 /// sooner than Rapier's own broad phase once these reach farther.
 pub(crate) const ARE_CHANGES_SEEN: bool = false;
 
+/// Whether contacts are those of the poses after a step. If not, they are those before it.
+pub(crate) const LOOKS_AFTER_MOVES: bool = true;
+
 /// A gap between boxes at which Rapier's broad phase still holds a pair.
 pub(crate) const NEAR: Real = 0.01;
 

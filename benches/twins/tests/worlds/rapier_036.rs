@@ -17,6 +17,9 @@ pub(crate) const LEVEL_OF_OWN: PairFilter = PairFilter::Groups;
 /// sooner than Rapier's own broad phase once these reach farther.
 pub(crate) const ARE_CHANGES_SEEN: bool = true;
 
+/// Whether contacts are those of the poses after a step. If not, they are those before it.
+pub(crate) const LOOKS_AFTER_MOVES: bool = false;
+
 /// A gap between boxes at which Rapier's broad phase still holds a pair.
 pub(crate) const NEAR: Real = 0.05;
 

@@ -55,3 +55,44 @@ fn bullets_and_a_thin_wall() {
 fn several_substeps() {
     shoot(4);
 }
+
+/// Up to 512 fixed colliders, Rapier 0.36 has a list of them for what is fast, and beyond that asks the tree of the broad phase.
+#[test]
+fn fixed_colliders_around_the_limit_of_a_list() {
+    for count in [511, 512, 513] {
+        let mut twins = Twins::weightless();
+        let posts = (0..count).map(|i| {
+            // So far apart that nothing hits two in a step, for the tree decides which of them is looked at first.
+            let place = at(15.0 * (i % 32) as Real, 2.0 * (i / 32) as Real);
+            let post = RigidBodyBuilder::fixed().translation(place);
+            twins.insert(post, cuboid([0.02, 0.5, 0.5]))
+        });
+        let posts: Vec<_> = posts.collect();
+        let bullets = (0..17).map(|lane| {
+            let bullet = dynamic(-1.0 - 0.1 * lane as Real, 2.0 * lane as Real)
+                .linvel(at(400.0 + 30.0 * lane as Real, 0.0))
+                .ccd_enabled(lane % 2 == 0);
+            twins.insert(bullet, ColliderBuilder::ball(0.1).restitution(0.5))
+        });
+        let bullets: Vec<_> = bullets.collect();
+        let mut hits = 0;
+        for step in 0..20 {
+            // The limit is crossed, and crossed back.
+            match step {
+                8 => twins.remove(posts[40].0),
+                9 => twins.remove(posts[70].0),
+                12 | 13 => {
+                    let place = at(-10.0, 2.0 * step as Real);
+                    let post = RigidBodyBuilder::fixed().translation(place);
+                    twins.insert(post, cuboid([0.02, 0.5, 0.5]));
+                }
+                _ => {}
+            }
+            for &(bullet, _) in bullets.iter().skip(step % 5).step_by(5) {
+                twins.change_body(bullet, |bullet| bullet.set_linvel(at(500.0, 0.0), true));
+            }
+            hits += twins.step().contacts.len();
+        }
+        assert!(hits > 16, "{hits} hits");
+    }
+}

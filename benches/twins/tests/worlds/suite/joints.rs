@@ -1,6 +1,7 @@
 //! Joined bodies.
 
 use super::hinge;
+use super::ordered::at_both_levels;
 use super::rapier::prelude::*;
 use super::twins::{Twins, at, cuboid, dynamic, fixed};
 
@@ -31,4 +32,44 @@ fn a_chain() {
         twins.step_until(|seen| links.iter().any(|&link| seen.touches(link, wall)));
         twins.steps(10);
     }
+}
+
+/// Figures of six jointed bodies that fall on each other.
+#[test]
+fn a_heap_of_ragdolls() {
+    at_both_levels(|mut worlds| {
+        let twins = &mut worlds.twins;
+        twins.insert_floor();
+        let mut limbs = Vec::new();
+        for figure in 0..5 {
+            let [x, y] = [0.3 * (figure % 3) as Real, 1.2 + 2.2 * figure as Real];
+            let (torso, _) = twins.insert(dynamic(x, y), cuboid([0.25, 0.4, 0.2]));
+            let limb = || ColliderBuilder::capsule_y(0.25, 0.1);
+            for (hip, shape) in [
+                (at(0.0, 0.4), ColliderBuilder::ball(0.2)),
+                (at(0.35, 0.3), limb()),
+                (at(-0.35, 0.3), limb()),
+                (at(0.15, -0.4), limb()),
+                (at(-0.15, -0.4), limb()),
+            ] {
+                let end = at(0.0, if hip.x == 0.0 { -0.25 } else { 0.35 });
+                let place = at(x, y) + hip - end;
+                let (limb, collider) = twins.insert(dynamic(place.x, place.y), shape);
+                let joint = hinge()
+                    .local_anchor1(hip.into())
+                    .local_anchor2(end.into())
+                    .contacts_enabled(false);
+                twins.both(|world| {
+                    world.impulse_joints.insert(torso, limb, joint, true);
+                });
+                limbs.push(collider);
+            }
+        }
+        let mut contacts = 0;
+        for _ in 0..120 {
+            let seen = worlds.step();
+            contacts = contacts.max(seen.contacts.len());
+        }
+        assert!(contacts > 12, "only {contacts} contacts");
+    });
 }

@@ -310,3 +310,34 @@ fn many_bullets_in_each_frame_and_a_ray_for_each() {
     }
     assert!(hits > 1_000, "only {hits} hits");
 }
+
+/// Every two boxes overlap at once, and in the next step none do.
+#[test]
+fn all_is_at_the_origin_and_then_dispersed() {
+    for filter in [version::LEVEL_OF_OWN, PairFilter::Shapes] {
+        let mut twins = Twins::with_filter(filter).without_gravity();
+        let bodies = (0..60).map(|i| {
+            let body = RigidBodyBuilder::dynamic().can_sleep(i % 4 == 0);
+            let shape = match i % 3 {
+                0 => ColliderBuilder::ball(0.5),
+                1 => ColliderBuilder::capsule_y(0.3, 0.2),
+                _ => cube(),
+            };
+            // No force, so that no order matters.
+            let shape = shape.solver_groups(InteractionGroups::none());
+            twins.insert(body, shape).0
+        });
+        let bodies: Vec<_> = bodies.collect();
+        for round in 1..4 {
+            assert_eq!(twins.steps(2).contacts.len(), 60 * 59 / 2);
+            for (i, &body) in bodies.iter().enumerate() {
+                let place = at((i % 8) as Real, (i / 8) as Real) * (2 * round) as Real;
+                twins.change_body(body, |body| body.set_translation(place, i % 2 == 0));
+            }
+            assert_eq!(twins.steps(2).contacts.len(), 0);
+            for &body in &bodies {
+                twins.change_body(body, |body| body.set_translation(at(0.0, 0.0), true));
+            }
+        }
+    }
+}
