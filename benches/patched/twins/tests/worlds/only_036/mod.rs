@@ -1,8 +1,9 @@
-//! What is tested with Rapier 0.36 alone: its `PhysicsWorld`, what a user changes, exchanged broad phases and recycled contacts.
+//! What is tested with Rapier 0.36 alone: its `PhysicsWorld` and soft bodies, what a user changes, exchanged broad phases and
+//! recycled contacts.
 
 use super::rapier;
 use super::scenes;
-use super::suite::{random, snapshot, twins};
+use super::suite::{ordered, random, snapshot, twins};
 use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 
 mod changes;
@@ -12,4 +13,5 @@ mod observing;
 mod physics_world;
 mod reach;
 mod recycling;
+mod soft_bodies;
 mod unbounded;
