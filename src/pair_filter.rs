@@ -47,9 +47,9 @@ pub enum PairFilter {
     /// skins. It ends when the boxes with their margins part. It also ends when the volumes are farther apart than both margins, unless the
     /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. A collider that has moved by less than
     /// a sixteenth of the margin since its volume was read is *slow* until it leaves its box: its volume is loosened by that distance, and read again only
-    /// when the collider has moved farther. When the prediction distance or the length unit becomes smaller, volumes stay as large as they were:
-    /// there may be more pairs than in a new broad phase, and parameters may alternate at no cost. When one of them exceeds its largest value so
-    /// far, all volumes are read again, for at least twice that value.
+    /// when the collider has moved farther. When the prediction distance or the length unit becomes smaller, volumes stay as large as they
+    /// were: there may be more pairs than in a new broad phase, and the parameters may alternate at no cost. When one of them exceeds its
+    /// largest value so far, all volumes are read again, for at least twice that value.
     ///
     /// | shape | volume |
     /// |---|---|

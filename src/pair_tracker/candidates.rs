@@ -59,8 +59,8 @@ pub(super) struct Candidates {
 }
 
 impl Candidates {
-    /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near`, in ascending order, are not held. There must be room
-    /// for the acquainted slots.
+    /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near`, in ascending order, are not held. There must
+    /// be room for the acquainted slots.
     ///
     /// # Errors
     /// A message, if a pair was found twice, or if one in `near` was not found or is out of order.

@@ -25,8 +25,8 @@ const DUES_FROM: usize = 2;
 /// come to rest are compared in each update. Events depend on it.
 pub(crate) const VOLUME_MARGIN: f64 = 0.0625;
 
-/// The least factor by which a margin or a reach grows. All volumes are read again when one does. If larger: more pairs begin that are near and
-/// do not touch. If smaller: volumes are read more often where a parameter grows in every frame. Events depend on it.
+/// The least factor by which a margin or a reach grows. All volumes are read again when one does. If larger: more pairs begin that are near
+/// and do not touch. If smaller: volumes are read more often where a parameter grows in every frame. Events depend on it.
 const GROWTH: f64 = 2.0;
 
 /// Volumes by slot; none unless they are in use.

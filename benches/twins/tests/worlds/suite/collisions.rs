@@ -89,8 +89,14 @@ fn between_the_steps_of_a_world_with_another_length_unit() {
     let mut started = 0;
     for _ in 0..90 {
         let seen = [twins.step(), twins.collide()];
-        let all = || pairs.iter().flat_map(|pair| seen.iter().map(move |seen| (seen, pair)));
-        started += all().filter(|(seen, &[a, b])| seen.started(a, b)).count();
+        let all = || {
+            pairs
+                .iter()
+                .flat_map(|pair| seen.iter().map(move |seen| (seen, pair)))
+        };
+        started += all()
+            .filter(|(seen, pair)| seen.started(pair[0], pair[1]))
+            .count();
     }
     assert_eq!(started, pairs.len());
 }
