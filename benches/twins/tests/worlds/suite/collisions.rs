@@ -70,6 +70,8 @@ fn a_body_type_that_changes_unlisted() {
 }
 
 /// This pipeline has the margin of a length unit of 1, and steps have that of their world. So the two alternate.
+///
+/// What flies are sensors: Rapier 0.36 does not expect that contacts begin between two steps.
 #[test]
 fn between_the_steps_of_a_world_with_another_length_unit() {
     let mut twins = Twins::weightless();
@@ -83,20 +85,14 @@ fn between_the_steps_of_a_world_with_another_length_unit() {
         let sleeper = dynamic(0.0, height).sleeping(true);
         let (_, sleeper) = twins.insert(sleeper, shapes[i % 2].clone());
         let flyer = dynamic(-150.0 - 10.0 * i as Real, height + 20.0).linvel(at(200.0, 0.0));
-        let (_, flyer) = twins.insert(flyer, shapes[i / 3].clone());
+        let (_, flyer) = twins.insert(flyer, shapes[i / 3].clone().sensor(true));
         [sleeper, flyer]
     });
     let mut started = 0;
     for _ in 0..90 {
-        let seen = [twins.step(), twins.collide()];
-        let all = || {
-            pairs
-                .iter()
-                .flat_map(|pair| seen.iter().map(move |seen| (seen, pair)))
-        };
-        started += all()
-            .filter(|(seen, pair)| seen.started(pair[0], pair[1]))
-            .count();
+        for seen in [twins.step(), twins.collide()] {
+            started += pairs.iter().filter(|&&[a, b]| seen.started(a, b)).count();
+        }
     }
     assert_eq!(started, pairs.len());
 }
