@@ -1,8 +1,8 @@
 //! Threads on which no job runs but parts of unisize's own work.
 //!
-//! A thread of a Rayon pool that waits runs other jobs of its pool meanwhile. If those were the caller's, one of them could wait for a mutex
-//! that the caller of the step holds, and that it does not release before the step ends. So unisize shares work in pools of its own. Each of
-//! them has one update at a time, which therefore waits for no other update either.
+//! A thread of a Rayon pool that waits runs other jobs of its pool meanwhile. If those were the caller's, one of them could wait for a
+//! mutex that the caller of the step holds, and that it does not release before the step ends. So unisize shares work in pools of its own.
+//! Each of them has one update at a time, which therefore waits for no other update either.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
