@@ -127,14 +127,14 @@ impl<R: Real, const D: usize> Aabb<R, D> {
         valid
     }
 
-    /// Returns whether all coordinates are finite.
+    /// Returns whether the box is valid, and some side of it is infinite.
     #[inline]
-    pub(crate) fn is_finite(&self) -> bool {
+    pub(crate) fn is_unbounded(&self) -> bool {
         let mut finite = true;
         for k in 0..D {
             finite &= self.mins[k].is_finite() & self.maxs[k].is_finite();
         }
-        finite
+        !finite && self.is_valid()
     }
 }
 

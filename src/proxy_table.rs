@@ -309,7 +309,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one. See
-    /// [`BoxSource::SKIPS_UNBOUNDED`].
+    /// [`BoxSource::skips_unbounded`].
     fn admit<H: Handle>(
         &mut self,
         handle: H,
@@ -333,7 +333,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let renews_box = key.renews_box(proxies.key(slot));
         proxies.set_key(slot, key);
         let held = proxies.boxes[slot as usize];
-        let is_skipped = skips_unbounded && !aabb.is_finite();
+        let is_skipped = skips_unbounded && aabb.is_unbounded();
         let is_refused = is_skipped && !held.is_valid();
         let aabb = if is_skipped && !is_refused {
             held

@@ -15,8 +15,7 @@ use crate::stopwatch::PhaseTimes;
 pub struct Stats {
     /// Colliders with a box.
     pub proxies: usize,
-    /// Colliders that are left out. One whose box has a NaN or is inverted, or in Rapier 0.36 is not finite, returns automatically once its box is
-    /// valid. One whose
+    /// Colliders that are left out. One whose box has a NaN or is inverted returns automatically once its box is valid. One whose
     /// index is 2²⁹ - 2¹⁶ or more never does, because `GridSweep` takes no more boxes; a snapshot does not count those.
     pub refused: usize,
     /// Pairs held.

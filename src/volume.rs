@@ -92,14 +92,13 @@ impl VolumeKind {
 /// rounding errors, and must not find a contact between volumes that are apart.
 const ROUNDINGS: f64 = 8.0;
 
-/// The most by which the norm squared of a rotation or of a normal may differ from 1, in rounding errors, so that a volume can be turned by
-/// it. Where the engine renormalizes, the difference is below 5 for a pose of a collider relative to its body.
-pub(crate) const MOST_OFF_UNIT: f64 = 8.0;
-
-/// A bound on the error that rotations add, in rounding errors of the size: the engine turns shapes into the frame of one of the two and back,
-/// with at most six products, each of which scales by as much as the norm squared is off. A place only enters as the distance of two colliders,
-/// which is about as large as their sizes when they meet.
-const TURNINGS: f64 = 6.0 * MOST_OFF_UNIT;
+/// The most by which the norm squared of a rotation or of a normal may be off from 1, in rounding errors, so that it turns a volume. Where Rapier
+/// renormalizes, a body's is off by up to 3, and by up to 5 once it is multiplied by that of a collider relative to its body.
+///
+/// If a rotation scales by `1 + off`, Parry, in the frame of the shape, neither scales the shape nor its radius and that of the other, but
+/// the way between both. Against the volumes, the sides of the shape are off by up to `2 off` of their length, which [`Volume::stretched`] adds,
+/// and all radii by `off`, which is within [`ROUNDINGS`] of the other volume's size.
+pub(crate) const MOST_OFF_UNIT: f64 = ROUNDINGS;
 
 impl<R: Real, const D: usize> Ball<R, D> {
     /// The ball in the middle of a box. If the box is larger than the ball on some axis, the center is NaN: such a box may contain the ball's
@@ -140,11 +139,10 @@ impl<R: Real, const D: usize> Ball<R, D> {
     #[inline(always)]
     fn loosened(&self, half_axes: &[[R; D]]) -> R {
         let extent = extent_of(half_axes.iter().copied());
-        let size = extent.iter().fold(self.radius, |size, &x| size + x);
-        let place = sum_of_abs(self.center);
-        let roundings =
-            [ROUNDINGS, ROUNDINGS + TURNINGS].map(|count| R::from_f64(count) * R::EPSILON);
-        self.radius + (place * roundings[0] + size * roundings[1])
+        let size = (0..D).fold(self.radius, |size, k| {
+            size + (self.center[k].abs() + extent[k])
+        });
+        self.radius + size * (R::from_f64(ROUNDINGS) * R::EPSILON)
     }
 }
 
@@ -194,6 +192,18 @@ impl<R: Real, const D: usize> Volume<R, D> {
             volume.ball.radius = volume.ball.loosened(half_axes);
         }
         volume
+    }
+
+    /// Loosened for a rotation whose norm squared is `off` from 1.
+    #[inline(always)]
+    pub(crate) fn stretched(mut self, off: R) -> Self {
+        // An infinite radius times 0 would be NaN.
+        if off > R::ZERO {
+            let extent = extent_of(self.as_ref().half_axes.iter().copied());
+            let size = sum_of_abs(extent) + self.ball.radius;
+            self.ball.radius = self.ball.radius + size * (off + off);
+        }
+        self
     }
 
     #[inline(always)]

@@ -45,8 +45,8 @@ use crate::stats::Stats;
 /// # Errors
 ///
 /// No input makes an update panic. A collider whose box is inverted or has a NaN is left out until its box is valid again, and
-/// [`Stats::refused`] counts it; the first one is logged as a warning. In Rapier 0.36, a collider that is read and whose box is not finite keeps
-/// the box that it had; it is left out if it had none.
+/// [`Stats::refused`] counts it; the first one is logged as a warning. In the pipelines of Rapier 0.36, a collider whose box is infinite keeps
+/// the box that it had, or is left out if it had none, as in Rapier's own broad phase.
 #[derive(Clone)]
 pub struct UnisizeBroadPhase {
     pub(super) table: ProxyTable<Real, DIM, Outline, ColliderKey>,

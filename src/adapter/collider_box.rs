@@ -2,7 +2,7 @@
 
 use super::Input;
 use super::collider_key::ColliderKey;
-use super::outline::{Outline, Silent, is_unit};
+use super::outline::{Outline, Silent, off_unit};
 use super::rapier::dynamics::{RigidBody, RigidBodySet};
 use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
@@ -102,7 +102,10 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     type Memo = Outline;
     type Key = ColliderKey;
 
-    const SKIPS_UNBOUNDED: bool = version::SKIPS_UNBOUNDED;
+    #[inline(always)]
+    fn skips_unbounded(&self) -> bool {
+        self.input.skips_unbounded
+    }
 
     fn has_keys(&self) -> bool {
         ColliderKey::differ(self.filter)
@@ -127,7 +130,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         };
         // A kinematic body takes such a rotation as it is, and then only the box of a ball is passed.
         let is_off_unit = |body: &RigidBody| {
-            body.is_kinematic() && !is_unit(version::norm_squared(body.next_position()))
+            body.is_kinematic() && off_unit(version::norm_squared(body.next_position())).is_none()
         };
         match body.is_none_or(has_volume) {
             true if body.is_some_and(is_off_unit) => Volume::BOX,

@@ -11,6 +11,8 @@ pub(crate) struct Input<'a> {
     pub(crate) colliders: &'a ColliderSet,
     pub(crate) bodies: &'a RigidBodySet,
     pub(crate) lists: Lists<'a, ColliderHandle>,
+    /// Whether a collider whose box is infinite is skipped, as Rapier's own broad phase does.
+    pub(crate) skips_unbounded: bool,
     /// The listed colliders whose changes wake bodies.
     pub(crate) felt: &'a [ColliderHandle],
     /// Whether the narrow phase has an active contact or an intersection of two colliders; `None` if there is no narrow phase to ask.
@@ -31,6 +33,7 @@ impl<'a> Input<'a> {
             colliders,
             bodies,
             lists: Lists::new(modified, removed),
+            skips_unbounded: false,
             felt: &[],
             is_active: None,
         }

@@ -101,15 +101,15 @@ impl Outline {
     #[inline(always)]
     pub(super) fn volume(&mut self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
         let (shape, pose) = (collider.shared_shape(), collider.position());
-        if !is_unit(version::norm_squared(pose)) {
+        let Some(off) = off_unit(version::norm_squared(pose)) else {
             return Volume::BOX;
-        }
+        };
         let Some(profile) = self.profile(shape) else {
-            return unusual_volume(shape, pose, distance);
+            return unusual_volume(shape, pose, distance).stretched(off);
         };
         let center = version::origin(pose).into();
         let Profile { extent, radius } = profile;
-        if profile.is_cuboid() {
+        let volume = if profile.is_cuboid() {
             let halves = turned_halves(pose, extent);
             Volume::new(VolumeKind::Cuboid, center, distance, &halves)
         } else if profile.is_ball() {
@@ -117,7 +117,8 @@ impl Outline {
         } else {
             let half = (pose.rotation * extent).into();
             Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
-        }
+        };
+        volume.stretched(off)
     }
 
     /// False if the cache has another shape.
@@ -149,12 +150,12 @@ fn coordinates(point: impl Into<[Real; DIM]>) -> Vector {
     Vector::from(point.into())
 }
 
-/// Whether a rotation or a normal with this norm squared is of unit length. Rapier keeps others as they are, and Parry's shapes grow or shrink
-/// by them, each algorithm in its own way.
+/// How much the norm squared of a rotation or a normal is off from 1; `None` if it is not of unit length. Rapier keeps such a rotation as it is,
+/// and Parry's shapes grow or shrink by it, each algorithm in its own way.
 #[inline(always)]
-pub(super) fn is_unit(norm_squared: Real) -> bool {
-    // False for NaN.
-    (norm_squared - 1.0).abs() <= MOST_OFF_UNIT as Real * Real::EPSILON
+pub(super) fn off_unit(norm_squared: Real) -> Option<Real> {
+    let off = (norm_squared - 1.0).abs();
+    (off <= MOST_OFF_UNIT as Real * Real::EPSILON).then_some(off)
 }
 
 /// The volume of any other shape, loosened by this distance.
@@ -171,18 +172,19 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
     }
     if let Some(half_space) = shape.as_halfspace() {
         let normal = version::normal(half_space);
-        if !is_unit(<[Real; DIM]>::from(normal).iter().map(|x| x * x).sum()) {
+        if off_unit(<[Real; DIM]>::from(normal).iter().map(|x| x * x).sum()).is_none() {
             return Volume::BOX;
         }
         let normal = turned(normal).into();
         return Volume::new(VolumeKind::HalfSpace, origin.into(), distance, &[normal]);
     }
-    if let Some(compound) = shape.as_compound() {
-        let mut poses = compound.shapes().iter().map(|(pose, _)| pose);
-        if !poses.all(|pose| is_unit(version::norm_squared(pose))) {
-            return Volume::BOX;
-        }
-    }
+    let parts = shape.as_compound().map_or(&[][..], |it| it.shapes());
+    let mut offs = parts
+        .iter()
+        .map(|(pose, _)| off_unit(version::norm_squared(pose)));
+    let Some(off) = offs.try_fold(0.0, |most: Real, off| Some(most.max(off?))) else {
+        return Volume::BOX;
+    };
     let (center, half_extents, radius) = match (shape.as_round_cuboid(), shape.shape_type()) {
         (Some(cuboid), _) => {
             let half_extents = cuboid.inner_shape.half_extents;
@@ -201,7 +203,7 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
         }
     };
     let halves = turned_halves(pose, half_extents);
-    Volume::new(VolumeKind::Cuboid, center.into(), radius, &halves)
+    Volume::new(VolumeKind::Cuboid, center.into(), radius, &halves).stretched(off)
 }
 
 /// The half axes of a rotated box with these half extents. A flat box gets a small extent instead of zero, because every half axis is a

@@ -199,7 +199,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        self.admit(handle, margin, S::SKIPS_UNBOUNDED, |memo| {
+        self.admit(handle, margin, source.skips_unbounded(), |memo| {
             source.reading(handle, memo)
         });
     }
@@ -216,7 +216,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let reading = source.reading(handle, &mut self.memos[slot as usize]);
             let proxies = &mut self.tracker.proxies;
             if let (Some(Reading { aabb, volume, .. }), Some(held)) = (reading, proxies.get(slot)) {
-                let is_skipped = S::SKIPS_UNBOUNDED && !aabb.is_finite();
+                let is_skipped = source.skips_unbounded() && aabb.is_unbounded();
                 if aabb != *held && aabb.is_valid() && !is_skipped {
                     proxies.set_volume(slot, &volume, true);
                     proxies.place(slot, aabb);

@@ -48,7 +48,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         let Self { proxies, memos, .. } = self;
         let memo = &mut memos[i];
         match source.read(handle, memo) {
-            Some((aabb, _)) if S::SKIPS_UNBOUNDED && !aabb.is_finite() => false,
+            Some((aabb, _)) if source.skips_unbounded() && aabb.is_unbounded() => false,
             Some((aabb, key)) if !source.has_keys() || key == *proxies.key(i) => {
                 proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
                     volumes.set(i, &source.volume(handle, memo, &aabb), is_renewed)

@@ -58,9 +58,6 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// What decides, with the boxes, which colliders may be a pair.
     type Key: FilterKey;
 
-    /// Whether a collider whose box is not finite is skipped: it keeps the box that it had, or has none. If not, it is like any other.
-    const SKIPS_UNBOUNDED: bool;
-
     /// The box of a collider without the margin, and its filter key; `None` if the collider is gone or disabled.
     fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
 
@@ -70,6 +67,11 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read, with this key.
     fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo, key: &Self::Key)
     -> bool;
+
+    /// Whether a collider whose box is infinite is skipped: it keeps the box that it had, or has none. If not, it is like any other.
+    fn skips_unbounded(&self) -> bool {
+        false
+    }
 
     /// Whether filter keys differ at all; if not, they are not compared.
     fn has_keys(&self) -> bool;

@@ -53,8 +53,6 @@ impl BoxSource<f32, 2> for Colliders {
     type Memo = Memo;
     type Key = Side;
 
-    const SKIPS_UNBOUNDED: bool = false;
-
     fn reach(&self) -> f32 {
         0.0
     }
@@ -333,8 +331,6 @@ impl BoxSource<f32, 2> for Silent {
     type Handle = Id;
     type Memo = Option<Side>;
     type Key = Side;
-
-    const SKIPS_UNBOUNDED: bool = false;
 
     fn reach(&self) -> f32 {
         self.reach

@@ -1,9 +1,9 @@
-//! Unusual numbers: inverted boxes, denormals, invalid lengths. Infinite ones are in the files of both versions. `tests/sequences` has invalid lists, and poses with NaN.
+//! Unusual numbers: inverted and infinite boxes, denormals, invalid lengths. `tests/sequences` has invalid lists, and poses with NaN.
 
 use super::*;
 
 /// Two balls that overlap.
-pub(super) fn two_balls() -> (Desk, [ColliderHandle; 2]) {
+fn two_balls() -> (Desk, [ColliderHandle; 2]) {
     let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
     let balls = [0.0, 0.9].map(|x| desk.ball(0.5, [x, 0.0]));
     (desk, balls)
@@ -21,6 +21,23 @@ fn inverted_boxes_are_refused_until_they_are_valid() {
     assert_eq!(desk.update(&[b], &[]), [(false, [a, b])]);
     assert_eq!(desk.update(&[], &[b]), []);
     assert_eq!(desk.counts(), [1, 0, 0]);
+}
+
+#[test]
+fn infinite_boxes_form_pairs() {
+    let (mut desk, [small, all]) = two_balls();
+    desk.colliders[all].set_shape(SharedShape::ball(Real::INFINITY));
+    let [far, beside] = [[Real::INFINITY, 0.0]; 2].map(|centre| desk.ball(0.5, centre));
+    let mut events = desk.update(&[small, all, far, beside], &[]);
+    events.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
+    let pairs = [[small, all], [all, far], [all, beside], [far, beside]];
+    assert_eq!(events, pairs.map(|pair| (true, pair)));
+    desk.place(far, [Real::NEG_INFINITY, 0.0]);
+    assert_eq!(desk.update(&[far], &[]), [(false, [far, beside])]);
+    // Infinity minus infinity is NaN.
+    desk.place(all, [Real::INFINITY, 0.0]);
+    assert_eq!(desk.update(&[all], &[]).len(), 3);
+    assert_eq!(desk.counts(), [3, 1, 0]);
 }
 
 #[test]
@@ -47,14 +64,28 @@ fn denormals_and_negative_zeros_compare_as_numbers() {
 fn invalid_length_units_give_no_margin() {
     let units = [Real::NAN, -1.0, 0.0].map(|unit| (unit, 1));
     // The margin is so large that all boxes overlap.
-    let large = (Real::MAX, 0);
-    for (unit, ended) in units.into_iter().chain([large]) {
+    let large = [Real::INFINITY, Real::MAX].map(|unit| (unit, 0));
+    for (unit, ended) in units.into_iter().chain(large) {
         let (mut desk, [a, b]) = two_balls();
         desk.params.length_unit = unit;
         assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])], "{unit}");
         desk.place(b, [20.0, 0.0]);
         assert_eq!(desk.update(&[b], &[]).len(), ended, "{unit}");
     }
+}
+
+#[test]
+fn an_infinite_margin_gives_infinite_boxes() {
+    let (mut desk, [a, b]) = two_balls();
+    let settings = desk.broad_phase.settings().with_margin(Real::INFINITY);
+    desk.broad_phase = UnisizeBroadPhase::with_settings(settings);
+    assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
+    // An infinite bound gets no margin, because infinity minus infinity is NaN.
+    desk.place(a, [Real::INFINITY, 0.0]);
+    assert_eq!(desk.update(&[a], &[]), [(false, [a, b])]);
+    desk.place(b, [1.9, 0.0]);
+    assert_eq!(desk.update(&[b], &[]), [(true, [a, b])]);
+    assert_eq!(desk.counts(), [2, 0, 1]);
 }
 
 /// With such skins, Rapier panics on a compound shape.

@@ -20,8 +20,6 @@ macro_rules! flavour {
             #[path = "../common/desk.rs"]
             mod desk;
             mod hostile;
-            #[path = $version]
-            mod version;
             $(mod $published;)?
         }
     };
@@ -44,7 +42,3 @@ mod choices;
 mod hostile;
 #[cfg(rustfmt)]
 mod published;
-#[cfg(rustfmt)]
-mod rapier_027;
-#[cfg(rustfmt)]
-mod rapier_036;

@@ -2,6 +2,7 @@
 
 use super::UnisizeBroadPhase;
 use super::rapier::math;
+use super::rapier::na::Normed;
 use super::rapier::parry::query;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::prelude::*;
@@ -25,9 +26,6 @@ pub(super) use stretching::{stretched, stretched_half_space};
 
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = false;
-
-/// Whether a collider whose box is not finite keeps the box that it had.
-pub(super) const SKIPS_UNBOUNDED: bool = false;
 
 /// In how many runs pairs that begin take turns.
 pub(super) const RUNS: usize = 2;
@@ -90,6 +88,11 @@ pub(super) fn hand_over(
 /// How far apart two colliders are, where there is an answer.
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     query::distance(a.position(), a.shape(), b.position(), b.shape()).ok()
+}
+
+/// The norm squared of the rotation of a pose.
+pub(super) fn norm_squared(pose: &Pose) -> Real {
+    Normed::norm_squared(pose.rotation.as_ref())
 }
 
 /// Whether two colliders have a contact within this distance, where there is an answer.

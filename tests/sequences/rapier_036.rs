@@ -19,9 +19,6 @@ pub(super) use stretching::{stretched, stretched_half_space};
 /// Whether a collider of other groups, or of another body, gets a new box.
 pub(super) const REINSERTS: bool = true;
 
-/// Whether a collider whose box is not finite keeps the box that it had.
-pub(super) const SKIPS_UNBOUNDED: bool = true;
-
 /// In how many runs pairs that begin take turns.
 pub(super) const RUNS: usize = 1;
 
@@ -91,6 +88,11 @@ pub(super) fn hand_over(
 pub(super) fn distance(a: &Collider, b: &Collider) -> Option<Real> {
     let distance = query::distance(a.position(), a.shape(), b.position(), b.shape());
     Some(distance.ok()?.distance)
+}
+
+/// The norm squared of the rotation of a pose.
+pub(super) fn norm_squared(pose: &Pose) -> Real {
+    pose.rotation.length_squared()
 }
 
 /// Whether two colliders have a contact within this distance, where there is an answer.

@@ -34,9 +34,6 @@ pub(super) const MARGIN: Real = 0.01;
 /// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = false;
 
-/// Whether Rapier's own broad phase skips a listed collider whose box is not finite.
-pub(super) const SKIPS_UNBOUNDED: bool = false;
-
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Off;
 

@@ -30,9 +30,6 @@ pub(super) const MARGIN: Real = 0.04;
 /// Whether Rapier's own broad phase reinserts a collider, without a margin, when its groups or body change.
 pub(super) const REINSERTS: bool = true;
 
-/// Whether Rapier's own broad phase skips a listed collider whose box is not finite, so that it keeps the box that it had, or has none.
-pub(super) const SKIPS_UNBOUNDED: bool = true;
-
 /// The default filter.
 pub(super) const PAIR_FILTER: PairFilter = PairFilter::Shapes;
 

@@ -91,6 +91,7 @@ fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_
             swept: input.swept,
             removed: input.removed,
         },
+        skips_unbounded: true,
         felt: input.felt,
         is_active: is_active.as_ref().map(|is_active| is_active as _),
     });

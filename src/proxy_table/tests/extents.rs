@@ -23,7 +23,7 @@ impl BoxSource<f32, 2> for Counted {
         self.reach
     }
 
-    fn has_changed_unmoved(&self, _: Id, _: &Memo) -> bool {
+    fn has_changed_unmoved(&self, _: Id, _: &Memo, _: &Side) -> bool {
         true
     }
 

@@ -2,7 +2,7 @@
 //! reach, whatever the shapes, their sizes and their poses.
 //!
 //! In other worlds, rotations and the normals of half-spaces need not be of unit length. There the boxes may not overlap either, and a pair
-//! whose boxes do is held whenever Parry finds a contact.
+//! whose boxes do is held whenever Parry finds a contact. Rotations of nearly unit length make no difference.
 //!
 //! Many are put on the brink: as far from another collider as Parry says that they are within reach, to the last bit.
 
@@ -94,18 +94,20 @@ impl Colliders {
         (kind, version::stretched_half_space(shape, length))
     }
 
-    /// A turn, by a rotation of some length.
-    fn turn(&mut self) -> version::Pose {
-        let length = self.length_of_rotation();
-        version::stretched(super::rotation(self.random.angles()), length)
-    }
-
     /// Puts a collider somewhere, in some pose.
     fn put(&mut self, i: usize) {
         let extent = 3.0 * self.random.unit;
         let place = version::translation(self.random.triple(extent));
-        let pose = place * self.turn();
-        self.get_mut(i).set_position(pose);
+        self.get_mut(i).set_position(place);
+        self.turn(i);
+    }
+
+    /// Turns a collider in its place, by a rotation of some length.
+    fn turn(&mut self, i: usize) {
+        let length = self.length_of_rotation();
+        let mut turned = version::stretched(super::rotation(self.random.angles()), length);
+        turned.translation = self.get(i).position().translation;
+        self.get_mut(i).set_position(turned);
     }
 
     /// Moves a collider by little, often within its margin.
@@ -117,7 +119,6 @@ impl Colliders {
 
     /// Changes a collider in some way. Returns whether only its pose is another one.
     fn change(&mut self, i: usize) -> bool {
-        let pose = *self.get(i).position();
         match self.random.below(8) {
             0 => {
                 let skin = self.random.length() * [0.0, 0.1][self.random.below(2)];
@@ -130,12 +131,7 @@ impl Colliders {
                 self.kinds[i] = kind;
                 return false;
             }
-            2 => {
-                let mut turned = self.turn();
-                turned.translation = pose.translation;
-                let pose = turned;
-                self.get_mut(i).set_position(pose);
-            }
+            2 => self.turn(i),
             3 => self.nudge(i),
             4 => self.put(i),
             _ => {
@@ -185,9 +181,8 @@ impl Colliders {
     /// distance of 0 that are not, and finds what is right if it is asked the other way round.
     fn are_near(&self, [a, b]: [&Collider; 2]) -> Option<bool> {
         let reach = self.reach([a, b]);
-        if self.are_stretched {
-            let is_sure = version::are_in_contact(b, a, reach)?;
-            return Some(version::are_in_contact(a, b, reach)? && is_sure);
+        if [a, b].into_iter().any(is_stretched) {
+            return version::are_in_contact(a, b, reach);
         }
         let distance = version::distance(a, b)?;
         let is_sure = distance > 0.0 || version::distance(b, a)? <= reach;
@@ -202,6 +197,18 @@ impl Colliders {
         });
         a.intersects(&b)
     }
+}
+
+/// Whether the rotation of a collider, or its normal, is not of unit length.
+fn is_stretched(collider: &Collider) -> bool {
+    let normal = collider.shape().as_halfspace().map(version::normal);
+    let normal = normal.map_or(1.0, |it| {
+        let coordinates = <[Real; DIM]>::from(it);
+        coordinates.iter().map(|x| x * x).sum()
+    });
+    let norms = [version::norm_squared(collider.position()), normal];
+    let is_off = |norm: &Real| (norm - 1.0).abs() > 8.0 * Real::EPSILON;
+    norms.iter().any(is_off)
 }
 
 impl Counts {

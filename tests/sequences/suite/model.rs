@@ -143,13 +143,6 @@ impl Model {
         known.is_some_and(|proxy| proxy.generation == generation)
     }
 
-    /// The box of a collider, if it has one.
-    fn box_of(&self, handle: ColliderHandle) -> Option<Aabb> {
-        let index = handle.into_raw_parts().0;
-        let proxy = self.proxies.get(&index).filter(|_| self.knows(handle));
-        proxy?.aabb
-    }
-
     /// The colliders that the model knows.
     pub(super) fn known(&self) -> impl Iterator<Item = ColliderHandle> + '_ {
         let known = self.proxies.iter();
@@ -193,10 +186,6 @@ impl Model {
                         groups: collider.collision_groups(),
                     };
                     let volume = self.volume(collider, bodies, &aabb);
-                    let aabb = match version::SKIPS_UNBOUNDED && !is_finite(&aabb) {
-                        true => self.box_of(handle).unwrap_or_else(Aabb::new_invalid),
-                        false => aabb,
-                    };
                     self.renew(handle, aabb, margin, key, volume);
                 }
                 _ => self.forget(handle),
@@ -386,10 +375,6 @@ fn at_least(former: Real, wanted: Real) -> Real {
 
 fn is_sound(aabb: &Aabb) -> bool {
     (0..DIM).all(|k| aabb.mins[k] <= aabb.maxs[k])
-}
-
-fn is_finite(aabb: &Aabb) -> bool {
-    (0..DIM).all(|k| aabb.mins[k].is_finite() && aabb.maxs[k].is_finite())
 }
 
 /// The box that is held after a collider that had one has this box.

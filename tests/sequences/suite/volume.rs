@@ -92,6 +92,14 @@ impl Volume {
         if volume.kind != Kind::Ball {
             volume.radius = volume.loosened();
         }
+        let off = (version::norm_squared(pose) - 1.0).abs();
+        if off > 8.0 * Real::EPSILON {
+            return Self::meeting_all();
+        }
+        if off > 0.0 {
+            let size = volume.extent().iter().fold(0.0, |sum, x| sum + x) + volume.radius;
+            volume.radius += size * (off + off);
+        }
         volume.in_box(aabb)
     }
 
@@ -142,12 +150,12 @@ impl Volume {
         volume
     }
 
-    /// The radius, and eight rounding errors of the sum of all numbers, and for turns 48 more of those that are no place.
+    /// The radius, and eight rounding errors of the sum of all numbers.
     fn loosened(&self) -> Real {
-        let extent = self.extent();
-        let size = extent.iter().fold(self.radius, |size, x| size + x);
-        let place = self.center.iter().fold(0.0, |sum, x| sum + x.abs());
-        self.radius + (place * (8.0 * Real::EPSILON) + size * (56.0 * Real::EPSILON))
+        let (center, extent) = (self.center, self.extent());
+        let axes = 0..DIM;
+        let sum = axes.fold(self.radius, |sum, k| sum + (center[k].abs() + extent[k]));
+        self.radius + sum * (8.0 * Real::EPSILON)
     }
 
     /// The radius that tells it apart.

@@ -43,7 +43,7 @@ fn places_far_away_and_sizes_of_all_kinds() {
 
 #[test]
 fn a_capsule_whose_rotation_is_not_of_unit_length() {
-    for factor in [1.0 - 1.0e-4, 1.0 - 1.0e-3, 1.0 - 5.0e-3, 0.8, 1.2] {
+    for factor in [1.0 - 1.0e-4, 1.0 - 1.0e-3, 1.0 - 5.0e-3, 0.95] {
         let mut twins = Twins::with_filter(PairFilter::Shapes).without_gravity();
         let turned = fixed(0.0, 0.0).rotation(spin(0.8));
         let (body, capsule) = twins.insert(turned, ColliderBuilder::capsule_y(50.0, 0.5));
@@ -54,7 +54,7 @@ fn a_capsule_whose_rotation_is_not_of_unit_length() {
         twins.change_body(body, |body| {
             body.set_position(stretched(pose, factor), true)
         });
-        twins.step_until(|seen| seen.touches(capsule, ball) || factor > 1.0);
+        twins.step_until(|seen| seen.touches(capsule, ball));
         twins.steps(60);
     }
 }
@@ -65,8 +65,8 @@ fn a_half_space_whose_normal_is_not_of_unit_length() {
         let mut twins = Twins::with_filter(PairFilter::Shapes);
         let plane = stretched_half_space(SharedShape::halfspace(unit(at(0.0, 1.0))), factor);
         let (_, plane) = twins.insert(fixed(0.0, 0.0), ColliderBuilder::new(plane));
-        for shape in [cube(), ColliderBuilder::ball(0.5)] {
-            let (_, falling) = twins.insert(dynamic(0.0, 3.0), shape);
+        for (x, shape) in [(0.0, cube()), (5.0, ColliderBuilder::ball(0.5))] {
+            let (_, falling) = twins.insert(dynamic(x, 3.0), shape);
             twins.step_until(|seen| seen.touches(plane, falling) || factor > 1.0);
         }
         twins.steps(60);

@@ -1,4 +1,4 @@
-//! Boxes that are not finite, which Rapier's own broad phase skips: the collider keeps the box that it had, or has none, and nobody is
+//! Boxes that are infinite, which Rapier's own broad phase skips: the collider keeps the box that it had, or has none, and nobody is
 //! disabled for it.
 
 use super::rapier::prelude::*;
