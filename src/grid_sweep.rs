@@ -1,4 +1,31 @@
 //! The fast kernel: sorted tubes, swept eight boxes at a time.
+//!
+//! # The bound
+//!
+//! Samples decide only the speed, and some order of the boxes misleads every one of them. Whatever they say, n boxes with k pairs take
+//! **O(n logᴰ n + k log k)** time and **O(n + k)** memory:
+//!
+//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most three
+//!    times, or five in a crowd: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), and for a single tube. Outside of crowds
+//!    a class takes an eighth of the boxes that are left at least. If no grid does, the single tube does, because it takes three quarters
+//!    of its sample, which has a quarter of the boxes.
+//! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
+//! 3. The sweep of a tube has a budget for each entry and each pair, unless it has [few entries](crate::tuning::kernel::NO_CROWD_UP_TO). A
+//!    tube that exceeds it becomes a crowd or is left to the tree.
+//! 4. A crowd takes a grid only if its boxes have no more entries there than its [room](crate::tuning::kernel::CROWD_ROOM) says. Crowds
+//!    within get half of the room that is left, and where no room is left the tree takes over. So crowds are at most two deep, and together
+//!    they have at most 18 entries for each box. They append their pairs to the list of the whole search, so each pair is listed once.
+//! 5. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a budget,
+//!    twice if there are rows. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. Each
+//!    round of look-ups has half of the budget of the last round and at most half of its queries. If more queries spend their budget, or if
+//!    the sample says that they will, the tree takes them. The last [`FEW_QUERIES`] have no budget.
+//! 6. A look-up without a budget visits each tube and each entry of the other class at most once.
+//! 7. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
+//!
+//! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
+//!
+//! The bound is that of a search. A later [look-up](GridSweep::look_up) among its members has no budget. The tracker counts the comparisons,
+//! and makes a full search once they cost more than full searches do.
 
 mod assignment;
 mod choose;
@@ -21,7 +48,7 @@ use crate::pair_finder::{PairFinder, check_count, retain_from};
 use crate::parallel;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
-use crate::tuning::kernel::{FEW_QUERIES, ROW_FROM, TREE_FROM};
+use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, ROW_FROM, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
@@ -43,8 +70,8 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
 /// Computes in **O(n + pairs)** time if the boxes are of about one size, wherever they lie, and in **O((n + pairs) log n)** time for most
-/// boxes of different sizes. The segment tree takes **O(n logᴰ n + pairs)**, wherever boxes of any shape lie. `ARCHITECTURE.md` has the
-/// argument. Memory is always **O(n + pairs)**.
+/// boxes of different sizes. No input takes more than **O(n logᴰ n + pairs log pairs)**, whatever the order of the boxes. The head of
+/// `grid_sweep.rs` has the argument. Memory is always **O(n + pairs)**.
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -179,6 +206,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
                 self.classes.push(Class::default());
             }
             let members = Members { boxes, indices };
+            search.is_last_class = self.class_count + 1 == MOST_CLASSES;
             self.classes[self.class_count].search(members, oversized, assignment, search)?;
             self.class_count += 1;
             if oversized.is_empty() || search.is_over() {

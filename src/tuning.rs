@@ -24,15 +24,40 @@ pub(crate) mod kernel {
         range: [16, 128],
     };
 
+    /// The sample if the first one misleads. If larger: time. If smaller: an order of the boxes that misleads both leaves more boxes than a
+    /// class should.
+    pub(crate) const SECOND_SAMPLE: Sample = Sample {
+        one_in: 4,
+        range: [16, usize::MAX],
+    };
+
     /// Shares of the boxes, for the cut axes and for the first. The grid is made for the size that this share does not exceed. If larger: a few
     /// large boxes make the strips too wide. If smaller: more boxes are on a border, or too large for the grid.
     pub(crate) const GRID_SIZE_QUANTILES: [f64; 2] = [0.75, 0.75];
 
+    /// Samples and quantiles, tried in turn.
+    pub(crate) const GRID_TRIES: [(Sample, [f64; 2]); 2] = [
+        (GRID_SAMPLE, GRID_SIZE_QUANTILES),
+        (SECOND_SAMPLE, GRID_SIZE_QUANTILES),
+    ];
+
     /// The same for the boxes of a crowded tube, tried in turn. If more: each try is a pass over the boxes. If fewer: boxes that crowd among
     /// others crowd in the next grid as well. If the second of a pair is smaller: too few boxes are left for a class. If larger: needles take
     /// a third more comparisons.
-    pub(crate) const CROWD_SIZE_QUANTILES: [[f64; 2]; 4] =
-        [[0.375, 0.375], [0.125, 0.75], [0.75, 0.75], [0.03125, 0.75]];
+    pub(crate) const CROWD_TRIES: [(Sample, [f64; 2]); 4] = [
+        (GRID_SAMPLE, [0.375, 0.375]),
+        (GRID_SAMPLE, [0.125, 0.75]),
+        (GRID_SAMPLE, [0.75, 0.75]),
+        (GRID_SAMPLE, [0.03125, 0.75]),
+    ];
+
+    /// Classes. The last one takes all boxes that are left, in one tube. If larger: look-ups between more pairs of classes. If smaller: boxes
+    /// of very different sizes share a class.
+    pub(crate) const MOST_CLASSES: usize = 8;
+
+    /// Entries for each box of a crowded tube, in a grid of its own. Crowds within that grid get half of the room that its entries leave. If
+    /// larger: memory. If smaller: segment trees where a further grid would do.
+    pub(crate) const CROWD_ROOM: f64 = 3.0;
 
     /// A factor. A box that is so many times longer along the first axis than that size, and than strips are wide, is too large for a grid.
     /// If larger: one long floor makes each look-up in its tube visit all entries along it. If smaller: more classes.
@@ -104,6 +129,10 @@ pub(crate) mod kernel {
     /// larger: crowds are swept. If smaller: kernels where a sweep is as fast.
     pub(crate) const COMPARED_AN_ENTRY: usize = 128;
     pub(crate) const COMPARED_A_PAIR: usize = 16;
+
+    /// Entries. A tube of at most so many is never crowded. If larger: crowds are swept. If smaller: a grid of its own takes longer than comparing
+    /// each entry with each.
+    pub(crate) const NO_CROWD_UP_TO: usize = 384;
 
     /// Entries of a tube. Up to this many are sorted by insertion alone. If larger: insertion is quadratic. If smaller: dealing into buckets
     /// costs more than it saves.

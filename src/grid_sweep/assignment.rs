@@ -73,13 +73,14 @@ impl Assignment {
         self.section.for_each(parts, |part| part.place(members));
     }
 
-    /// How many pairs of entries share a tube, counted twice and with each entry paired with itself. Only between counting and placing.
-    pub(super) fn comparisons(&self) -> u64 {
-        let squares = (0..self.tube_count as usize).map(|tube| {
+    /// The number of entries, and how many pairs of them share a tube, counted twice and with each entry paired with itself. Only between
+    /// counting and placing.
+    pub(super) fn comparisons(&self) -> [u64; 2] {
+        (0..self.tube_count as usize).fold([0; 2], |[entries, squares], tube| {
             let counts = self.parts.iter().map(|part| u64::from(part.ends[tube]));
-            counts.sum::<u64>().pow(2)
-        });
-        squares.sum()
+            let count: u64 = counts.sum();
+            [entries + count, squares + count.pow(2)]
+        })
     }
 
     /// How many entries the tubes before this one have.

@@ -17,11 +17,11 @@ impl<R: Real> Grid<R> {
     pub(super) fn choose<const D: usize>(
         members: Members<R, D>,
         cuts: usize,
-        [cut_quantile, first_quantile]: [f64; 2],
+        (sample, [cut_quantile, first_quantile]): (Sample, [f64; 2]),
         is_crowd: bool,
     ) -> Self {
         let n = members.count() as f64;
-        let sample = sample_indices(members.count(), GRID_SAMPLE);
+        let sample = sample_indices(members.count(), sample);
         let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
         let mut sample: Vec<_> = sample.collect();
         let mut cut_samples = [1, 2].map(|k| {

@@ -12,8 +12,8 @@ use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
-    COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_SIZE_QUANTILES, EFFORT_SAMPLE, GRID_SIZE_QUANTILES,
-    ONE_TUBE_UP_TO, QUERY,
+    COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_ROOM, CROWD_TRIES, EFFORT_SAMPLE,
+    GRID_SIZE_QUANTILES, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -39,7 +39,7 @@ impl<R: Real, const D: usize> Class<R, D> {
     ) -> Result<(), InvalidInput> {
         self.row = None;
         search.stopwatch.enter(Phase::Read);
-        let may_crowd = self.assign(members, oversized, assignment, search.is_crowd)?;
+        let room = self.assign(members, oversized, assignment, search)?;
         search.stopwatch.enter(Phase::Sort);
         assignment.place(members);
         search.stopwatch.leave();
@@ -51,7 +51,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
         let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
-            slab.sweep(members.boxes, assignment, may_crowd, emitter);
+            slab.sweep(members.boxes, assignment, room, emitter);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
         // Slabs work at the same time.
@@ -63,28 +63,29 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns whether entries of a
-    /// tube may crowd, because a further grid may separate them.
+    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns the room of crowds in its
+    /// tubes: less than 1 if a further grid would not separate them.
     ///
     /// Each class must take a fair share of the boxes, so that there are few classes, unless a plain sweep is fast for those that it leaves.
-    /// The last resort, one tube, takes all that are not much longer than those of a sample. A crowd comes from a single tube. Its grid
-    /// must leave at most three quarters of its comparisons, so that grids within grids come to an end, or few because short boxes stand in
-    /// a row along the first axis.
+    /// The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class all. A crowd comes from a
+    /// single tube. Its grid must leave at most three quarters of its comparisons, or few because short boxes stand in a row along the first
+    /// axis.
     fn assign(
         &mut self,
         members: Members<R, D>,
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
-        is_crowd: bool,
-    ) -> Result<bool, InvalidInput> {
-        let count = members.count();
-        let sizes = match count {
+        search: &Search<R, D>,
+    ) -> Result<f64, InvalidInput> {
+        let (count, is_crowd) = (members.count(), search.room.is_some());
+        let tries = match count {
             ..=ONE_TUBE_UP_TO => &[][..],
-            _ if is_crowd => &CROWD_SIZE_QUANTILES,
-            _ => &[GRID_SIZE_QUANTILES],
+            _ if search.is_last_class => &[],
+            _ if is_crowd => &CROWD_TRIES,
+            _ => &GRID_TRIES,
         };
-        for &quantiles in sizes {
-            self.grid = Grid::choose(members, cut_axes::<D>(), quantiles, is_crowd);
+        for &aim in tries {
+            self.grid = Grid::choose(members, cut_axes::<D>(), aim, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
             // Of so many boxes with so many comparisons, if those that do not overlap along the first axis are left out.
@@ -99,20 +100,27 @@ impl<R: Real, const D: usize> Class<R, D> {
                     continue;
                 }
             }
-            let (comparisons, most) = (assignment.comparisons() as f64, (taken as f64).powi(2));
-            if !is_crowd || comparisons <= 0.75 * most {
-                return Ok(true);
+            let Some(room) = search.room else {
+                return Ok(CROWD_ROOM);
+            };
+            let [entries, comparisons] = assignment.comparisons().map(|count| count as f64);
+            let room = room * taken as f64 / entries;
+            if room < 1.0 {
+                continue;
+            }
+            if comparisons <= 0.75 * (taken as f64).powi(2) {
+                return Ok(room / 2.0);
             }
             if are_few(comparisons, taken, true) {
-                return Ok(false);
+                return Ok(0.0);
             }
         }
-        self.grid = match sizes {
+        self.grid = match tries {
             [] => Grid::default(),
-            _ => Grid::choose(members, 0, GRID_SIZE_QUANTILES, is_crowd),
+            [.., (sample, _)] => Grid::choose(members, 0, (*sample, GRID_SIZE_QUANTILES), is_crowd),
         };
         assignment.count(members, &self.grid, oversized)?;
-        Ok(!is_crowd)
+        Ok(if is_crowd { 0.0 } else { CROWD_ROOM })
     }
 
     /// Replaces `members` by the boxes of the class, in the order of its tubes.

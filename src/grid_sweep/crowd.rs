@@ -21,23 +21,28 @@ pub(super) struct Crowd<R, const D: usize> {
 
 impl<R: Real, const D: usize> Crowd<R, D> {
     /// Emits the pairs among the entries of a tube.
-    pub(super) fn search(entries: &[Entry<R, D>], keeps: bool, emitter: &mut Emitter) -> Self {
+    pub(super) fn search(
+        entries: &[Entry<R, D>],
+        room: f64,
+        keeps: bool,
+        emitter: &mut Emitter,
+    ) -> Self {
         let boxes: Vec<_> = entries.iter().map(|entry| entry.aabb).collect();
-        let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
-        let stopwatch = &mut Stopwatch::default();
-        let mut search = Search::new(&boxes, &mut pairs, stopwatch);
-        (search.is_crowd, search.keeps, search.most) = (true, keeps, emitter.most);
-        // Invalid boxes do not reach a tube.
-        let _ = kernel.search(None, &mut search);
-        emitter.tally.compared += search.tally.compared;
-        if search.is_over() {
-            // The caller counts them, and stops.
-            emitter.tally.emitted += search.tally.emitted;
-        }
-        for pair in pairs {
-            let [a, b] = pair.map(|i| entries[i as usize].owner);
-            emitter.emit_one(a, b, true);
-        }
+        let owners = entries.iter().map(|entry| entry.owner).collect();
+        let (mut kernel, stopwatch) = (GridSweep::default(), &mut Stopwatch::default());
+        emitter.nest(owners, |names, pairs, tally, most| {
+            let mut search = Search {
+                room: Some(room),
+                keeps,
+                names: Some(names),
+                most,
+                tally,
+                ..Search::new(&boxes, pairs, stopwatch)
+            };
+            // Invalid boxes do not reach a tube.
+            let _ = kernel.search(None, &mut search);
+            search.tally
+        });
         Self {
             entries: entries.to_vec(),
             kernel,

@@ -20,7 +20,7 @@ use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
 use crate::real::Real;
 use crate::stopwatch::{Phase, Stopwatch};
-use crate::tuning::kernel::COMPARED_AN_ENTRY;
+use crate::tuning::kernel::{COMPARED_AN_ENTRY, NO_CROWD_UP_TO};
 
 /// How many entries past the last sentinel may be read: the sweep reads 64 past the last of eight.
 const PADDING: usize = LANES + 64;
@@ -107,13 +107,13 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// Entries that `may_crowd` do so if the sweep takes many comparisons for each, and some for each pair. They are searched by a kernel
-    /// of their own. Stops early if more pairs overlap than the emitter may append.
+    /// Many entries crowd if the sweep takes many comparisons for each, and some for each pair. If there is `room`, a kernel of their own searches
+    /// them. Stops early if more pairs overlap than the emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        may_crowd: bool,
+        room: f64,
         emitter: &mut Emitter,
     ) {
         let range = self.range.clone();
@@ -134,15 +134,18 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             let sorted = self.push(tube, &entries);
             self.stopwatch.enter(Phase::Sweep);
-            emitter.begin_task(COMPARED_AN_ENTRY.saturating_mul(entries.len()));
+            emitter.begin_task(match entries.len() {
+                ..=NO_CROWD_UP_TO => usize::MAX,
+                many => COMPARED_AN_ENTRY.saturating_mul(many),
+            });
             let is_swept = self.columns().sweep(sorted, emitter);
             if emitter.is_over() {
                 break;
             }
             if !is_swept {
                 emitter.take_back();
-                if may_crowd {
-                    let crowd = Crowd::search(&entries, self.keeps, emitter);
+                if room >= 1.0 {
+                    let crowd = Crowd::search(&entries, room, self.keeps, emitter);
                     if let Some(tube) = self.tubes.last_mut() {
                         tube.crowd = Some(Box::new(crowd));
                     }

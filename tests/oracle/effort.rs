@@ -1,7 +1,8 @@
 //! The effort of `GridSweep` grows with boxes and pairs. It is counted in comparisons, so the tests need no clock.
 
-use crate::arrangements::{HardBoxes, Mixture, Needles};
-use unisize::{Aabb, BruteForce, GridSweep, PairFinder};
+use crate::arrangements::{Aimed, HardBoxes, Mixture, Needles};
+use crate::random::Random;
+use unisize::{Aabb, BruteForce, GridSweep, PairFinder, Real};
 
 /// The limit of comparisons and visited tubes per box and pair.
 const BOUND: f64 = 400.0;
@@ -20,7 +21,7 @@ fn turned<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> Vec<Aabb<f32
 }
 
 /// Comparisons per box and pair.
-fn effort<const D: usize>(boxes: &[Aabb<f32, D>]) -> f64 {
+fn effort<R: Real, const D: usize>(boxes: &[Aabb<R, D>]) -> f64 {
     let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
     assert_eq!(kernel.find_pairs(boxes, &mut pairs), Ok(()));
     kernel.compared() as f64 / (boxes.len() + pairs.len()) as f64
@@ -134,6 +135,27 @@ fn effort_is_bounded_for_needles_that_pass_each_other() {
             );
         }
     }
+}
+
+/// Each sample of what was left once saw a single size, so that there was a class for each size.
+#[test]
+fn no_order_of_boxes_takes_much_more_effort_than_another() {
+    fn check<R: Real, const D: usize>(most: f64) {
+        let real = |corner: [f64; D]| corner.map(R::from_f64);
+        let boxes = Aimed::RODS.boxes(1 << 14, most);
+        let mut boxes: Vec<_> = boxes
+            .into_iter()
+            .map(|[mins, maxs]| Aabb::new(real(mins), real(maxs)))
+            .collect();
+        let aimed = effort(&boxes);
+        Random::new(7).shuffle(&mut boxes);
+        let shuffled = effort(&boxes);
+        assert!(aimed < 3.0 * shuffled, "{D}D: {aimed}, {shuffled}");
+    }
+    check::<f32, 2>(1e30);
+    check::<f32, 3>(1e30);
+    check::<f64, 2>(1e300);
+    check::<f64, 3>(1e300);
 }
 
 /// Lists of a few hundred boxes seldom need a segment tree.

@@ -1,13 +1,13 @@
 //! A search for boxes on which `GridSweep` does much work for few pairs. It counts the work, without a clock.
 //!
-//! It climbs from a random arrangement, a mixture or blocks of needles, changing a number or two at a time, to one with the most comparisons
+//! It climbs from a random arrangement, a mixture, blocks of needles, or boxes in an order that aims at the kernel's samples, changing a number or two at a time, to one with the most comparisons
 //! of boxes and visits of tubes for each box and pair. If no change makes it worse, it begins again with another one.
 
 use crate::Options;
 use std::time::{Duration, Instant};
-use unisize::{Aabb, GridSweep, PairFinder};
+use unisize::{Aabb, GridSweep, PairFinder, Real};
 use unisize_report::Report;
-use unisize_scenes::{Mixture, Needles};
+use unisize_scenes::{Aimed, Mixture, Needles};
 
 /// The number of boxes of an arrangement, and the larger number of the worst one, which shows how the work grows.
 const COUNT: usize = 1 << 14;
@@ -27,14 +27,16 @@ const BOUND: f64 = 1200.0;
 enum Arrangement {
     Mixture(Mixture),
     Needles(Needles),
+    Aimed(Aimed),
 }
 
 impl Arrangement {
-    /// A mixture if the seed is even.
+    /// Of each kind by turns.
     fn random(seed: u64) -> Self {
-        match seed % 2 {
+        match seed % 3 {
             0 => Self::Mixture(Mixture::random(seed)),
-            _ => Self::Needles(Needles::random(seed)),
+            1 => Self::Needles(Needles::random(seed)),
+            _ => Self::Aimed(Aimed::random(seed)),
         }
     }
 
@@ -42,22 +44,34 @@ impl Arrangement {
         match self {
             Self::Mixture(mixture) => Self::Mixture(mixture.varied(seed)),
             Self::Needles(needles) => Self::Needles(needles.varied(seed)),
+            Self::Aimed(aimed) => Self::Aimed(aimed.varied(seed)),
         }
     }
 
-    fn boxes<const D: usize>(&self, count: usize) -> Vec<[[f32; D]; 2]> {
-        match self {
+    fn boxes<R: Real, const D: usize>(&self, count: usize) -> Vec<Aabb<R, D>> {
+        let boxes = match self {
             Self::Mixture(mixture) => mixture.boxes(count, 7),
             Self::Needles(needles) => needles.boxes(count, 7),
-        }
+            Self::Aimed(aimed) => {
+                let is_double = R::from_f64(1e300).to_f64().is_finite();
+                return converted(&aimed.boxes(count, if is_double { 1e300 } else { 1e30 }));
+            }
+        };
+        converted(&boxes)
     }
 }
 
-/// Searches in one dimension, for the minutes of the options.
+fn converted<T: Copy + Into<f64>, R: Real, const D: usize>(boxes: &[[[T; D]; 2]]) -> Vec<Aabb<R, D>> {
+    let corner = |corner: [T; D]| corner.map(|x| R::from_f64(x.into()));
+    let boxes = boxes.iter();
+    boxes.map(|&[a, b]| Aabb::new(corner(a), corner(b))).collect()
+}
+
+/// Searches with one scalar in one dimension, for the minutes of the options.
 ///
 /// # Errors
 /// If it finds an arrangement above the bound.
-pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> anyhow::Result<()> {
+pub(crate) fn search<R: Real, const D: usize>(options: &Options, report: &mut Report) -> anyhow::Result<()> {
     let begin = Instant::now();
     let enough = match options.quick {
         true => Duration::ZERO,
@@ -69,11 +83,11 @@ pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> 
         if tried > 0 && begin.elapsed() >= enough {
             break;
         }
-        let mut best = (0.0, Arrangement::random(2 * seed + climb % 2));
+        let mut best = (0.0, Arrangement::random(3 * seed + climb % 3));
         let mut vain = 0;
         while vain < PATIENCE && (tried == 0 || begin.elapsed() < enough) {
             let arrangement = best.1.varied(seed);
-            let effort = effort::<D>(&arrangement, COUNT).unwrap_or_default();
+            let effort = effort::<R, D>(&arrangement, COUNT).unwrap_or_default();
             (seed, tried, vain) = (seed + 1, tried + 1, vain + 1);
             if effort > best.0 {
                 (best, vain) = ((effort, arrangement), 0);
@@ -85,9 +99,10 @@ pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> 
         seed += 1;
     }
     let (effort_of_few, arrangement) = worst;
-    let effort_of_many = effort::<D>(&arrangement, LARGE);
+    let effort_of_many = effort::<R, D>(&arrangement, LARGE);
     report.row(&[
         ("dim", D.into()),
+        ("scalar", std::any::type_name::<R>().into()),
         ("tried", tried.into()),
         ("boxes", COUNT.into()),
         ("compared_a_box_and_pair", effort_of_few.into()),
@@ -104,9 +119,8 @@ pub(crate) fn search<const D: usize>(options: &Options, report: &mut Report) -> 
 }
 
 /// The number of comparisons of boxes and of visited tubes for each box and pair; `None` if there are too many pairs.
-fn effort<const D: usize>(arrangement: &Arrangement, count: usize) -> Option<f64> {
-    let boxes = arrangement.boxes(count);
-    let boxes: Vec<Aabb<f32, D>> = boxes.iter().map(|&[a, b]| Aabb::new(a, b)).collect();
+fn effort<R: Real, const D: usize>(arrangement: &Arrangement, count: usize) -> Option<f64> {
+    let boxes = arrangement.boxes::<R, D>(count);
     let (mut kernel, mut pairs) = (GridSweep::default(), Vec::new());
     let found = kernel.find_pairs(&boxes, &mut pairs);
     assert_eq!(found, Ok(()));

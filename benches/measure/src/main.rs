@@ -118,8 +118,10 @@ fn main() -> anyhow::Result<()> {
                 hard_boxes::measure::<3, dim3::hierarchy::Hierarchy>(&options, report)?;
             }
             Question::Adversary => {
-                adversary::search::<2>(&options, report)?;
-                adversary::search::<3>(&options, report)?;
+                adversary::search::<f32, 2>(&options, report)?;
+                adversary::search::<f32, 3>(&options, report)?;
+                adversary::search::<f64, 2>(&options, report)?;
+                adversary::search::<f64, 3>(&options, report)?;
             }
             Question::HardMotions => {
                 let small = options.quick;

@@ -22,7 +22,7 @@
 //!
 //! The folders `dim2` and `dim3` have the differences between the dimensions beyond Rapier's own aliases, and `version` has those between
 //! its versions. `dim2_036` and the like are for patched copies of Rapier 0.36, and exist only with such a copy.
-//! [`DriftingBoxes`], [`ConvergingBoxes`], [`HardBoxes`], [`Mixture`], [`Needles`] and [`HardFrames`] need no engine.
+//! [`DriftingBoxes`], [`ConvergingBoxes`], [`HardBoxes`], [`Mixture`], [`Needles`], [`Aimed`] and [`HardFrames`] need no engine.
 
 #[macro_use]
 #[path = "../../../tests/common/boxes/mod.rs"]
@@ -35,7 +35,7 @@ mod kind;
 mod outcome;
 mod timing;
 
-pub use arrangements::{HardBoxes, Mixture, Needles};
+pub use arrangements::{Aimed, HardBoxes, Mixture, Needles};
 pub use boxes::DriftingBoxes;
 pub use converging::ConvergingBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
