@@ -18,6 +18,8 @@ use super::{
     install,
 };
 
+mod poses;
+
 /// Bodies with a collider each, and joints between some.
 struct Playground {
     twins: Twins,
@@ -45,6 +47,8 @@ enum Kind {
     Types,
     /// All of that, and joints come and go.
     All,
+    /// Rotations and normals are not of unit length.
+    Poses,
 }
 
 const TYPES: [RigidBodyType; 4] = [
@@ -140,6 +144,10 @@ impl Playground {
                 5..7 if version::ARE_CHANGES_SEEN => self.change_reach(),
                 5..9 => self.change_type(),
                 _ => self.join_or_part(),
+            },
+            Kind::Poses => match self.random.below(3) {
+                0 => self.push_or_put_to_sleep(),
+                _ => self.turn(),
             },
         }
     }
@@ -288,6 +296,9 @@ fn play(kind: Kind, filter: Option<PairFilter>) {
     for seed in 0..worlds {
         println!("{kind:?}, {filter:?}, seed {seed}");
         let mut playground = Playground::new(filter, seed);
+        if kind == Kind::Poses {
+            playground.insert_half_spaces();
+        }
         for _ in 0..60 {
             for _ in 0..playground.random.pick(&[0, 0, 1, 1, 3]) {
                 playground.act(kind);
@@ -332,4 +343,10 @@ fn changed_types() {
 #[test]
 fn anything() {
     play_at_both_levels(Kind::All);
+}
+
+/// Of worlds with half-spaces.
+#[test]
+fn odd_poses() {
+    play_at_both_levels(Kind::Poses);
 }
