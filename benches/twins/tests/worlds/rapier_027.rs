@@ -19,6 +19,9 @@ pub(crate) const ARE_CHANGES_SEEN: bool = false;
 /// Whether contacts are those of the poses after a step. If not, they are those before it.
 pub(crate) const LOOKS_AFTER_MOVES: bool = true;
 
+/// Whether a program may put back its sets and no broad phase. If not, it starts with new broad and narrow phases.
+pub(crate) const CAN_SETS_BE_PUT_BACK: bool = false;
+
 /// A gap between boxes at which Rapier's broad phase still holds a pair.
 pub(crate) const NEAR: Real = 0.01;
 
