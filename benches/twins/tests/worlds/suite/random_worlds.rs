@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::cases;
 use super::random::Random;
 use super::rapier::prelude::*;
-use super::scenes::groups;
+use super::scenes::{AnyBroadPhase, groups};
 use super::snapshot::EventLog;
 use super::twins::{Twins, assert_alike, at, cuboid};
 use super::version;
@@ -53,6 +53,8 @@ enum Kind {
     Poses,
     /// Bodies, colliders and contacts are put back as they were some steps ago.
     Rollback,
+    /// Collisions are detected with other parameters than in steps.
+    Parameters,
 }
 
 const TYPES: [RigidBodyType; 4] = [
@@ -166,7 +168,7 @@ impl Playground {
                 0 => self.push_or_put_to_sleep(),
                 _ => self.turn(),
             },
-            Kind::Rollback => self.push_or_put_to_sleep(),
+            Kind::Rollback | Kind::Parameters => self.push_or_put_to_sleep(),
         }
     }
 
@@ -263,17 +265,21 @@ impl Playground {
     /// sooner or later; and joints are solved in an order that depends on that of the contacts. Contacts, intersections and events are the
     /// same even then.
     fn step(&mut self) -> bool {
+        self.advance(|world, broad_phase, log| world.step(broad_phase, &(), log))
+    }
+
+    fn advance(&mut self, advance: impl Fn(&mut World, &mut AnyBroadPhase, &EventLog)) -> bool {
         let logs = [EventLog::default(), EventLog::default()];
         let Twins { ours, theirs, .. } = &mut self.twins;
         // Rapier 0.27 rarely finds a body in its lists of what is active that is gone, whatever the broad phase.
         let stepped = catch_unwind(AssertUnwindSafe(|| {
-            theirs.step(self.theirs.for_step(), &(), &logs[1]);
+            advance(theirs, self.theirs.for_step(), &logs[1]);
         }));
         if stepped.is_err() {
             println!("Rapier's own panics");
             return false;
         }
-        ours.step(self.ours.for_step(), &(), &logs[0]);
+        advance(ours, self.ours.for_step(), &logs[0]);
         self.ours.inner.validate();
         let [mut ours, mut theirs] = self.twins.snapshots(logs);
         let moved_alike = (&ours.asleep, &ours.poses) == (&theirs.asleep, &theirs.poses);
@@ -303,6 +309,30 @@ impl Playground {
         moved_alike
     }
 
+    /// Has colliders intersect, but not touch: Rapier 0.36 takes it amiss if a contact begins without a step.
+    fn make_sensors(&mut self) {
+        for &collider in &self.colliders {
+            self.twins.change(collider, |it| it.set_sensor(true));
+        }
+    }
+
+    /// Detects collisions, or steps, with parameters of its own.
+    fn advance_otherwise(&mut self, detects: bool) -> bool {
+        let params = self.twins.ours.params;
+        let unit = self.random.pick(&[1.0, 1.0, 0.1, 30.0]);
+        let prediction = self.random.pick(&[0.002, 0.002, 0.02]);
+        self.twins.both(|world| {
+            world.params.length_unit = unit;
+            world.params.normalized_prediction_distance = prediction;
+        });
+        let moved_alike = match detects {
+            true => self.advance(|world, broad_phase, log| world.collide(broad_phase, log)),
+            false => self.step(),
+        };
+        self.twins.both(|world| world.params = params);
+        moved_alike
+    }
+
     fn join_or_part(&mut self) {
         let [first, second] = [self.body(), self.body()];
         if first != second {
@@ -328,8 +358,11 @@ fn play(kind: Kind, filter: Option<PairFilter>) {
     for seed in 0..worlds {
         println!("{kind:?}, {filter:?}, seed {seed}");
         let mut playground = Playground::new(filter, seed);
-        if kind == Kind::Poses {
-            playground.insert_half_spaces();
+        let detects = kind == Kind::Parameters && seed % 2 == 0;
+        match kind {
+            Kind::Poses => playground.insert_half_spaces(),
+            Kind::Parameters if detects => playground.make_sensors(),
+            _ => {}
         }
         for _ in 0..60 {
             for _ in 0..playground.random.pick(&[0, 0, 1, 1, 3]) {
@@ -337,6 +370,10 @@ fn play(kind: Kind, filter: Option<PairFilter>) {
             }
             let moved_alike = match kind {
                 Kind::Rollback if playground.random.below(6) == 0 => playground.roll_back(),
+                Kind::Parameters if playground.random.below(6) < 3 => {
+                    // The pipeline for collisions wakes nobody, so a step sees all changes first.
+                    (!detects || playground.step()) && playground.advance_otherwise(detects)
+                }
                 _ => playground.step(),
             };
             if !moved_alike {
@@ -347,7 +384,9 @@ fn play(kind: Kind, filter: Option<PairFilter>) {
         }
     }
     println!("{kind:?}, {filter:?}: {differing} of {worlds} come to move otherwise");
-    assert!(differing <= 1 + worlds / 100, "{differing} of {worlds}");
+    // Where reach grows and shrinks, more pairs without contact are left out.
+    let seldom = if kind == Kind::Parameters { 25 } else { 100 };
+    assert!(differing <= 1 + worlds / seldom, "{differing} of {worlds}");
 }
 
 /// At the default level, and at that of Rapier's own broad phase.
@@ -390,4 +429,9 @@ fn odd_poses() {
 #[test]
 fn sets_that_are_put_back() {
     play_at_both_levels(Kind::Rollback);
+}
+
+#[test]
+fn parameters_that_alternate() {
+    play_at_both_levels(Kind::Parameters);
 }
