@@ -1,7 +1,8 @@
 //! A search for boxes on which `GridSweep` does much work for few pairs. It counts the work, without a clock.
 //!
-//! It climbs from a random arrangement, a mixture, blocks of needles, or boxes in an order that aims at the kernel's samples, changing a number or two at a time, to one with the most comparisons
-//! of boxes and visits of tubes for each box and pair. If no change makes it worse, it begins again with another one.
+//! It begins with a random arrangement: a mixture, blocks of needles, or boxes in an order that aims at the kernel's samples. By changing a
+//! number or two at a time, it climbs to one with the most comparisons of boxes and visits of tubes for each box and pair. If no change
+//! makes it worse, it begins again with another one.
 
 use crate::Options;
 use std::time::{Duration, Instant};
@@ -61,17 +62,24 @@ impl Arrangement {
     }
 }
 
-fn converted<T: Copy + Into<f64>, R: Real, const D: usize>(boxes: &[[[T; D]; 2]]) -> Vec<Aabb<R, D>> {
+fn converted<T: Copy + Into<f64>, R: Real, const D: usize>(
+    boxes: &[[[T; D]; 2]],
+) -> Vec<Aabb<R, D>> {
     let corner = |corner: [T; D]| corner.map(|x| R::from_f64(x.into()));
     let boxes = boxes.iter();
-    boxes.map(|&[a, b]| Aabb::new(corner(a), corner(b))).collect()
+    boxes
+        .map(|&[a, b]| Aabb::new(corner(a), corner(b)))
+        .collect()
 }
 
 /// Searches with one scalar in one dimension, for the minutes of the options.
 ///
 /// # Errors
 /// If it finds an arrangement above the bound.
-pub(crate) fn search<R: Real, const D: usize>(options: &Options, report: &mut Report) -> anyhow::Result<()> {
+pub(crate) fn search<R: Real, const D: usize>(
+    options: &Options,
+    report: &mut Report,
+) -> anyhow::Result<()> {
     let begin = Instant::now();
     let enough = match options.quick {
         true => Duration::ZERO,
