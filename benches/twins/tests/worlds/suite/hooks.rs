@@ -12,10 +12,10 @@ use super::{PairFilter, Steppable};
 /// Where a step panics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Panics {
-    AtContact,
-    AtIntersection,
-    AtSolver,
-    AtEvent,
+    Contact,
+    Intersection,
+    Solver,
+    Event,
 }
 
 impl Panics {
@@ -26,17 +26,17 @@ impl Panics {
 
 impl PhysicsHooks for Panics {
     fn filter_contact_pair(&self, _: &PairFilterContext<'_>) -> Option<SolverFlags> {
-        self.at(Self::AtContact);
+        self.at(Self::Contact);
         Some(SolverFlags::default())
     }
 
     fn filter_intersection_pair(&self, _: &PairFilterContext<'_>) -> bool {
-        self.at(Self::AtIntersection);
+        self.at(Self::Intersection);
         true
     }
 
     fn modify_solver_contacts(&self, _: &mut ContactModificationContext<'_>) {
-        self.at(Self::AtSolver);
+        self.at(Self::Solver);
     }
 }
 
@@ -48,7 +48,7 @@ impl EventHandler for Panics {
         _: CollisionEvent,
         _: Option<&ContactPair>,
     ) {
-        self.at(Self::AtEvent);
+        self.at(Self::Event);
     }
 
     fn handle_contact_force_event(
@@ -112,10 +112,10 @@ fn hopping(filter: PairFilter) -> (Ordered, Vec<RigidBodyHandle>) {
 fn steps_that_panic() {
     for filter in [version::LEVEL_OF_OWN, PairFilter::Shapes] {
         for place in [
-            Panics::AtContact,
-            Panics::AtIntersection,
-            Panics::AtSolver,
-            Panics::AtEvent,
+            Panics::Contact,
+            Panics::Intersection,
+            Panics::Solver,
+            Panics::Event,
         ] {
             let (mut panics, mut after) = (0, 0);
             for first in [0, 5, 10, 15, 19] {
