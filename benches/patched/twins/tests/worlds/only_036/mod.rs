@@ -4,6 +4,7 @@
 use super::rapier;
 use super::scenes;
 use super::suite::{ordered, random, snapshot, twins};
+use super::version;
 use super::{PairFilter, Settings, Steppable, Trial, UnisizeBroadPhase, World, install};
 
 mod changes;
@@ -14,4 +15,5 @@ mod physics_world;
 mod reach;
 mod recycling;
 mod soft_bodies;
+mod stretched;
 mod unbounded;
