@@ -45,9 +45,8 @@ pub enum PairFilter {
     ///
     /// A pair begins when its boxes *and* the present bounding volumes of its shapes are within the prediction distance and the contact
     /// skins. It ends when the boxes with their margins part. It also ends when the volumes are farther apart than both margins, unless the
-    /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. A collider that has moved by less than
-    /// a sixteenth of the margin since its volume was read is *slow* until it leaves its box: its volume is loosened by that distance, and read again only
-    /// when the collider has moved farther. When the prediction distance or the length unit becomes smaller, volumes stay as large as they
+    /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. Each volume
+    /// is loosened by a *skin* of a sixteenth of the margin, and stays while that of the collider differs by less. When the prediction distance or the length unit becomes smaller, volumes stay as large as they
     /// were: there may be more pairs than in a new broad phase, and the parameters may alternate at no cost. When one of them exceeds its
     /// largest value so far, all volumes are read again, for at least twice that value.
     ///
@@ -59,7 +58,7 @@ pub enum PairFilter {
     ///
     /// Some colliders have no volume, whatever their shape: those with physics hooks, so that hooks are called for the same pairs; those whose
     /// box is larger than the shape, because of soft CCD or because the collider is soft; and those of a body with more than 32 colliders at the time of
-    /// reading, if they are mostly within the body. Where a program passes boxes to `set_aabb` one by one, only balls have volumes.
+    /// reading, if they are mostly within the body.
     ///
     /// Contacts and intersections stay the same. Rapier 0.36 tests a pair again only when its colliders have moved by some hundredths of a
     /// length unit since the pair began, so a contact of two colliders that are still apart may be predicted some steps earlier or later.

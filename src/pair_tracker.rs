@@ -32,6 +32,7 @@ use crate::grid_sweep::MAX_BOXES;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::stopwatch::Stopwatch;
+use crate::volume::Volume;
 pub(crate) use box_update::BoxUpdate;
 use candidates::Candidates;
 use foresight::Foresight;
@@ -61,6 +62,12 @@ pub(crate) trait PairObserver: Sync {
     fn is_active(&self, _pair: [u32; 2]) -> bool {
         false
     }
+}
+
+/// The present volumes of colliders.
+pub(crate) trait VolumeSource<R, const D: usize>: Sync {
+    /// The volume of a slot, extended as [`Volumes`](volumes::Volumes::extension) say.
+    fn volume(&self, slot: u32) -> Volume<R, D>;
 }
 
 impl<F: FnMut(PairChange) + Sync> PairObserver for F {

@@ -40,8 +40,8 @@ use passing::Pending;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
-use source::Reading;
-pub(crate) use source::{BoxSource, Handle, Lists};
+use source::KnownVolumes;
+pub(crate) use source::{BoxSource, Handle, Lists, Reading};
 
 /// The maximum number of slots for known colliders. The rest of [`MOST_SLOTS`] is for boxes of unknown colliders.
 const MOST_KNOWN_SLOTS: usize = MOST_SLOTS - ROOM_AHEAD;
@@ -85,7 +85,9 @@ struct Gathered {
     moved: usize,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
+impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
+    ProxyTable<R, D, M, K>
+{
     /// An empty table.
     pub(crate) fn new(settings: &Settings<R>) -> Self {
         let volumes = settings.filter == Some(PairFilter::Shapes);
@@ -226,7 +228,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
-    /// some may repeat. **O(listed colliders)**, or O(n) if all volumes are read again.
+    /// some may repeat. **O(listed colliders)**, or O(n) if all volumes become stale.
     pub(crate) fn update<S>(
         &mut self,
         lists: &Lists<'_, S::Handle>,
@@ -243,10 +245,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         for &handle in lists.removed {
             self.remove(handle);
         }
-        let volumes = self.tracker.proxies.volumes_mut();
-        if volumes.note_extents(margin, source.reach()) {
-            self.reset_volumes(source);
-        }
+        self.tracker.proxies.note_extents(margin, source.reach());
         self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
@@ -274,11 +273,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     pub(crate) fn is_due(&self, margin: R, reach: R) -> bool {
         let volumes = self.tracker.proxies.volumes();
         self.gathered.is_begun || self.known > 0 && volumes.have_longer_extents(margin, reach)
-    }
-
-    /// The [reach](BoxSource::reach) of a source, if its parameters ask for this one.
-    pub(crate) fn reach_for(&self, reach: R) -> R {
-        self.tracker.proxies.volumes().reach_for(reach)
     }
 
     /// Begins an update, or continues the one that has begun. Returns the argument for [`pause`](Self::pause).
@@ -321,7 +315,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         let mut memo = slot.map_or_else(M::default, |slot| {
             std::mem::take(&mut self.memos[slot as usize])
         });
-        let Some(Reading { aabb, key, volume }) = read(&mut memo) else {
+        let Some(reading) = read(&mut memo) else {
             // The collider is gone or disabled, whether or not it is listed as removed.
             return self.remove(handle);
         };
@@ -329,8 +323,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             return self.refuse_slot(handle);
         };
         self.memos[slot as usize] = memo;
+        let Reading {
+            aabb,
+            key,
+            has_only_moved,
+        } = reading;
         let proxies = &mut self.tracker.proxies;
-        let renews_box = key.renews_box(proxies.key(slot));
+        let former = proxies.key(slot);
+        let (is_same_key, renews_box) = (key == former, key.renews_box(former));
         proxies.set_key(slot, key);
         let held = proxies.boxes[slot as usize];
         let is_skipped = skips_unbounded && aabb.is_unbounded();
@@ -347,7 +347,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             // A new box gets no margin, as in Rapier: a collider that never moves never needs one.
             _ => Some(aabb),
         };
-        proxies.set_volume(slot, &volume, renewed.is_some());
+        let (mut all, i) = (proxies.all(), slot as usize);
+        let has_only_moved = has_only_moved && is_same_key && !all.is_part(i);
+        all.follow_with_volume(i, &aabb, has_only_moved);
         match renewed {
             None => {}
             Some(renewed) if renewed.is_valid() && !is_refused => {
@@ -386,22 +388,31 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.tracker.proxies.place(slot, aabb);
     }
 
-    /// Ends an update: calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
+    /// Ends an update, which reads volumes: calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
     /// in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
-    pub(crate) fn finish<H: Handle>(
+    pub(crate) fn finish<S>(
         &mut self,
+        source: &S,
         slack: R,
-        is_active: Option<IsActive<'_, H>>,
+        is_active: Option<IsActive<'_, S::Handle>>,
         changes: &mut Changes,
-        mut event: impl FnMut(bool, [H; 2]),
-    ) {
+        mut event: impl FnMut(bool, [S::Handle; 2]),
+    ) where
+        S: BoxSource<R, D, Memo = M, Key = K>,
+    {
         let mut observer = Observer {
             generations: &self.generations,
             is_active,
             changes,
         };
+        let volumes = KnownVolumes {
+            source,
+            generations: &self.generations,
+            memos: &self.memos,
+            extension: self.tracker.proxies.volumes().extension(),
+        };
         let shared = parallel::shared();
-        self.tracker.commit(slack, &mut observer);
+        self.tracker.commit(slack, &mut observer, &volumes);
         self.pause(shared);
         self.tracker.stopwatch.enter(Phase::Events);
         self.last = std::mem::take(&mut self.gathered);

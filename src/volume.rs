@@ -235,31 +235,6 @@ impl<R: Real, const D: usize> Volume<R, D> {
         (are_of_kind && are_valid).then_some(volume)
     }
 
-    /// The volume of a collider with this box: a ball moves to the middle of the box, and other volumes stay where they are. If the box
-    /// extends beyond the volume, it is one that meets all others.
-    #[inline(always)]
-    pub(crate) fn in_box(self, aabb: &Aabb<R, D>) -> Self {
-        let ball = match self.kind {
-            VolumeKind::Ball => self.ball.in_box(aabb),
-            VolumeKind::Capsule | VolumeKind::Cuboid if !self.fills(aabb) => Ball {
-                center: [R::NAN; D],
-                ..self.ball
-            },
-            _ => self.ball,
-        };
-        Self { ball, ..self }
-    }
-
-    #[inline(always)]
-    fn fills(&self, aabb: &Aabb<R, D>) -> bool {
-        let Ball { center, radius } = self.ball;
-        let extent = extent_of(self.as_ref().half_axes.iter().copied());
-        (0..D).fold(true, |fills, k| {
-            let reach = radius + extent[k];
-            fills & (center[k] - reach <= aabb.mins[k]) & (aabb.maxs[k] <= center[k] + reach)
-        })
-    }
-
     /// Whether two volumes may meet, each loosened by half of `slack`: whether none of their axes separates them.
     #[cfg(test)]
     pub(crate) fn meets(&self, other: &Self, slack: R) -> bool {

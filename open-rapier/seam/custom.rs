@@ -81,12 +81,7 @@ pub trait CustomBroadPhase: Any + Send + Sync {
     fn set_aabb(&mut self, params: &IntegrationParameters, handle: ColliderHandle, aabb: Aabb);
 
     /// Sets the boxes of all colliders that a step has moved.
-    fn set_aabbs(
-        &mut self,
-        params: &IntegrationParameters,
-        _colliders: &ColliderSet,
-        aabbs: &[(ColliderHandle, Aabb)],
-    ) {
+    fn set_aabbs(&mut self, params: &IntegrationParameters, aabbs: &[(ColliderHandle, Aabb)]) {
         for (handle, aabb) in aabbs {
             self.set_aabb(params, *handle, *aabb);
         }
@@ -129,11 +124,10 @@ impl BroadPhaseBvh {
     pub(crate) fn set_aabbs(
         &mut self,
         params: &IntegrationParameters,
-        colliders: &ColliderSet,
         aabbs: &[(ColliderHandle, Aabb)],
     ) {
         if let Some(custom) = &mut self.custom.broad_phase {
-            return custom.set_aabbs(params, colliders, aabbs);
+            return custom.set_aabbs(params, aabbs);
         }
         for (handle, aabb) in aabbs {
             self.set_aabb(params, *handle, *aabb);

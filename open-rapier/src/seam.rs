@@ -182,34 +182,9 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
 ",
         times: 1,
         change: Change::Replace(
-            "        broad_phase.set_aabbs(integration_parameters, colliders, &self.end_step_collider_aabbs);
+            "        broad_phase.set_aabbs(integration_parameters, &self.end_step_collider_aabbs);
 ",
         ),
-    },
-    Edit {
-        file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "passes the colliders as well",
-        find: "    fn update_moved_collider_aabbs(
-        &mut self,
-        integration_parameters: &IntegrationParameters,
-",
-        times: 1,
-        change: Change::After("        colliders: &ColliderSet,
-"),
-    },
-    Edit {
-        file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "the same between passes of CCD",
-        find: "self.update_moved_collider_aabbs(&integration_parameters, broad_phase)",
-        times: 1,
-        change: Change::Replace("self.update_moved_collider_aabbs(&integration_parameters, colliders, broad_phase)"),
-    },
-    Edit {
-        file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "the same at the end of a step",
-        find: "self.update_moved_collider_aabbs(&step_parameters, broad_phase)",
-        times: 1,
-        change: Change::Replace("self.update_moved_collider_aabbs(&step_parameters, colliders, broad_phase)"),
     },
     Edit {
         file: "src/pipeline/physics_pipeline/solve.rs",

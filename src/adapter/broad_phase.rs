@@ -1,6 +1,6 @@
 //! The broad phase: takes Rapier's lists of colliders and returns Rapier's pair events.
 
-use super::collider_box::{ColliderBoxes, volume};
+use super::collider_box::ColliderBoxes;
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
@@ -10,7 +10,6 @@ use super::rapier::geometry::{
 };
 use super::rapier::math::{DIM, Real};
 use super::{Input, Settings, version};
-use crate::aabb::Aabb;
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::parallel;
@@ -201,26 +200,19 @@ impl UnisizeBroadPhase {
         self.query_tree.note(self.table.clear());
     }
 
-    /// Sets boxes, as a part of the next update. Without `colliders`, only balls keep their volumes.
+    /// Sets boxes, as a part of the next update.
     #[allow(dead_code, reason = "only Rapier 0.36 passes boxes")]
     pub(crate) fn set_boxes(
         &mut self,
         params: &IntegrationParameters,
-        colliders: Option<&ColliderSet>,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
         if aabbs.is_empty() {
             return;
         }
-        let (margin, half_distance) = (self.margin(params), params.prediction_distance() / 2.0);
-        let reach = self.table.reach_for(half_distance);
-        let shortfall = (reach - half_distance).max(0.0);
+        let extents = [self.margin(params), params.prediction_distance() / 2.0];
         parallel::enter(self.table.reading(aabbs.len()), || {
-            let volume = |handle, outline: &mut _, aabb: &Aabb<_, _>| {
-                let collider = colliders.and_then(|colliders| colliders.get(handle));
-                volume(collider, reach, outline, &aabb.loosened(shortfall))
-            };
-            let written = self.table.set_boxes(aabbs, [margin, shortfall], volume);
+            let written = self.table.set_boxes(aabbs, extents);
             self.query_tree.note(written);
         });
     }
@@ -228,8 +220,10 @@ impl UnisizeBroadPhase {
     /// Updates the boxes and the pairs, and appends the events.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
-        let reach_for = |reach| self.table.reach_for(reach);
-        let boxes = ColliderBoxes::new(*input, filter_of(&self.settings), reach_for);
+        let boxes = ColliderBoxes {
+            input: *input,
+            filter: filter_of(&self.settings),
+        };
         if input.lists.are_empty() && !self.table.is_due(margin, boxes.reach()) {
             return;
         }
@@ -245,7 +239,8 @@ impl UnisizeBroadPhase {
             self.query_tree.note(written);
             self.query_tree.grow_older();
             let (slack, changes) = (2.0 * margin, &mut self.changes);
-            self.table.finish(slack, input.is_active, changes, push);
+            self.table
+                .finish(&boxes, slack, input.is_active, changes, push);
         });
     }
 }

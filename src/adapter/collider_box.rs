@@ -2,15 +2,15 @@
 
 use super::Input;
 use super::collider_key::ColliderKey;
-use super::outline::{Outline, Silent, off_unit};
+use super::outline::{Outline, off_unit};
 use super::rapier::dynamics::{RigidBody, RigidBodySet};
 use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
-use crate::proxy_table::{BoxSource, Handle};
-use crate::volume::Volume;
+use crate::proxy_table::{BoxSource, Handle, Reading};
+use crate::volume::{Volume, VolumeKind};
 
 impl From<RapierAabb> for Aabb<Real, DIM> {
     fn from(aabb: RapierAabb) -> Self {
@@ -34,56 +34,16 @@ impl Handle for ColliderHandle {
     }
 }
 
-/// The colliders of an update as a source of boxes.
+/// The colliders of an update as a source of boxes and volumes.
 pub(super) struct ColliderBoxes<'a> {
-    input: Input<'a>,
-    /// Half the prediction distance.
-    half_distance: Real,
-    /// The distance by which volumes are extended, at least that.
-    reach: Real,
-    filter: PairFilter,
-}
-
-impl<'a> ColliderBoxes<'a> {
-    /// `reach_for` returns the distance by which volumes are extended, given that for boxes.
-    pub(super) fn new(
-        input: Input<'a>,
-        filter: PairFilter,
-        reach_for: impl FnOnce(Real) -> Real,
-    ) -> Self {
-        let half_distance = input.params.prediction_distance() / 2.0;
-        Self {
-            input,
-            half_distance,
-            reach: reach_for(half_distance),
-            filter,
-        }
-    }
+    pub(super) input: Input<'a>,
+    pub(super) filter: PairFilter,
 }
 
 /// The body of a collider, if it has one.
 #[inline(always)]
 pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
     bodies.get(collider.parent()?)
-}
-
-/// The volume of a collider in this box, extended by `reach`.
-///
-/// A collider with hooks has none, because a hook may count the pairs that it is asked about, or keep state for them.
-#[inline(always)]
-pub(super) fn volume(
-    collider: Option<&Collider>,
-    reach: Real,
-    outline: &mut Outline,
-    aabb: &Aabb<Real, DIM>,
-) -> Volume<Real, DIM> {
-    match collider {
-        Some(collider) if collider.active_hooks().is_empty() => {
-            let volume = outline.volume(collider, distance(collider, reach));
-            volume.in_box(aabb)
-        }
-        _ => Volume::BOX,
-    }
 }
 
 /// The maximum number of colliders of a body for which they have volumes. Most colliders of a larger body lie in its interior, so the volumes of
@@ -95,6 +55,39 @@ const MOST_WITH_VOLUMES: usize = 32;
 #[inline(always)]
 fn distance(collider: &Collider, half_distance: Real) -> Real {
     (collider.contact_skin() + half_distance).max(0.0)
+}
+
+/// How the pairs of a collider are told apart.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Bounds {
+    /// By the volume of its shape.
+    Volume,
+    /// By its box.
+    Box,
+    /// By its box, until it is read again.
+    Part,
+}
+
+impl Bounds {
+    #[inline(always)]
+    fn of(collider: &Collider, body: Option<&RigidBody>) -> Self {
+        // With soft CCD, contacts reach as far as the body will move, and a change of its velocity is not reported.
+        let is_part = |body: &RigidBody| {
+            body.colliders().len() > MOST_WITH_VOLUMES || body.soft_ccd_prediction() > 0.0
+        };
+        // A kinematic body takes any rotation as it is.
+        let is_off_unit = |body: &RigidBody| {
+            body.is_kinematic() && off_unit(version::norm_squared(body.next_position())).is_none()
+        };
+        // A hook may count the pairs that it is asked about, or keep state for them.
+        let has_hooks = !collider.active_hooks().is_empty();
+        match body {
+            Some(body) if is_part(body) => Self::Part,
+            Some(body) if is_off_unit(body) => Self::Box,
+            _ if has_hooks => Self::Box,
+            _ => Self::Volume,
+        }
+    }
 }
 
 impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
@@ -111,36 +104,43 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         ColliderKey::differ(self.filter)
     }
 
-    fn has_volumes(&self) -> bool {
-        self.filter == PairFilter::Shapes
-    }
-
     #[inline(always)]
     fn volume(
         &self,
         handle: ColliderHandle,
-        outline: &mut Outline,
-        aabb: &Aabb<Real, DIM>,
+        outline: &Outline,
+        extension: Real,
     ) -> Volume<Real, DIM> {
-        let collider = self.input.colliders.get(handle);
-        let body = collider.and_then(|collider| body_of(collider, self.input.bodies));
-        // With soft CCD, contacts reach as far as the body will move, and a change of its velocity is not reported.
-        let has_volume = |body: &RigidBody| {
-            body.colliders().len() <= MOST_WITH_VOLUMES && body.soft_ccd_prediction() <= 0.0
+        let Some(collider) = self.input.colliders.get(handle) else {
+            return Volume::BOX;
         };
-        // A kinematic body takes such a rotation as it is, and then only the box of a ball is passed.
-        let is_off_unit = |body: &RigidBody| {
-            body.is_kinematic() && off_unit(version::norm_squared(body.next_position())).is_none()
-        };
-        match body.is_none_or(has_volume) {
-            true if body.is_some_and(is_off_unit) => Volume::BOX,
-            true => volume(collider, self.reach, outline, aabb),
-            false => Volume::PART,
+        // Bodies are scattered in memory.
+        let bounds = outline.bounds;
+        let bounds =
+            bounds.unwrap_or_else(|| Bounds::of(collider, body_of(collider, self.input.bodies)));
+        match bounds {
+            Bounds::Volume => {}
+            Bounds::Box => return Volume::BOX,
+            Bounds::Part => return Volume::PART,
+        }
+        let volume = outline.volume(collider, distance(collider, extension));
+        let aabb = outline.aabb(collider);
+        match aabb.filter(|_| volume.kind == VolumeKind::Ball) {
+            None => volume,
+            // Exactly as if it followed its box.
+            Some(aabb) => {
+                let aabb = aabb.loosened(distance(collider, self.reach()));
+                let shortfall = (extension - self.reach()).max(0.0);
+                Volume {
+                    ball: volume.ball.in_box(&aabb.loosened(shortfall)),
+                    ..volume
+                }
+            }
         }
     }
 
     fn reach(&self) -> Real {
-        self.reach
+        self.input.params.prediction_distance() / 2.0
     }
 
     #[inline(always)]
@@ -152,9 +152,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     ) -> bool {
         let collider = self.input.colliders.get(handle);
         collider.is_some_and(|collider| {
-            outline.silent != Some(Silent::of(collider))
-                || !outline.may_be_of(collider.shared_shape())
-                || !key.may_be_of(self.filter, collider)
+            outline.has_changed(collider) || !key.may_be_of(self.filter, collider)
         })
     }
 
@@ -166,7 +164,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         &self,
         handle: ColliderHandle,
         outline: &mut Outline,
-    ) -> Option<(Aabb<Real, DIM>, ColliderKey)> {
+    ) -> Option<Reading<Real, DIM, ColliderKey>> {
         let Input {
             params,
             colliders,
@@ -177,10 +175,11 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         if !collider.is_enabled() {
             return None;
         }
-        let mut distance = distance(collider, self.half_distance);
-        outline.silent = Some(Silent::of(collider));
+        let mut distance = distance(collider, self.reach());
+        let has_changed = outline.note(collider);
         let outlined = outline.aabb(collider);
         let body = body_of(collider, bodies);
+        outline.bounds = Some(Bounds::of(collider, body));
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
         // The compiler vectorizes the common branch only if both join before the box is loosened.
         let aabb = match outlined {
@@ -191,7 +190,12 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
                 aabb
             }
         };
-        let key = ColliderKey::new(self.filter, collider, body);
-        Some((aabb.loosened(distance), key))
+        let is_off_unit = off_unit(version::norm_squared(collider.position())).is_none();
+        let is_another = outline.bounds != Some(Bounds::Volume);
+        Some(Reading {
+            aabb: aabb.loosened(distance),
+            key: ColliderKey::new(self.filter, collider, body),
+            has_only_moved: !(has_changed | is_off_unit | is_another),
+        })
     }
 }

@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use super::collider_box::Bounds;
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, ShapeType, SharedShape};
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
@@ -18,13 +19,14 @@ use crate::volume::{MOST_OFF_UNIT, Volume, VolumeKind};
 pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
     /// The properties at the last reading.
-    pub(super) silent: Option<Silent>,
+    silent: Option<Silent>,
+    pub(super) bounds: Option<Bounds>,
 }
 
 /// The properties of a collider that affect its pairs, and that a program can change without Rapier recording what has changed; and
 /// whether it is a sensor. The shape and the [key](super::collider_key::ColliderKey) have the others.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Silent {
+struct Silent {
     contact_skin: Real,
     types: ActiveCollisionTypes,
     has_hooks: bool,
@@ -33,7 +35,7 @@ pub(super) struct Silent {
 
 impl Silent {
     #[inline(always)]
-    pub(super) fn of(collider: &Collider) -> Self {
+    fn of(collider: &Collider) -> Self {
         Self {
             contact_skin: collider.contact_skin(),
             types: collider.active_collision_types(),
@@ -82,7 +84,7 @@ impl Profile {
 impl Outline {
     /// The box of this collider if its shape is simple: bit for bit that of [`Collider::compute_aabb`].
     #[inline(always)]
-    pub(super) fn aabb(&mut self, collider: &Collider) -> Option<Aabb<Real, DIM>> {
+    pub(super) fn aabb(&self, collider: &Collider) -> Option<Aabb<Real, DIM>> {
         let profile = self.profile(collider.shared_shape())?;
         // These are Parry's operations in Parry's order.
         let pose = collider.position();
@@ -99,7 +101,7 @@ impl Outline {
 
     /// The bounding volume of this collider, loosened by this distance.
     #[inline(always)]
-    pub(super) fn volume(&mut self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
+    pub(super) fn volume(&self, collider: &Collider, distance: Real) -> Volume<Real, DIM> {
         let (shape, pose) = (collider.shared_shape(), collider.position());
         let Some(off) = off_unit(version::norm_squared(pose)) else {
             return Volume::BOX;
@@ -109,11 +111,14 @@ impl Outline {
         };
         let center = version::origin(pose).into();
         let Profile { extent, radius } = profile;
+        if profile.is_ball() {
+            // A ball follows its box, which does not show how the rotation changes.
+            return Volume::new(VolumeKind::Ball, center, radius + distance, &[])
+                .stretched(MOST_OFF_UNIT as Real * Real::EPSILON);
+        }
         let volume = if profile.is_cuboid() {
             let halves = turned_halves(pose, extent);
             Volume::new(VolumeKind::Cuboid, center, distance, &halves)
-        } else if profile.is_ball() {
-            Volume::new(VolumeKind::Ball, center, radius + distance, &[])
         } else {
             let half = (pose.rotation * extent).into();
             Volume::new(VolumeKind::Capsule, center, radius + distance, &[half])
@@ -121,27 +126,42 @@ impl Outline {
         volume.stretched(off)
     }
 
-    /// False if the cache has another shape.
+    /// Whether anything but the pose and the key of a collider may have changed since it was noted.
     #[inline(always)]
-    pub(super) fn may_be_of(&self, shape: &SharedShape) -> bool {
-        let mut known = self.known.iter();
-        known.all(|(known, _)| Arc::ptr_eq(&known.0, &shape.0))
+    pub(super) fn has_changed(&self, collider: &Collider) -> bool {
+        let shape = collider.shared_shape();
+        let is_another = |(known, _): &(SharedShape, _)| !Arc::ptr_eq(&known.0, &shape.0);
+        self.silent != Some(Silent::of(collider)) || self.known.as_ref().is_some_and(is_another)
     }
 
+    /// Notes the properties of a collider. Returns whether anything but its pose and its key may have changed.
     #[inline(always)]
-    fn profile(&mut self, shape: &SharedShape) -> Option<Profile> {
-        match &self.known {
-            Some((known, profile)) if Arc::ptr_eq(&known.0, &shape.0) => Some(*profile),
-            _ => self.learn(shape),
-        }
+    pub(super) fn note(&mut self, collider: &Collider) -> bool {
+        let silent = self.silent.replace(Silent::of(collider));
+        let shape = collider.shared_shape();
+        let is_known = self.known(shape).is_some() || self.learn(shape);
+        silent != self.silent || !is_known
     }
 
-    /// Caches a shape if it is simple.
+    /// The profile of a shape, if it is simple.
+    #[inline(always)]
+    fn profile(&self, shape: &SharedShape) -> Option<Profile> {
+        self.known(shape).or_else(|| Profile::of(shape))
+    }
+
+    /// The same, if it is cached.
+    #[inline(always)]
+    fn known(&self, shape: &SharedShape) -> Option<Profile> {
+        let (known, profile) = self.known.as_ref()?;
+        Arc::ptr_eq(&known.0, &shape.0).then_some(*profile)
+    }
+
+    /// Caches a shape if it is simple. Returns false: it was not known.
     #[cold]
-    fn learn(&mut self, shape: &SharedShape) -> Option<Profile> {
+    fn learn(&mut self, shape: &SharedShape) -> bool {
         let profile = Profile::of(shape);
         self.known = profile.map(|profile| (shape.clone(), profile));
-        profile
+        false
     }
 }
 
@@ -258,6 +278,7 @@ mod tests {
     fn check(outline: &mut Outline, collider: &Collider) {
         let is_simple = Profile::of(collider.shared_shape()).is_some();
         let expected = is_simple.then(|| collider.compute_aabb().into());
+        outline.note(collider);
         assert_eq!(outline.aabb(collider), expected);
     }
 

@@ -12,7 +12,7 @@ use super::{Settings, UnisizeBroadPhase};
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
 /// The version of the format. It changes whenever a field or its meaning changes.
-const FORMAT: u32 = 12;
+const FORMAT: u32 = 13;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]

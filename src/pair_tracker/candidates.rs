@@ -18,7 +18,7 @@ use crate::real::Real;
 pub(super) use comparing::Comparing;
 use lists::CandidateLists;
 use retired::RetiredPairs;
-use turns::Turn;
+use turns::{Next, Turn};
 
 /// One row in this many. Once more rows are tombstones, they are removed. If larger: rows are moved, and lists made again, for a few
 /// tombstones. If smaller: comparing goes through rows that are gone.
@@ -54,8 +54,12 @@ pub(super) struct Candidates {
     slots: BitSet,
     /// Scratch: answers about rows.
     answers: BitSet,
+    /// In an update, the rows that cannot be answered before volumes are read.
+    unread: Vec<usize>,
     /// Scratch: the changes of rows, by parts of the rows.
     turns: Vec<Vec<Turn>>,
+    /// Whether all tombstones are from these turns.
+    are_turned: bool,
 }
 
 impl Candidates {
@@ -219,14 +223,14 @@ impl Candidates {
         }
     }
 
-    /// Fills tombstones with the last rows. All tombstones must be from the last turns.
+    /// Fills tombstones with the last rows, if all of them are from the last turns.
     fn fill_tombstones(&mut self) {
-        if self.tombstones == 0 {
+        if !std::mem::take(&mut self.are_turned) || self.tombstones == 0 {
             return;
         }
         // Backwards, so that the row that `swap_remove` moves has been visited already.
         for turn in self.turns.iter().flatten().rev() {
-            if turn.state.is_none() {
+            if turn.next == Next::Gone {
                 self.pairs.swap_remove(turn.row);
                 self.states.swap_remove(turn.row);
                 if !self.dues.is_empty() {

@@ -7,7 +7,7 @@ pub(crate) struct Notes {
     pub(super) touched: Vec<u32>,
     /// Those of them whose boxes have left their fat boxes, or that must be searched for all the same.
     pub(super) leavers: Vec<u32>,
-    /// Slots whose volumes were written and whose boxes were not.
+    /// Slots whose volumes have changed, or are stale and must be read.
     pub(super) revolumed: Vec<u32>,
 }
 

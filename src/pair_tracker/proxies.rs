@@ -7,11 +7,11 @@
 mod chunk;
 mod pair_rules;
 
-use super::FilterKey;
 use super::foresight::Foresight;
 use super::notes::Notes;
 use super::policy::are_most_touched;
 use super::volumes::Volumes;
+use super::{FilterKey, VolumeSource};
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather};
 use crate::parallel::Section;
@@ -19,7 +19,6 @@ use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::tuning::prices::SLOT;
 use crate::tuning::update::MOST_NOTES_A_SLOT;
-use crate::volume::Volume;
 pub(crate) use chunk::ProxyChunk;
 pub(super) use pair_rules::{Rows, overlap};
 
@@ -80,11 +79,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// The volumes; there are none unless they are in use.
     pub(crate) fn volumes(&self) -> &Volumes<R, D> {
         &self.volumes
-    }
-
-    /// The volumes, to note the extents on which all of them depend.
-    pub(crate) fn volumes_mut(&mut self) -> &mut Volumes<R, D> {
-        &mut self.volumes
     }
 
     /// The slots whose boxes or keys were written since the last update; may repeat.
@@ -185,17 +179,17 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Sets the volume of a slot, for which there must be room. `is_renewed` says whether its box is renewed at the same time.
-    pub(crate) fn set_volume(&mut self, slot: u32, volume: &Volume<R, D>, is_renewed: bool) {
-        if self.volumes.set(slot, volume, is_renewed) && !is_renewed {
-            self.notes.revolumed.push(slot);
+    /// Notes the margin of boxes, and the distance by which they are extended: see [`Volumes::note_extents`].
+    pub(crate) fn note_extents(&mut self, margin: R, reach: R) {
+        if self.volumes.note_extents(margin, reach) {
+            self.notes.revolumed.extend(0..self.boxes.len() as u32);
         }
+        self.volumes.note_reach_of_boxes(reach);
     }
 
-    /// Sets the volume of a slot to the present one, without a margin.
-    pub(crate) fn reset_volume(&mut self, slot: u32, volume: &Volume<R, D>) {
-        self.volumes.set(slot, volume, true);
-        self.notes.revolumed.push(slot);
+    /// Notes the distance by which the next boxes are extended.
+    pub(crate) fn note_reach_of_boxes(&mut self, reach: R) {
+        self.volumes.note_reach_of_boxes(reach);
     }
 
     /// Removes repeated notes if they take much memory. **O(log n)** per note, amortized.
@@ -204,10 +198,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             .forget_repeats(MOST_NOTES_A_SLOT * self.boxes.len());
     }
 
-    /// Begins an update: makes sets of the notes.
-    pub(super) fn begin_update(&mut self, slack: R) {
+    /// Begins an update: reads the volumes that the notes name, and makes sets of the notes.
+    pub(super) fn begin_update(&mut self, slack: R, source: &impl VolumeSource<R, D>) {
         self.slack = slack;
         self.volumes.note_moves();
+        self.volumes.pull(&mut self.notes.revolumed, source);
         for &slot in &self.notes.leavers {
             self.leavers.insert(slot);
         }

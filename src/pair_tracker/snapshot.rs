@@ -170,14 +170,22 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         self.candidates
             .restore(found, &snapshot.near, &snapshot.acquainted)?;
+        for &pair in &snapshot.near {
+            proxies.volumes.note_near(pair, true);
+        }
         let notes = &proxies.notes;
         let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
         let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
         let mut near = self.candidates.near();
-        let may_begin = |pair| proxies.may_meet(pair) && proxies.volumes.meet(pair, R::ZERO);
-        match near.all(|pair| is_noted(pair) || !may_begin(pair)) {
+        let volumes = &proxies.volumes;
+        let may_begin = |pair| proxies.may_meet(pair) && volumes.meet(pair, R::ZERO);
+        // A volume whose slot is noted is read, or has changed since the last update.
+        let is_known_apart = |pair| !(volumes.are_stale(pair) || may_begin(pair));
+        match near.all(|pair| is_noted(pair) || is_known_apart(pair)) {
             true => Ok(()),
-            false => Err("snapshot: a pair is not held although its volumes meet"),
+            false => {
+                Err("snapshot: a pair is not held although its volumes meet, or are not known")
+            }
         }
     }
 }

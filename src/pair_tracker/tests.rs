@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use oorandom::Rand32;
 
-use super::{FilterKey, PairChange, PairTracker};
+use super::{FilterKey, PairChange, PairTracker, VolumeSource};
 use crate::aabb::Aabb;
 use crate::brute_force::BruteForce;
 use crate::volume::{Volume, VolumeKind};
@@ -23,10 +23,18 @@ impl FilterKey for Side {
 /// How far the volumes of a held pair may be apart.
 const SLACK: f32 = 0.25;
 
+impl VolumeSource<f32, 2> for Vec<Volume<f32, 2>> {
+    fn volume(&self, slot: u32) -> Volume<f32, 2> {
+        self[slot as usize]
+    }
+}
+
 /// A tracker, and the sum of its changes.
 struct World {
     random: Rand32,
     tracker: PairTracker<f32, 2, Side>,
+    /// By slot.
+    volumes: Vec<Volume<f32, 2>>,
     held: BTreeSet<[u32; 2]>,
     /// The pairs whose boxes overlapped at the end of the last update, except those that their keys have forbidden ever since they do.
     near_or_held: BTreeSet<[u32; 2]>,
@@ -42,9 +50,24 @@ impl World {
             random: Rand32::new(u64::from(slots)),
             before: tracker.proxies.boxes.clone(),
             tracker,
+            volumes: vec![Volume::BOX; slots as usize],
             held: BTreeSet::new(),
             near_or_held: BTreeSet::new(),
         }
+    }
+
+    /// Moves a slot to a box, with this volume.
+    fn place(&mut self, slot: u32, aabb: Aabb<f32, 2>, volume: Volume<f32, 2>) {
+        self.set_volume(slot, &aabb, volume);
+        self.tracker.proxies.place(slot, aabb);
+    }
+
+    /// Gives a slot another volume in its box. The tracker reads that of a capsule or a cuboid only once a pair asks for it.
+    fn set_volume(&mut self, slot: u32, aabb: &Aabb<f32, 2>, volume: Volume<f32, 2>) {
+        let former = std::mem::replace(&mut self.volumes[slot as usize], volume);
+        let has_only_moved = former.kind == volume.kind && volume.kind.axes::<2>() > 0;
+        let mut all = self.tracker.proxies.all();
+        all.follow_with_volume(slot as usize, aabb, has_only_moved);
     }
 
     fn remove(&mut self, slot: u32) {
@@ -57,13 +80,14 @@ impl World {
     /// renewed, or if the volumes are near enough.
     fn update(&mut self) {
         let before = self.held.clone();
-        self.tracker.commit(SLACK, &mut |change| {
+        let mut observer = |change| {
             let is_due = match change {
                 PairChange::Added(pair) => self.held.insert(pair),
                 PairChange::Deleted(pair) => self.held.remove(&pair),
             };
             assert!(is_due, "{change:?} is repeated");
-        });
+        };
+        self.tracker.commit(SLACK, &mut observer, &self.volumes);
         assert!(self.tracker.pairs().collect::<BTreeSet<_>>() == self.held);
         self.tracker.validate(&mut BruteForce);
         let proxies = &self.tracker.proxies;
@@ -72,7 +96,10 @@ impl World {
             let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
             now != before && now.is_valid()
         };
-        let meet = |pair, slack| !are_used || proxies.volumes().meet(pair, slack);
+        let meet = |pair: [u32; 2], slack| {
+            let [a, b] = pair.map(|slot| self.volumes[slot as usize]);
+            !are_used || a.meets(&b, slack)
+        };
         for &pair in before.union(&self.held) {
             let may_stay =
                 before.contains(&pair) && (!pair.into_iter().any(is_renewed) || meet(pair, SLACK));
@@ -86,6 +113,8 @@ impl World {
         let is_known = |pair: &_| self.near_or_held.contains(pair) || proxies.may_meet(*pair);
         let known = overlapping.filter(is_known).collect();
         self.near_or_held = known;
+        let mut begin = self.near_or_held.difference(&self.held);
+        assert!(!begin.any(|&pair| proxies.may_meet(pair) && meet(pair, 0.0)));
         let candidates = &self.tracker.candidates;
         let near_or_held: BTreeSet<_> = candidates.near().chain(candidates.held()).collect();
         assert!(near_or_held == self.near_or_held);
@@ -133,7 +162,7 @@ impl World {
             // Another volume in the same box.
             (2, Some(aabb)) => {
                 let volume = self.random_volume(&aabb);
-                return self.tracker.proxies.set_volume(slot, &volume, false);
+                return self.set_volume(slot, &aabb, volume);
             }
             _ => {}
         }
@@ -141,9 +170,8 @@ impl World {
             (0, _) | (_, None) => self.random_box(world),
             (_, Some(aabb)) => Aabb::new(aabb.mins.map(|x| x + step), aabb.maxs.map(|x| x + step)),
         };
-        self.tracker.proxies.place(slot, aabb);
         let volume = self.random_volume(&aabb);
-        self.tracker.proxies.set_volume(slot, &volume, true);
+        self.place(slot, aabb, volume);
     }
 }
 
@@ -170,8 +198,7 @@ fn a_forbidden_pair_that_has_parted_is_no_neighbor_again() {
         for (slot, center) in [(0, 0.0), (1, x)] {
             let aabb = Aabb::new([center - 0.5; 2], [center + 0.5; 2]);
             let ball = Volume::new(VolumeKind::Ball, [center; 2], 0.5, &[]);
-            world.tracker.proxies.place(slot, aabb);
-            world.tracker.proxies.set_volume(slot, &ball, true);
+            world.place(slot, aabb, ball);
             world.tracker.proxies.set_key(slot, Side(side));
         }
         world.update();
@@ -237,8 +264,7 @@ fn a_few_that_change_among_many_at_rest_cost_no_pass_over_all() {
         let slots: Vec<_> = (0..SIDE * SIDE).filter(is_there).collect();
         for &slot in &slots {
             let (aabb, volume) = ball(slot, 0.5);
-            world.tracker.proxies.place(slot, aabb);
-            world.tracker.proxies.set_volume(slot, &volume, true);
+            world.place(slot, aabb, volume);
         }
         world.update();
         let candidates = &world.tracker.candidates;
@@ -257,8 +283,8 @@ fn a_few_that_change_among_many_at_rest_cost_no_pass_over_all() {
             world.tracker.visit_near(&listed, |_| neighbors += 1);
             assert!(neighbors >= 2 * changing);
             for &slot in &listed {
-                let (_, volume) = ball(slot, if update % 2 == 0 { 0.49 } else { 0.5 });
-                world.tracker.proxies.set_volume(slot, &volume, false);
+                let (aabb, volume) = ball(slot, if update % 2 == 0 { 0.49 } else { 0.5 });
+                world.set_volume(slot, &aabb, volume);
             }
             world.update();
             picked.push(world.tracker.candidates.passes[0] - before);

@@ -18,7 +18,7 @@ use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::layers::TooMany;
 use super::policy::{Cost, Plan, PlanInputs, Work, are_most_touched};
-use super::{FilterKey, PairObserver, PairTracker};
+use super::{FilterKey, PairObserver, PairTracker, VolumeSource};
 use crate::real::Real;
 use crate::stopwatch::Phase;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
@@ -44,14 +44,19 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// searches among all proxies instead.
     ///
     /// If volumes are in use, a held pair ends when one of its boxes is renewed and its volumes are farther apart than `slack`, unless the
-    /// observer says that it is active.
-    pub(crate) fn commit(&mut self, slack: R, observer: &mut impl PairObserver) {
+    /// observer says that it is active. Volumes are read from the source.
+    pub(crate) fn commit(
+        &mut self,
+        slack: R,
+        observer: &mut impl PairObserver,
+        source: &impl VolumeSource<R, D>,
+    ) {
         if self.proxies.notes.are_empty() {
             return;
         }
         self.stopwatch.enter(Phase::Difference);
         self.candidates.compact_if_sparse();
-        self.proxies.begin_update(slack);
+        self.proxies.begin_update(slack, source);
         let proxies = &self.proxies;
         let plan = Plan::of(&self.plan_inputs(), || {
             mean_speed(proxies.touched(), &proxies.boxes, &proxies.previous)
@@ -59,16 +64,16 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         match plan {
             Plan::Compare => {
                 self.work = Work::default();
-                self.compare(observer);
+                self.compare(observer, source);
             }
             Plan::LookUp => match self.look_up() {
-                Ok(()) => self.compare(observer),
+                Ok(()) => self.compare(observer, source),
                 Err(TooMany) => {
                     self.foresight.shorten();
-                    self.search_in_full(self.foresight, observer);
+                    self.search_in_full(self.foresight, observer, source);
                 }
             },
-            Plan::FullSearch(foresight) => self.search_in_full(foresight, observer),
+            Plan::FullSearch(foresight) => self.search_in_full(foresight, observer, source),
         }
         self.cost.add(&self.work);
         self.proxies.end_update();
@@ -118,11 +123,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Compares candidates, retires those of the leavers, and adds those that were found.
-    fn compare(&mut self, observer: &mut impl PairObserver) {
+    fn compare(&mut self, observer: &mut impl PairObserver, source: &impl VolumeSource<R, D>) {
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
-            proxies: &self.proxies,
+            proxies: &mut self.proxies,
             observer,
+            source,
         };
         comparing.compare();
         comparing.extend(&mut self.layers.found);
@@ -134,7 +140,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Searches for all candidates, by fat boxes with this foresight.
-    fn search_in_full(&mut self, foresight: Foresight, observer: &mut impl PairObserver) {
+    fn search_in_full(
+        &mut self,
+        foresight: Foresight,
+        observer: &mut impl PairObserver,
+        source: &impl VolumeSource<R, D>,
+    ) {
         // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
         self.foresight = foresight;
@@ -157,8 +168,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
-            proxies: &self.proxies,
+            proxies: &mut self.proxies,
             observer,
+            source,
         };
         comparing.replace(&mut self.layers.found);
         let near = self.candidates.overlapping_count - self.candidates.held_count;

@@ -15,43 +15,39 @@ use crate::pair_tracker::FilterKey;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::update::ROOM_AHEAD;
-use crate::volume::Volume;
 
 /// The colliders that the next update reads if they exist, by slot and generation.
 pub(super) type Pending = BTreeSet<(u32, u32)>;
 
-impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
+impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
+    ProxyTable<R, D, M, K>
+{
     /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
     /// whose boxes it has written; some may repeat. **O(1)** for the box of each known collider.
     ///
-    /// `shortfall` is the distance by which the boxes are extended less than volumes.
-    ///
-    /// `volume` returns the volume of a collider in a box. It is not called for balls, whose boxes show where they are, nor for
-    /// [parts](crate::volume::VolumeKind::Part).
+    /// `reach` is the distance by which the boxes are extended.
     pub(crate) fn set_boxes<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         boxes: &[(H, B)],
-        [margin, shortfall]: [R; 2],
-        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync,
+        [margin, reach]: [R; 2],
     ) -> &[u32] {
         let shared = self.begin();
-        self.tracker.proxies.volumes_mut().shortfall = shortfall;
+        self.tracker.proxies.note_reach_of_boxes(reach);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
         let section = self.section(boxes.len());
         self.gathered.listed += boxes.len();
         if section.parts() > 1 {
-            let unusual = self.follow_in_parts(section, boxes, margin, &volume);
+            let unusual = self.follow_in_parts(section, boxes, margin);
             self.gathered.moved += self.touched().len() - first_touched;
             for (handle, aabb) in unusual.into_iter().map(|place| boxes[place]) {
-                self.set_box(handle, aabb.into(), margin, &volume);
+                self.set_box(handle, aabb.into(), margin);
             }
         } else {
             let mut boxes = boxes.iter();
-            while let Some(&(handle, aabb)) =
-                section.run(|| self.follow_up_to(&mut boxes, margin, &volume))
+            while let Some(&(handle, aabb)) = section.run(|| self.follow_up_to(&mut boxes, margin))
             {
-                self.set_box(handle, aabb.into(), margin, &volume);
+                self.set_box(handle, aabb.into(), margin);
             }
         }
         self.pause(shared);
@@ -63,7 +59,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         &mut self,
         boxes: &mut impl Iterator<Item = &'a (H, B)>,
         margin: R,
-        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
     ) -> Option<&'a (H, B)> {
         let touched = self.touched().len();
         let mut all = SlotRun {
@@ -71,8 +66,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             generations: &self.generations,
             memos: &mut self.memos,
         };
-        let unusual =
-            boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin, volume));
+        let unusual = boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin));
         self.gathered.moved += self.touched().len() - touched;
         unusual
     }
@@ -84,7 +78,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         section: Section,
         boxes: &[(H, B)],
         margin: R,
-        volume: &(impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D> + Sync),
     ) -> Vec<usize> {
         let parts = section.parts();
         let slots_a_part = self.generations.len().div_ceil(parts).max(1);
@@ -124,7 +117,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             for place in places(*part) {
                 let (handle, aabb) = boxes[place];
                 let (slot, _) = handle.into_raw_parts();
-                if slots.contains(&slot) || !run.follow(handle, &aabb.into(), margin, volume) {
+                if slots.contains(&slot) || !run.follow(handle, &aabb.into(), margin) {
                     slots.insert(slot);
                     unusual.push(place);
                 }
@@ -140,26 +133,17 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
     }
 
     /// Sets one box, whatever has changed.
-    fn set_box<H: Handle>(
-        &mut self,
-        handle: H,
-        aabb: Aabb<R, D>,
-        margin: R,
-        volume: impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
-    ) {
+    fn set_box<H: Handle>(&mut self, handle: H, aabb: Aabb<R, D>, margin: R) {
         let Some(slot) = self.slot_of(handle) else {
             return self.keep_pending(handle, aabb);
         };
-        let proxies = &mut self.tracker.proxies;
-        let (key, are_used) = (proxies.key(slot), proxies.volumes().are_used());
-        let by_box = proxies.all().volume_by_box(slot as usize, &aabb);
-        self.admit(handle, margin, false, |memo| {
-            let volume = match by_box {
-                _ if !are_used => Volume::BOX,
-                Some(volume) => volume,
-                None => volume(handle, memo, &aabb),
-            };
-            Some(Reading { aabb, key, volume })
+        let key = self.tracker.proxies.key(slot);
+        self.admit(handle, margin, false, |_| {
+            Some(Reading {
+                aabb,
+                key,
+                has_only_moved: true,
+            })
         });
     }
 

@@ -58,8 +58,10 @@ impl Reader {
     }
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
-    /// Reads the boxes, filter keys and volumes of listed colliders.
+impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
+    ProxyTable<R, D, M, K>
+{
+    /// Reads the boxes and filter keys of listed colliders.
     pub(super) fn read<S>(&mut self, handles: &[S::Handle], source: &S, margin: R)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
@@ -73,7 +75,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
     }
 
-    /// Reads the filter key and the volume of each listed collider that `has_changed`. Boxes stay, and unknown colliders are skipped.
+    /// Reads the filter key of each listed collider that `has_changed`, and has the update read its volume. Boxes stay, and unknown colliders
+    /// are skipped.
     pub(super) fn read_in_place<S>(
         &mut self,
         handles: &[S::Handle],
@@ -90,10 +93,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let Some(slot) = table.slot_of(handle) else {
                 return;
             };
-            if let Some(reading) = source.reading(handle, &mut table.memos[slot as usize]) {
-                let proxies = &mut table.tracker.proxies;
-                proxies.set_key(slot, reading.key);
-                proxies.set_volume(slot, &reading.volume, false);
+            if let Some(reading) = source.read(handle, &mut table.memos[slot as usize]) {
+                table.tracker.proxies.set_key(slot, reading.key);
             }
         });
     }
@@ -200,11 +201,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         self.admit(handle, margin, source.skips_unbounded(), |memo| {
-            source.reading(handle, memo)
+            source.read(handle, memo)
         });
     }
 
-    /// Replaces the boxes of known colliders by new ones without a margin, and so their volumes.
+    /// Replaces the boxes of known colliders by new ones without a margin.
     pub(super) fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
@@ -213,31 +214,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTabl
             let Some(slot) = self.slot_of(handle) else {
                 continue;
             };
-            let reading = source.reading(handle, &mut self.memos[slot as usize]);
+            let reading = source.read(handle, &mut self.memos[slot as usize]);
             let proxies = &mut self.tracker.proxies;
-            if let (Some(Reading { aabb, volume, .. }), Some(held)) = (reading, proxies.get(slot)) {
+            if let (Some(Reading { aabb, .. }), Some(held)) = (reading, proxies.get(slot)) {
                 let is_skipped = source.skips_unbounded() && aabb.is_unbounded();
                 if aabb != *held && aabb.is_valid() && !is_skipped {
-                    proxies.set_volume(slot, &volume, true);
                     proxies.place(slot, aabb);
                     self.gathered.moved += 1;
                 }
-            }
-        }
-    }
-
-    /// Reads all volumes, after a change of something that all of them depend on. Filter keys stay as they are, so what the source remembers
-    /// of them does, too. **O(colliders)**.
-    #[cold]
-    pub(super) fn reset_volumes<S>(&mut self, source: &S)
-    where
-        S: BoxSource<R, D, Memo = M, Key = K>,
-    {
-        for (slot, (&generation, memo)) in (0..).zip(self.generations.iter().zip(&self.memos)) {
-            let handle = generation.map(|known| S::Handle::from_raw_parts(slot, known));
-            let reading = handle.and_then(|handle| source.reading(handle, &mut memo.clone()));
-            if let Some(reading) = reading {
-                self.tracker.proxies.reset_volume(slot, &reading.volume);
             }
         }
     }

@@ -1,10 +1,9 @@
 //! A run of consecutive slots: all of them, or those of one thread.
 
-use super::{BoxSource, Handle, is_known};
+use super::{BoxSource, Handle, Reading, is_known};
 use crate::aabb::Aabb;
 use crate::pair_tracker::{FilterKey, Notes, Proxies, ProxyChunk};
 use crate::real::Real;
-use crate::volume::Volume;
 
 /// The data of a run of slots, by index in the run.
 pub(super) struct SlotRun<'a, R, const D: usize, M, K> {
@@ -39,27 +38,26 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         Some(H::from_raw_parts(self.proxies.slot(i), generation))
     }
 
-    /// Reads the known collider at `i`. Returns false, and changes nothing but the memo, if it needs more than a move.
+    /// Reads the known collider at `i`. Returns false if its box or its key needs more than a move.
     #[inline(always)]
     pub(super) fn read<S>(&mut self, i: usize, handle: S::Handle, source: &S, margin: R) -> bool
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let Self { proxies, memos, .. } = self;
-        let memo = &mut memos[i];
-        match source.read(handle, memo) {
-            Some((aabb, _)) if source.skips_unbounded() && aabb.is_unbounded() => false,
-            Some((aabb, key)) if !source.has_keys() || key == *proxies.key(i) => {
-                proxies.follow(i, &aabb, margin, |volumes, is_renewed| {
-                    volumes.set(i, &source.volume(handle, memo, &aabb), is_renewed)
-                })
-            }
-            _ => false,
-        }
+        let Some(reading) = source.read(handle, &mut memos[i]) else {
+            return false;
+        };
+        let Reading { aabb, key, .. } = reading;
+        // In any case, because the memo no longer tells the next reading.
+        proxies.follow_with_volume(i, &aabb, reading.has_only_moved && !proxies.is_part(i));
+        let is_skipped = source.skips_unbounded() && aabb.is_unbounded();
+        let is_rekeyed = source.has_keys() && key != *proxies.key(i);
+        !(is_skipped || is_rekeyed) && proxies.follow(i, &aabb, margin)
     }
 
-    /// Reads the volume of the known collider at `i` if it `has_changed`; its box stays. Returns false, and changes nothing but the memo, if its
-    /// filter key or the kind of its volume has changed.
+    /// Has the volume of the known collider at `i` read if it `has_changed`; its box stays. Returns false if its filter key
+    /// has changed.
     #[inline(always)]
     pub(super) fn read_in_place<S>(
         &mut self,
@@ -72,34 +70,24 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let Self { proxies, memos, .. } = self;
-        let memo = &mut memos[i];
-        if !has_changed(handle, memo, proxies.key(i)) {
+        if !has_changed(handle, &memos[i], proxies.key(i)) {
             return true;
         }
-        let reading = source.reading(handle, memo);
-        reading.is_none_or(|reading| {
-            reading.key == *proxies.key(i) && proxies.set_volume(i, &reading.volume)
+        source.read(handle, &mut memos[i]).is_none_or(|reading| {
+            proxies.follow_with_volume(i, &reading.aabb, false);
+            reading.key == *proxies.key(i)
         })
     }
 
-    /// Moves a proxy of the run to a box, or keeps the box that it has. Returns false, and changes nothing, if the collider is unknown or needs
-    /// more than a move.
+    /// Moves a proxy of the run to a box, or keeps the box that it has. Returns false, and leaves its box, if the collider is unknown
+    /// or needs more than a move.
     #[inline(always)]
-    pub(super) fn follow<H: Handle>(
-        &mut self,
-        handle: H,
-        aabb: &Aabb<R, D>,
-        margin: R,
-        volume: &impl Fn(H, &mut M, &Aabb<R, D>) -> Volume<R, D>,
-    ) -> bool {
+    pub(super) fn follow<H: Handle>(&mut self, handle: H, aabb: &Aabb<R, D>, margin: R) -> bool {
         let (slot, generation) = handle.into_raw_parts();
         let place = slot.wrapping_sub(self.proxies.slot(0));
-        let (i, memos) = (place as usize, &mut self.memos);
-        is_known(self.generations, place, generation)
-            && self.proxies.follow(i, aabb, margin, |volumes, is_renewed| {
-                volumes
-                    .set_by_box(i, aabb, is_renewed)
-                    .or_else(|| volumes.set(i, &volume(handle, &mut memos[i], aabb), is_renewed))
-            })
+        is_known(self.generations, place, generation) && {
+            self.proxies.follow_with_volume(place as usize, aabb, true);
+            self.proxies.follow(place as usize, aabb, margin)
+        }
     }
 }

@@ -28,7 +28,9 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     tracker: TrackerSnapshot<R, D, K>,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send, K: FilterKey> ProxyTable<R, D, M, K> {
+impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
+    ProxyTable<R, D, M, K>
+{
     /// A snapshot between two updates.
     pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
         TableSnapshot {

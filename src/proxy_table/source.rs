@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 
 use crate::aabb::Aabb;
-use crate::pair_tracker::FilterKey;
+use crate::pair_tracker::{FilterKey, VolumeSource};
 use crate::real::Real;
 use crate::volume::Volume;
 
@@ -54,19 +54,20 @@ impl<'a, H> Lists<'a, H> {
 pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     type Handle: Handle;
     /// What the source remembers about a collider from one reading to the next.
-    type Memo: Clone + Default + Send;
+    type Memo: Clone + Default + Send + Sync;
     /// What decides, with the boxes, which colliders may be a pair.
     type Key: FilterKey;
 
-    /// The box of a collider without the margin, and its filter key; `None` if the collider is gone or disabled.
-    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo) -> Option<(Aabb<R, D>, Self::Key)>;
-
-    /// The distance by which the volumes of all colliders are extended.
-    fn reach(&self) -> R;
+    /// Reads the box of a collider and its filter key; `None` if the collider is gone or disabled.
+    fn read(&self, handle: Self::Handle, memo: &mut Self::Memo)
+    -> Option<Reading<R, D, Self::Key>>;
 
     /// Whether a known collider that is listed as [unmoved](Lists::unmoved) has changed since it was last read, with this key.
     fn has_changed_unmoved(&self, handle: Self::Handle, memo: &Self::Memo, key: &Self::Key)
     -> bool;
+
+    /// The distance by which boxes are extended.
+    fn reach(&self) -> R;
 
     /// Whether a collider whose box is infinite is skipped: it keeps the box that it had, or has none. If not, it is like any other.
     fn skips_unbounded(&self) -> bool {
@@ -76,35 +77,37 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// Whether filter keys differ at all; if not, they are not compared.
     fn has_keys(&self) -> bool;
 
-    /// The volume of a collider that was just read, within the box that was read.
-    fn volume(
-        &self,
-        handle: Self::Handle,
-        memo: &mut Self::Memo,
-        aabb: &Aabb<R, D>,
-    ) -> Volume<R, D>;
-
-    /// Whether volumes are used.
-    fn has_volumes(&self) -> bool;
-
-    /// Reads a collider, with its volume if there are volumes.
-    fn reading(
-        &self,
-        handle: Self::Handle,
-        memo: &mut Self::Memo,
-    ) -> Option<Reading<R, D, Self::Key>> {
-        let (aabb, key) = self.read(handle, memo)?;
-        let volume = match self.has_volumes() {
-            true => self.volume(handle, memo, &aabb),
-            false => Volume::BOX,
-        };
-        Some(Reading { aabb, key, volume })
-    }
+    /// The volume of a known collider, extended by this distance.
+    fn volume(&self, handle: Self::Handle, memo: &Self::Memo, extension: R) -> Volume<R, D>;
 }
 
 /// What a source says of a collider.
 pub(crate) struct Reading<R, const D: usize, K> {
-    pub(super) aabb: Aabb<R, D>,
-    pub(super) key: K,
-    pub(super) volume: Volume<R, D>,
+    /// The box without the margin.
+    pub(crate) aabb: Aabb<R, D>,
+    pub(crate) key: K,
+    /// Whether nothing but its pose can have changed its volume since the last reading.
+    pub(crate) has_only_moved: bool,
+}
+
+/// The volumes of known colliders.
+pub(super) struct KnownVolumes<'a, S, M, R> {
+    pub(super) source: &'a S,
+    pub(super) generations: &'a [Option<u32>],
+    pub(super) memos: &'a [M],
+    pub(super) extension: R,
+}
+
+impl<R: Real, const D: usize, S, M: Sync> VolumeSource<R, D> for KnownVolumes<'_, S, M, R>
+where
+    S: BoxSource<R, D, Memo = M>,
+{
+    #[inline(always)]
+    fn volume(&self, slot: u32) -> Volume<R, D> {
+        let i = slot as usize;
+        self.generations[i].map_or(Volume::BOX, |generation| {
+            let handle = S::Handle::from_raw_parts(slot, generation);
+            self.source.volume(handle, &self.memos[i], self.extension)
+        })
+    }
 }

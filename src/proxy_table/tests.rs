@@ -5,7 +5,7 @@ mod unusual;
 
 use oorandom::Rand32;
 
-use super::{BoxSource, Changes, FilterKey, Handle, Lists, ProxyTable};
+use super::{BoxSource, Changes, FilterKey, Handle, Lists, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
 use crate::parallel::with_threads;
@@ -65,19 +65,25 @@ impl BoxSource<f32, 2> for Colliders {
         true
     }
 
-    fn has_volumes(&self) -> bool {
-        true
-    }
-
-    fn read(&self, id: Id, memo: &mut Memo) -> Option<Collider> {
+    fn read(&self, id: Id, memo: &mut Memo) -> Option<Reading<f32, 2, Side>> {
+        let has_only_moved = memo.is_some();
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
         let &(generation, collider) = self.get(id.0 as usize)?;
-        collider.filter(|_| generation == id.1)
+        let (aabb, key) = collider.filter(|_| generation == id.1)?;
+        Some(Reading {
+            aabb,
+            key,
+            has_only_moved,
+        })
     }
 
     /// A volume whose kind depends on the slot and the generation.
-    fn volume(&self, id: Id, memo: &mut Memo, aabb: &Aabb<f32, 2>) -> Volume<f32, 2> {
+    fn volume(&self, id: Id, memo: &Memo, _: f32) -> Volume<f32, 2> {
         assert_eq!(*memo, Some(id));
+        let (generation, collider) = self[id.0 as usize];
+        let Some((aabb, _)) = collider.filter(|_| generation == id.1) else {
+            return Volume::BOX;
+        };
         let center = [0, 1].map(|k| (aabb.mins[k] + aabb.maxs[k]) / 2.0);
         let halves = [[0.25, 0.125], [-0.125, 0.25]];
         match (id.0 + id.1) % 5 {
@@ -96,10 +102,13 @@ fn table(filter: PairFilter) -> Table {
     Table::new(&Settings::default().with_filter(filter))
 }
 
-fn finish(table: &mut Table) -> Vec<(bool, [Id; 2])> {
+fn finish<S>(table: &mut Table, source: &S) -> Vec<(bool, [Id; 2])>
+where
+    S: BoxSource<f32, 2, Handle = Id, Memo = Memo, Key = Side>,
+{
     let mut events = Vec::new();
     let changes = &mut Changes::new(1);
-    table.finish(2.0 * MARGIN, None, changes, |is_added, ids| {
+    table.finish(source, 2.0 * MARGIN, None, changes, |is_added, ids| {
         events.push((is_added, ids));
     });
     table.validate();
@@ -169,9 +178,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
                 modified.swap(i, random.rand_range(0..i as u32 + 1) as usize);
             }
         }
-        at_once.set_boxes(&boxes, [MARGIN, 0.0], |id, memo, aabb| {
-            colliders.volume(id, memo, aabb)
-        });
+        at_once.set_boxes(&boxes, [MARGIN, 0.0]);
         at_once.update(&Lists::new(&modified, &removed), &colliders, MARGIN);
         by_and_by.update(&Lists::new(&[], &removed), &colliders, MARGIN);
         modified.extend(boxes.iter().map(|(id, _)| id));
@@ -195,7 +202,7 @@ fn check(filter: PairFilter, slots: u32, updates: usize) {
             by_and_by.update(&in_place_of(few), &colliders, MARGIN);
         }
         // `assert_eq` would print thousands of events.
-        assert!(finish(&mut at_once) == finish(&mut by_and_by));
+        assert!(finish(&mut at_once, &colliders) == finish(&mut by_and_by, &colliders));
         let [a, b] = [&at_once, &by_and_by].map(|table| {
             let (stats, last) = (table.stats(), table.diagnostics());
             let [proxies, refused, pairs] = [stats.proxies, stats.refused, stats.pairs];
@@ -232,14 +239,12 @@ fn sections(count: u32) -> u32 {
         .map(|&(slot, _)| Some((place(slot, 0.0), Side(0))));
     let colliders: Colliders = colliders.map(|collider| (0, collider)).collect();
     table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
-    finish(&mut table);
+    finish(&mut table, &colliders);
     let moved = ids.iter().map(|&id| (id, place(id.0, 9.0)));
     let moved: Vec<_> = moved.collect();
-    table.set_boxes(&moved, [MARGIN, 0.0], |id, memo, aabb| {
-        colliders.volume(id, memo, aabb)
-    });
+    table.set_boxes(&moved, [MARGIN, 0.0]);
     table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
-    finish(&mut table);
+    finish(&mut table, &colliders);
     table.stats().times.shared.sections
 }
 
@@ -259,10 +264,10 @@ fn boxes_that_are_set_many_times_take_no_more_memory() {
     let mut table = table(PairFilter::Shapes);
     // The other three are unknown.
     table.update(&Lists::new(&all[..3], &[]), &colliders, MARGIN);
-    finish(&mut table);
+    finish(&mut table, &colliders);
     for i in 0..2_000 {
         let boxes = all.map(|id| (id, aabb((i % 7) as f32)));
-        table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, [MARGIN, 0.0]);
         let noted = table.touched().len() + table.pending.len();
         assert!(noted <= (MOST_NOTES_A_SLOT + 2) * all.len());
     }
@@ -278,12 +283,12 @@ fn boxes_for_unknown_colliders_make_room_once() {
         let step = ROOM_AHEAD as u32 - 1;
         let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
         let boxes: Vec<_> = boxes.collect();
-        table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
+        table.set_boxes(&boxes, [MARGIN, 0.0]);
     };
     for _ in 0..3 {
         set_boxes(&mut table, 0);
         table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
-        finish(&mut table);
+        finish(&mut table, &colliders);
         assert_eq!(table.boxes().len(), ROOM_AHEAD);
     }
     // The reach grows with known colliders, and stays when they are gone.
@@ -291,7 +296,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
     let last = (2 * ROOM_AHEAD as u32 - 1, 0);
     for lists in [Lists::new(&[last], &[]), Lists::new(&[], &[last])] {
         table.update(&lists, &colliders, MARGIN);
-        finish(&mut table);
+        finish(&mut table, &colliders);
     }
     set_boxes(&mut table, last.0 + 1);
     assert_eq!(table.boxes().len(), 3 * ROOM_AHEAD);
@@ -311,12 +316,12 @@ fn boxes_of_many_unknown_colliders_are_all_kept() {
         let mut table = table(PairFilter::Groups);
         let ids: Vec<Id> = (0..known).map(|slot| (slot, 0)).collect();
         table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
-        finish(&mut table);
+        finish(&mut table, &colliders);
         with_threads(threads, || {
-            table.set_boxes(&boxes, [MARGIN, 0.0], |_, _, _| Volume::BOX);
+            table.set_boxes(&boxes, [MARGIN, 0.0]);
         });
         table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
-        finish(&mut table);
+        finish(&mut table, &colliders);
         assert_eq!(table.stats().proxies, boxes.len());
     }
 }
@@ -344,17 +349,17 @@ impl BoxSource<f32, 2> for Silent {
         true
     }
 
-    fn has_volumes(&self) -> bool {
-        true
+    fn read(&self, (slot, _): Id, memo: &mut Option<Side>) -> Option<Reading<f32, 2, Side>> {
+        let (aabb, key) = self.colliders[slot as usize];
+        *memo = Some(key);
+        Some(Reading {
+            aabb,
+            key,
+            has_only_moved: false,
+        })
     }
 
-    fn read(&self, (slot, _): Id, memo: &mut Option<Side>) -> Option<Collider> {
-        let collider = self.colliders[slot as usize];
-        *memo = Some(collider.1);
-        Some(collider)
-    }
-
-    fn volume(&self, _: Id, _: &mut Option<Side>, _: &Aabb<f32, 2>) -> Volume<f32, 2> {
+    fn volume(&self, _: Id, _: &Option<Side>, _: f32) -> Volume<f32, 2> {
         Volume::BOX
     }
 }
@@ -371,7 +376,8 @@ fn a_key_that_changes_as_all_volumes_are_read_again_is_noticed() {
     let mut update = |lists: &Lists<'_, Id>, source: &Silent| {
         table.update(lists, source, MARGIN);
         let mut events = Vec::new();
-        table.finish(2.0 * MARGIN, None, &mut Changes::new(1), |is_added, ids| {
+        let changes = &mut Changes::new(1);
+        table.finish(source, 2.0 * MARGIN, None, changes, |is_added, ids| {
             events.push((is_added, ids));
         });
         table.validate();
@@ -397,7 +403,7 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     table.most_known_slots = MOST as usize;
     let check = |table: &mut Table, lists, colliders: &Colliders, refused| {
         table.update(&lists, colliders, MARGIN);
-        let events = finish(table);
+        let events = finish(table, colliders);
         let stats = table.stats();
         let pairs = (MOST * (MOST - 1) / 2) as usize;
         let counts = [stats.proxies, stats.refused, stats.pairs];
@@ -414,7 +420,7 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     assert_eq!(check(&mut table, Lists::new(&ids, &[]), &colliders, 200), 0);
 
     // Queries see the box until the update.
-    table.set_boxes(&[((250, 0), aabb)], [MARGIN, 0.0], |_, _, _| Volume::BOX);
+    table.set_boxes(&[((250, 0), aabb)], [MARGIN, 0.0]);
     assert!(table.boxes()[250].is_valid());
     check(&mut table, Lists::new(&[], &[]), &colliders, 200);
 

@@ -138,7 +138,7 @@ impl UnisizeBroadPhase {
     ///
     /// `aabb` is the box of `Collider::compute_broad_phase_aabb`, or one that contains it. If it is not inside the current box, it is loosened
     /// by the margin and takes its place. Only the pose of the collider may have changed, by a rotation of unit length; list it as modified after
-    /// any other change. A box only shows where a ball is, so colliders of other shapes are pairs by their boxes until they are listed again.
+    /// any other change.
     ///
     /// If the collider is unknown, the next update reads it from the set. The box is ignored if a newer collider has the index. A collider
     /// with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.
@@ -157,7 +157,7 @@ impl UnisizeBroadPhase {
         params: &IntegrationParameters,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
-        self.set_boxes(params, None, aabbs);
+        self.set_boxes(params, aabbs);
     }
 }
 
@@ -165,7 +165,7 @@ impl Trial {
     /// Observes a world that runs on an unpatched Rapier: call this after each step. Computes in **O(colliders)** time, plus the updates.
     ///
     /// Both a second instance of Rapier's broad phase and unisize receive the boxes of all enabled colliders. The pairs are those that they
-    /// would have in the world. The times are those of a world that never sleeps. If a collider gets another shape, it keeps its former volume
+    /// would have in the world. The times are those of a world that never sleeps. If a ball gets another shape, it keeps its former volume
     /// at [`PairFilter::Shapes`].
     pub fn observe(
         &mut self,
@@ -189,7 +189,7 @@ impl Trial {
         // Removals come first, because another collider may have the index now.
         let input = Input::new(params, colliders, bodies, &[], &removed);
         self.run(&input, &mut Vec::new());
-        self.set_boxes(params, Some(colliders), &aabbs);
+        self.set_boxes(params, &aabbs);
         let input = Input::new(params, colliders, bodies, &[], &[]);
         self.run(&input, &mut Vec::new());
     }
@@ -198,7 +198,6 @@ impl Trial {
     pub(crate) fn set_boxes(
         &mut self,
         params: &IntegrationParameters,
-        colliders: Option<&ColliderSet>,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
         self.prepare(
@@ -207,7 +206,7 @@ impl Trial {
                     own.set_aabb(params, *handle, *aabb);
                 }
             },
-            |tried| tried.set_boxes(params, colliders, aabbs),
+            |tried| tried.set_boxes(params, aabbs),
         );
     }
 }

@@ -136,16 +136,15 @@ macro_rules! impl_custom_broad_phase {
                 handle: ColliderHandle,
                 aabb: Aabb,
             ) {
-                self.set_boxes(params, None, &[(handle, aabb)]);
+                self.set_boxes(params, &[(handle, aabb)]);
             }
 
             fn set_aabbs(
                 &mut self,
                 params: &IntegrationParameters,
-                colliders: &ColliderSet,
                 aabbs: &[(ColliderHandle, Aabb)],
             ) {
-                self.set_boxes(params, Some(colliders), aabbs);
+                self.set_boxes(params, aabbs);
             }
 
             fn clone_box(&self) -> Box<dyn CustomBroadPhase> {

@@ -55,7 +55,7 @@ fn faults_are_named() {
     assert_eq!(difference(loses_events), Some(([1, 2], true)));
     let has_a_wrong_box = |faulty: &mut UnisizeBroadPhase, input: &Input<'_>| {
         let aabb = ball(1.7).compute_aabb();
-        faulty.set_boxes(input.params, None, &[(handle(0), aabb)]);
+        faulty.set_boxes(input.params, &[(handle(0), aabb)]);
     };
     assert_eq!(difference(has_a_wrong_box), Some(([0, 2], false)));
 }

@@ -1,28 +1,33 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
-use super::turns::{Found, Turn};
+use super::turns::{Found, Next, Turn};
 use super::{Candidates, TOMBSTONE};
 use crate::bit_set::{Lookup, gather, ones};
 use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_most_touched;
 use crate::pair_tracker::proxies::{Proxies, Rows};
-use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
+use crate::pair_tracker::{FilterKey, PairChange, PairObserver, VolumeSource};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, HELD, PICKED};
 
 /// The candidates of an update, the proxies that decide which of them are held, and the receiver of the changes.
-pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O> {
+pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, O, S> {
     pub(in crate::pair_tracker) candidates: &'a mut Candidates,
-    pub(in crate::pair_tracker) proxies: &'a Proxies<R, D, K>,
+    pub(in crate::pair_tracker) proxies: &'a mut Proxies<R, D, K>,
     pub(in crate::pair_tracker) observer: &'a mut O,
+    pub(in crate::pair_tracker) source: &'a S,
 }
 
-impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
+impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, D>>
+    Comparing<'_, R, D, K, O, S>
+{
     /// Replaces all candidates by those that were `found`. Leaves that list empty, with the memory of the former candidates.
     pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
-        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+        let (candidates, proxies) = (&mut *self.candidates, &mut *self.proxies);
+        proxies.volumes.forget_near();
+        let proxies = &*proxies;
         let (pairs, retired) = (&candidates.pairs, &mut candidates.retired);
         retired.reserve(candidates.held_count);
         candidates.answers.ask(pairs.len(), COMPARED, |rows| {
@@ -47,6 +52,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         self.candidates.retired.free_if_large();
         std::mem::swap(&mut self.candidates.pairs, found);
         found.clear();
+        self.answer_unread();
     }
 
     /// Adds the candidates that were `found`, and empties that list.
@@ -62,12 +68,27 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             dues.resize(pairs.len(), Due::default());
         }
         lists.extend(pairs, first, self.proxies.len());
+        self.answer_unread();
+        self.candidates.fill_tombstones();
+    }
+
+    /// Reads the volumes of the candidates that could not be answered without, and answers them.
+    fn answer_unread(&mut self) {
+        let mut unread = std::mem::take(&mut self.candidates.unread);
+        let pairs = unread.iter().map(|&row| self.candidates.pairs[row]);
+        self.proxies
+            .volumes
+            .pull(&mut pairs.flatten().collect(), self.source);
+        for row in unread.drain(..) {
+            self.compare_row(row, false);
+        }
+        self.candidates.unread = unread;
     }
 
     /// Appends the forbidden pairs to those that were `found`: a search does not find a pair that its keys have come to forbid, although its
     /// boxes still overlap.
     fn keep_forbidden(&mut self, found: &mut Vec<[u32; 2]>) {
-        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+        let (candidates, proxies) = (&mut *self.candidates, &*self.proxies);
         if proxies.are_rekeyed {
             let held = candidates.retired.iter();
             let held = held.filter(|&pair| proxies.is_forbidden(pair));
@@ -96,7 +117,12 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             .collect();
         let asking = &*self;
         section.for_each(&mut parts, |part| asking.ask_found(part));
-        for found in parts {
+        for (start, found) in (first..).step_by(pairs_a_part).zip(parts) {
+            let unread = found.unread.into_iter().map(|i| start + i);
+            self.candidates.unread.extend(unread);
+            for pair in found.near {
+                self.proxies.volumes.note_near(pair, true);
+            }
             self.candidates.held_count += found.held_count;
             self.candidates.overlapping_count += found.overlapping_count;
             for place in found.taken {
@@ -119,31 +145,37 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     /// If most proxies were touched, it goes through all candidates. Otherwise it picks theirs out of all, which is cheap per candidate, or
     /// walks their lists, which waits for memory at each step and so is for very few proxies.
     pub(in crate::pair_tracker) fn compare(&mut self) {
-        let proxies = self.proxies;
-        let (touched, revolumed) = (proxies.touched(), &proxies.notes.revolumed);
-        if !touched.is_empty() && are_most_touched(touched.len(), proxies.len()) {
-            return self.compare_all();
+        let notes = std::mem::take(&mut self.proxies.notes);
+        let (touched, revolumed) = (&notes.touched, &notes.revolumed);
+        if !touched.is_empty() && are_most_touched(touched.len(), self.proxies.len()) {
+            self.compare_all();
+        } else {
+            self.compare_those_of(touched, |_, rows, listed| {
+                gather(rows.pairs, |&pair| listed.has_one(pair))
+            });
+            // Now, because rows may move before the lists of other slots are walked.
+            self.answer_unread();
+            // The boxes of these slots stay, so the pairs that are held stay too.
+            self.compare_those_of(revolumed, |proxies, rows, listed| {
+                proxies.met_of_near(rows, |pair| listed.has_one(pair))
+            });
         }
-        self.compare_those_of(touched, |rows, listed| {
-            gather(rows.pairs, |&pair| listed.has_one(pair))
-        });
-        // The boxes of these slots stay, so the pairs that are held stay too.
-        self.compare_those_of(revolumed, |rows, listed| {
-            proxies.met_of_near(rows, |pair| listed.has_one(pair))
-        });
+        self.proxies.notes = notes;
     }
 
     /// Brings all candidates up to date, in order.
     fn compare_all(&mut self) {
         self.candidates.compact();
-        let (proxies, leavers) = (self.proxies, &self.proxies.leavers);
-        let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
         // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-        self.turn(COMPARED, |rows| match leavers.len() {
-            0 => proxies.toggled(rows),
-            _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
+        self.turn(COMPARED, |proxies, rows| {
+            let leavers = &proxies.leavers;
+            let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+            match leavers.len() {
+                0 => proxies.toggled(rows),
+                _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
+            }
         });
-        self.candidates.fill_tombstones();
+        self.candidates.are_turned = true;
     }
 
     /// Brings the candidates of these slots up to date: those in their lists, or the rows that are picked from each 64, given which pairs
@@ -151,7 +183,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
     fn compare_those_of(
         &mut self,
         listed: &[u32],
-        pick: impl Fn(Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
+        pick: impl Fn(&Proxies<R, D, K>, Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
     ) {
         if listed.is_empty() {
             return;
@@ -160,7 +192,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         if self.candidates.walks_lists(listed.len(), count) {
             let mut lists = std::mem::take(&mut self.candidates.lists);
             // Leavers first: then no other row needs to be asked whether it has one.
-            for &slot in self.proxies.leavers.slots() {
+            for slot in self.proxies.leavers.slots().to_vec() {
                 lists.walk(slot, |row| self.compare_row(row, true));
             }
             for &slot in listed {
@@ -175,13 +207,17 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         // Each candidate has two slots.
         let share_picked = (2 * listed.len()).min(count) as u64;
         let price = PICKED + COMPARED * share_picked / count.max(1) as u64;
-        self.turn(price, |rows| pick(rows, lookup));
+        self.turn(price, |proxies, rows| pick(proxies, rows, lookup));
         slots.clear_around(listed);
         self.candidates.slots = slots;
     }
 
     /// Asks the rows that are picked from each 64, and applies the answers.
-    fn turn(&mut self, price: u64, pick: impl Fn(Rows<'_>) -> u64 + Send + Sync) {
+    fn turn(
+        &mut self,
+        price: u64,
+        pick: impl Fn(&Proxies<R, D, K>, Rows<'_>) -> u64 + Send + Sync,
+    ) {
         let mut dues = std::mem::take(&mut self.candidates.dues);
         if self.proxies.volumes.have_odometers() {
             dues.resize(self.candidates.rows(), Due::default());
@@ -202,7 +238,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
         let mut asked: Vec<_> = asked.collect();
         let asking = &*self;
         section.for_each(&mut asked, |(rows, turns, dues)| {
-            asking.ask(rows.clone(), turns, dues, &pick);
+            asking.ask(rows.clone(), turns, dues, |rows| pick(asking.proxies, rows));
         });
         self.candidates.dues = dues;
         for &turn in parts.iter().flatten() {
@@ -218,23 +254,32 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
             return false;
         };
         let former = self.candidates.states[row];
-        let state = match has_left {
-            true => None,
-            false => self.next_state(pair, former, None),
+        let next = match has_left {
+            true => Next::Gone,
+            false => self.next(pair, former, None),
         };
-        if state != Some(former) {
-            self.apply(Turn { row, state });
+        if next != Next::Is(former) {
+            self.apply(Turn { row, next });
         }
-        state.is_some()
+        next != Next::Gone
     }
 
     /// Changes a row: sets its state and reports if a pair begins or ends, or puts a tombstone in place of the candidate.
     #[inline(always)]
-    fn apply(&mut self, Turn { row, state }: Turn) {
-        let (candidates, proxies) = (&mut *self.candidates, self.proxies);
+    fn apply(&mut self, Turn { row, next }: Turn) {
+        let (candidates, proxies) = (&mut *self.candidates, &mut *self.proxies);
         let pair = candidates.pairs[row];
-        let former = candidates.set_state(row, state.unwrap_or(PairState::Apart));
-        if let Some(state) = state {
+        let state = match next {
+            Next::Is(state) => state,
+            Next::Unread => return candidates.unread.push(row),
+            Next::Gone => PairState::Apart,
+        };
+        let former = candidates.set_state(row, state);
+        let [was_near, is_near] = [former, state].map(|state| state == PairState::Near);
+        if was_near != is_near {
+            proxies.volumes.note_near(pair, is_near);
+        }
+        if next != Next::Gone {
             return match (former.is_held(), state.is_held()) {
                 (false, true) => self.observer.report(PairChange::Added(pair)),
                 (true, false) => self.observer.report(PairChange::Deleted(pair)),

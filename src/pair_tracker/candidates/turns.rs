@@ -7,15 +7,25 @@ use crate::bit_set::ones;
 use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::PairState;
 use crate::pair_tracker::proxies::Rows;
-use crate::pair_tracker::{FilterKey, PairChange, PairObserver};
+use crate::pair_tracker::{FilterKey, PairChange, PairObserver, VolumeSource};
 use crate::real::Real;
 
 /// The change of a row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn {
     pub(super) row: usize,
-    /// The new state; `None` if the candidate is retired.
-    pub(super) state: Option<PairState>,
+    pub(super) next: Next,
+}
+
+/// What becomes of a candidate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Next {
+    /// It is in this state.
+    Is(PairState),
+    /// It is asked again once its volumes have been read.
+    Unread,
+    /// It is retired.
+    Gone,
 }
 
 /// The answers for a range of the pairs that a search has found.
@@ -26,6 +36,10 @@ pub(super) struct Found<'a> {
     pub(super) states: &'a mut [PairState],
     pub(super) held_count: usize,
     pub(super) overlapping_count: usize,
+    /// The places of pairs whose volumes must be read. Those that were held are, and the others are apart, until then.
+    pub(super) unread: Vec<usize>,
+    /// Pairs that are near.
+    pub(super) near: Vec<[u32; 2]>,
     /// Pairs that were retired in this update, by their places there.
     pub(super) taken: Vec<u32>,
     /// The pairs that begin or end.
@@ -34,7 +48,9 @@ pub(super) struct Found<'a> {
     pub(super) strangers: Vec<[u32; 2]>,
 }
 
-impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D, K, O> {
+impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, D>>
+    Comparing<'_, R, D, K, O, S>
+{
     /// Asks the rows of a range that `pick` picks from each 64, and replaces `turns` by their changes. `dues` are those of the range, or none.
     pub(super) fn ask(
         &self,
@@ -69,59 +85,69 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver> Comparing<'_, R, D,
                 continue;
             };
             let former = self.candidates.states[row];
-            let state = match pair.iter().any(|&slot| leavers.contains(slot)) {
-                true => None,
-                false => self.next_state(pair, former, dues.get_mut(i)),
+            let next = match pair.iter().any(|&slot| leavers.contains(slot)) {
+                true => Next::Gone,
+                false => self.next(pair, former, dues.get_mut(i)),
             };
-            if state != Some(former) {
-                turns.push(Turn { row, state });
+            if next != Next::Is(former) {
+                turns.push(Turn { row, next });
             }
         }
     }
 
-    /// The state of a candidate that had this state, and this due if it has one; `None` if its boxes have parted and its keys forbid it.
+    /// What becomes of a candidate that had this state, and this due if it has one. It is gone if its boxes have parted and its keys forbid it.
     #[inline(always)]
-    pub(super) fn next_state(
-        &self,
-        pair: [u32; 2],
-        former: PairState,
-        due: Option<&mut Due>,
-    ) -> Option<PairState> {
-        match self.proxies.state_of(pair, former, due) {
-            PairState::Apart if self.proxies.is_forbidden(pair) => None,
-            state => Some(self.unless_active(pair, former.is_held(), state)),
+    pub(super) fn next(&self, pair: [u32; 2], former: PairState, due: Option<&mut Due>) -> Next {
+        match self.proxies.overlap(pair) {
+            true => self.next_of_overlapping(pair, former.is_held(), due),
+            false if self.proxies.is_forbidden(pair) => Next::Gone,
+            false => Next::Is(PairState::Apart),
         }
     }
 
-    /// The state of a pair that is about to have this one. A pair that would end by its volumes alone stays while its contact is active.
+    /// What becomes of a pair whose boxes overlap. A pair that would end by its volumes alone stays while its contact is active.
     #[inline(always)]
-    fn unless_active(&self, pair: [u32; 2], was_held: bool, state: PairState) -> PairState {
-        match state {
-            PairState::Near if was_held && self.observer.is_active(pair) => PairState::Held,
-            _ => state,
+    fn next_of_overlapping(&self, pair: [u32; 2], was_held: bool, due: Option<&mut Due>) -> Next {
+        match self.proxies.holds(pair, was_held, due) {
+            None => Next::Unread,
+            Some(false) if !(was_held && self.observer.is_active(pair)) => {
+                Next::Is(PairState::Near)
+            }
+            Some(_) => Next::Is(PairState::Held),
         }
     }
 
     /// Asks pairs that a search has found.
     pub(super) fn ask_found(&self, found: &mut Found<'_>) {
-        let (candidates, proxies) = (&*self.candidates, self.proxies);
+        let (candidates, proxies) = (&*self.candidates, &*self.proxies);
         let chunks = found.pairs.chunks(64).zip(found.states.chunks_mut(64));
-        for (pairs, states) in chunks {
+        for (start, (pairs, states)) in (0..).step_by(64).zip(chunks) {
             for i in ones(proxies.overlapping(pairs)) {
                 let pair = pairs[i];
                 // Most pairs that are held were held before.
                 let place = candidates.retired.place(pair);
                 let was_held = place.is_some();
                 found.taken.extend(place);
-                let state = proxies.state_of_overlapping(pair, was_held, None);
-                let state = self.unless_active(pair, was_held, state);
-                states[i] = state;
-                found.held_count += usize::from(state.is_held());
+                states[i] = match self.next_of_overlapping(pair, was_held, None) {
+                    Next::Is(state) => state,
+                    _ => {
+                        found.unread.push(start + i);
+                        match was_held {
+                            true => PairState::Held,
+                            false => continue,
+                        }
+                    }
+                };
+                let is_held = states[i].is_held();
+                found.held_count += usize::from(is_held);
                 found.overlapping_count += 1;
+                if !is_held {
+                    found.near.push(pair);
+                }
                 if candidates.are_strangers(pair) {
                     found.strangers.push(pair);
                 }
-                if was_held != state.is_held() {
+                if was_held != is_held {
                     found.changed.push(match was_held {
                         true => PairChange::Deleted(pair),
                         false => PairChange::Added(pair),

@@ -3,9 +3,8 @@
 use crate::aabb::Aabb;
 use crate::pair_tracker::box_update::BoxUpdate;
 use crate::pair_tracker::notes::Notes;
-use crate::pair_tracker::volumes::{VolumeUpdate, VolumesChunk};
+use crate::pair_tracker::volumes::VolumesChunk;
 use crate::real::Real;
-use crate::volume::Volume;
 
 /// A range of slots, numbered from its first one.
 pub(crate) struct ProxyChunk<'a, R, const D: usize, K> {
@@ -30,10 +29,10 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         &self.keys[i]
     }
 
-    /// The volume of the slot at `i` in this box, if it follows from the box.
+    /// Whether the volume of the slot at `i` is a [part](VolumeKind::Part).
     #[inline(always)]
-    pub(crate) fn volume_by_box(&self, i: usize, aabb: &Aabb<R, D>) -> Option<Volume<R, D>> {
-        self.volumes.by_box(i, aabb)
+    pub(crate) fn is_part(&self, i: usize) -> bool {
+        self.volumes.is_part(i)
     }
 
     /// Places or moves the proxy at `i`. `aabb` must be valid.
@@ -48,50 +47,23 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         }
     }
 
-    /// Sets the volume of the proxy at `i`, whose box stays, if volumes are in use. Returns false, and changes nothing, if the volume is of
-    /// another kind.
+    /// Brings the box of the proxy at `i` up to date with that of its collider. Returns false, and changes nothing, if this is more than a move.
     #[inline(always)]
-    pub(crate) fn set_volume(&mut self, i: usize, volume: &Volume<R, D>) -> bool {
-        if !self.volumes.are_used() {
-            return true;
+    pub(crate) fn follow(&mut self, i: usize, aabb: &Aabb<R, D>, margin: R) -> bool {
+        match BoxUpdate::of(&self.boxes[i], aabb, margin) {
+            BoxUpdate::Recheck => return false,
+            BoxUpdate::Renew(renewed) => self.place(i, renewed),
+            BoxUpdate::Keep => {}
         }
-        let update = self.volumes.set(i, volume, false);
-        if update.is_some_and(VolumeUpdate::concerns_pairs) {
+        true
+    }
+
+    /// Brings the volume of the proxy at `i`, if volumes are in use, up to date with the box of its collider: see [`VolumesChunk::follow`].
+    #[inline(always)]
+    pub(crate) fn follow_with_volume(&mut self, i: usize, aabb: &Aabb<R, D>, has_only_moved: bool) {
+        if self.volumes.are_used() && self.volumes.follow(i, aabb, has_only_moved) {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);
         }
-        update.is_some()
-    }
-
-    /// Brings the proxy at `i` up to date with the box of its collider. If volumes are in use, `set_volume` sets the volume and returns the
-    /// answer of [`VolumesChunk::set`]; its second argument says whether the box is renewed. Returns false, and changes nothing, if this
-    /// is more than a move.
-    #[inline(always)]
-    pub(crate) fn follow(
-        &mut self,
-        i: usize,
-        aabb: &Aabb<R, D>,
-        margin: R,
-        set_volume: impl FnOnce(&mut VolumesChunk<'_, R, D>, bool) -> Option<VolumeUpdate>,
-    ) -> bool {
-        let update = BoxUpdate::of(&self.boxes[i], aabb, margin);
-        if update == BoxUpdate::Recheck {
-            return false;
-        }
-        if self.volumes.are_used() {
-            let is_renewed = update != BoxUpdate::Keep;
-            let Some(update) = set_volume(&mut self.volumes, is_renewed) else {
-                return false;
-            };
-            // The pairs of a renewed box are compared anyway.
-            if update.concerns_pairs() && !is_renewed {
-                let slot = self.slot(i);
-                self.notes.revolumed.push(slot);
-            }
-        }
-        if let BoxUpdate::Renew(renewed) = update {
-            self.place(i, renewed);
-        }
-        true
     }
 }

@@ -56,39 +56,32 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         a | b
     }
 
-    /// The state of a candidate that had this state, and this due if it has one.
+    /// Whether a pair whose boxes overlap is held; `None` if its volumes decide, and one of them is stale. A pair begins once its keys and its
+    /// volumes allow it. Its keys are not asked again, as in Rapier: a pair that they have come to forbid stays. If volumes are in use, it
+    /// ends when one of its boxes is renewed and its volumes are farther apart than the slack.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn state_of(
-        &self,
-        pair: [u32; 2],
-        former: PairState,
-        due: Option<&mut Due>,
-    ) -> PairState {
-        match self.overlap(pair) {
-            true => self.state_of_overlapping(pair, former.is_held(), due),
-            false => PairState::Apart,
-        }
-    }
-
-    /// The state of a pair whose boxes overlap. It begins once its keys and its volumes allow it. Its keys are not asked again, as in
-    /// Rapier: a pair that they have come to forbid stays. If volumes are in use, it ends when one of its boxes is renewed and its volumes
-    /// are farther apart than the slack.
-    #[inline(always)]
-    pub(in crate::pair_tracker) fn state_of_overlapping(
+    pub(in crate::pair_tracker) fn holds(
         &self,
         pair: [u32; 2],
         was_held: bool,
         due: Option<&mut Due>,
-    ) -> PairState {
-        let (volumes, are_used) = (&self.volumes, self.volumes.are_used());
-        let is_held = match was_held {
-            false => self.may_begin(pair) && (!are_used || volumes.have_met(pair, due)),
-            true => !are_used || !self.is_renewed(pair) || volumes.meet(pair, self.slack),
-        };
-        match is_held {
-            true => PairState::Held,
-            false => PairState::Near,
+    ) -> Option<bool> {
+        let volumes = &self.volumes;
+        if !was_held && !self.may_begin(pair) {
+            return Some(false);
         }
+        if !volumes.are_used() || was_held && !self.is_renewed(pair) {
+            return Some(true);
+        }
+        let slack = if was_held { self.slack } else { R::ZERO };
+        if let Some(meet) = volumes.meet_as_balls(pair, slack) {
+            return Some(meet);
+        }
+        let are_read = !volumes.are_stale(pair);
+        are_read.then(|| match was_held {
+            true => volumes.meet_beyond_balls(pair, slack),
+            false => volumes.have_met_beyond_balls(pair, due),
+        })
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
@@ -153,7 +146,12 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
         }
         match was_held {
-            true => self.is_renewed(pair) && !self.volumes.meet(pair, slack),
+            // Whether it ends is asked again, so an answer by a stale volume does no harm unless it is no.
+            true => {
+                self.is_renewed(pair)
+                    && (self.volumes.are_stale(pair)
+                        || !self.volumes.meet_beyond_balls(pair, slack))
+            }
             false => self.volumes.have_met_beyond_balls(pair, due),
         }
     }

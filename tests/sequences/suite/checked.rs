@@ -161,7 +161,7 @@ impl CheckedBroadPhase {
             assert_far_apart(pair, self.prediction, colliders);
         }
         if !self.is_deceived {
-            for pair in self.model.near() {
+            for pair in self.model.overlapping() {
                 if !self.model.held().contains(&pair) {
                     assert_far_apart(&pair, self.prediction, colliders);
                 }

@@ -8,8 +8,8 @@ use super::version;
 use super::volume::{Kind, Volume};
 use unisize::PairFilter;
 
-/// The margin of volumes, in margins of boxes.
-const VOLUME_MARGIN: Real = 0.0625;
+/// The skin of volumes, in margins of boxes.
+const SKIN: Real = 0.0625;
 
 /// Two colliders, by index and generation, the smaller index first.
 pub(super) type Pair = [(u32, u32); 2];
@@ -21,8 +21,12 @@ pub(super) struct Model {
     /// The boxes at the end of the last update.
     settled: BTreeMap<u32, Aabb>,
     held: BTreeSet<Pair>,
-    /// The margin of volumes: a sixteenth of that of boxes, with which it grows and does not shrink.
-    volume_margin: Real,
+    /// The pairs whose boxes overlap, that are not held, and that the keys have allowed since they overlap.
+    near: BTreeSet<Pair>,
+    /// The indices of colliders that were in such a pair at the end of the last update.
+    near_indices: BTreeSet<u32>,
+    /// The skin of volumes: a sixteenth of the margin of boxes, with which it grows and does not shrink.
+    skin: Real,
     /// The prediction distance for which volumes are large enough. It grows in the same way.
     prediction: Real,
     /// Whether anything was handed over since the last update.
@@ -37,13 +41,16 @@ struct Proxy {
     /// `None` while the collider's box is not sound.
     aabb: Option<Aabb>,
     key: Key,
+    /// That of the collider when a pair last asked for it, or one that differs by no more than the skin.
     volume: Volume,
-    /// Whether the collider may be elsewhere, by less than the margin.
-    is_slow: bool,
+    /// Whether the collider may have another volume now.
+    is_stale: bool,
+    /// Whether the next update reads the volume, whether a pair asks for it or not.
+    is_noted: bool,
 }
 
 /// What filters look at, as of when the collider was last listed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Key {
     body: Option<RigidBodyHandle>,
     body_type: RigidBodyType,
@@ -65,7 +72,9 @@ impl Model {
             proxies: BTreeMap::new(),
             settled: BTreeMap::new(),
             held: BTreeSet::new(),
-            volume_margin: 0.0,
+            near: BTreeSet::new(),
+            near_indices: BTreeSet::new(),
+            skin: 0.0,
             prediction: 0.0,
             is_begun: false,
             awaited: BTreeSet::new(),
@@ -95,16 +104,11 @@ impl Model {
         prediction: Real,
     ) {
         self.is_begun = true;
-        let shortfall = at_least(self.prediction, prediction) / 2.0 - prediction / 2.0;
         let (index, generation) = handle.into_raw_parts();
         if let Some(known) = self.proxies.get(&index).cloned() {
             if known.generation == generation {
-                // Where a ball is, its box tells; of others, only the collider knows.
-                let volume = match known.volume.kind {
-                    Kind::Ball => known.volume.in_box(&aabb.loosened(shortfall)),
-                    _ => Volume::meeting_all(),
-                };
-                return self.renew(handle, aabb, margin, known.key, volume);
+                self.follow(index, &aabb, prediction, false);
+                return self.renew(handle, aabb, margin, known.key);
             }
             if known.generation > generation {
                 return;
@@ -165,9 +169,12 @@ impl Model {
         // Also without a listed collider, if any is known.
         let is_due = is_begun || self.known().next().is_some();
         if is_due && self.are_outgrown(margin, params) {
-            self.volume_margin = at_least(self.volume_margin, margin * VOLUME_MARGIN);
+            self.skin = at_least(self.skin, margin * SKIN);
             self.prediction = at_least(self.prediction, params.prediction_distance());
-            self.reset_volumes(colliders, bodies);
+            for proxy in self.proxies.values_mut() {
+                (proxy.is_stale, proxy.is_noted) = (true, true);
+                proxy.volume.forget_center();
+            }
         }
         let awaited = std::mem::take(&mut self.awaited).into_iter();
         let awaited =
@@ -185,12 +192,16 @@ impl Model {
                         collision_types: collider.active_collision_types(),
                         groups: collider.collision_groups(),
                     };
-                    let volume = self.volume(collider, bodies, &aabb);
-                    self.renew(handle, aabb, margin, key, volume);
+                    if self.knows(handle) {
+                        let index = handle.into_raw_parts().0;
+                        self.follow(index, &aabb, params.prediction_distance(), true);
+                    }
+                    self.renew(handle, aabb, margin, key);
                 }
                 _ => self.forget(handle),
             }
         }
+        self.read_volumes(params, colliders, bodies);
 
         let mut held = self.overlapping_pairs();
         // What is forbidden after it was held stays.
@@ -203,6 +214,13 @@ impl Model {
             .filter_map(|(&index, proxy)| Some((index, proxy.aabb?)))
             .collect();
         let before = std::mem::replace(&mut self.held, held);
+        let known = self.near.union(&before);
+        let known: BTreeSet<_> = known.copied().collect();
+        let mut near = self.overlapping_pairs();
+        near.retain(|pair| known.contains(pair) || self.may_meet(pair));
+        self.near = near.difference(&self.held).copied().collect();
+        let indices = self.near.iter().flatten().map(|&(index, _)| index);
+        self.near_indices = indices.collect();
         Changes {
             added: self.held.difference(&before).copied().collect(),
             deleted: before.difference(&self.held).copied().collect(),
@@ -211,8 +229,8 @@ impl Model {
 
     /// Whether an update with this margin and these parameters reads all volumes again.
     pub(super) fn are_outgrown(&self, margin: Real, params: &IntegrationParameters) -> bool {
-        let extents = [margin * VOLUME_MARGIN, params.prediction_distance()];
-        extents[0] > self.volume_margin || extents[1] > self.prediction
+        let extents = [margin * SKIN, params.prediction_distance()];
+        extents[0] > self.skin || extents[1] > self.prediction
     }
 
     /// Whether the filter lets a pair of known colliders pass.
@@ -229,32 +247,103 @@ impl Model {
         }
     }
 
-    /// The volume of a collider in this box.
-    fn volume(&self, collider: &Collider, bodies: &RigidBodySet, aabb: &Aabb) -> Volume {
-        let body = collider.parent().and_then(|body| bodies.get(body));
-        // Of very many colliders of a body each keeps its box, and so does what has soft CCD.
-        let has_volume =
-            |body: &RigidBody| body.colliders().len() <= 32 && body.soft_ccd_prediction() <= 0.0;
-        match body.is_none_or(has_volume) {
-            true => Volume::of(collider, self.prediction, aabb),
-            false => Volume::meeting_all(),
+    /// The distance by which volumes are extended.
+    fn extension(&self) -> Real {
+        self.prediction / 2.0 + self.skin
+    }
+
+    /// The distance by which volumes are extended more than boxes for this prediction distance.
+    fn shortfall(&self, prediction: Real) -> Real {
+        (self.extension() - prediction / 2.0).max(0.0)
+    }
+
+    /// A known collider is in this box now. If it was not listed, a ball follows it; other volumes are stale.
+    fn follow(&mut self, index: u32, aabb: &Aabb, prediction: Real, is_listed: bool) {
+        let (shortfall, skin) = (self.shortfall(prediction), self.skin);
+        let proxy = self.proxies.get_mut(&index).expect("it is known");
+        if proxy.volume.kind == Kind::Ball && !is_listed && !proxy.is_stale {
+            let ball = proxy.volume.in_box(&aabb.loosened(shortfall));
+            let stays = proxy.volume.difference(&ball) <= skin;
+            if !stays {
+                proxy.volume = ball;
+            }
+            return;
+        }
+        proxy.is_stale = true;
+        proxy.is_noted |= matches!(proxy.volume.kind, Kind::Ball | Kind::Box)
+            || self.near_indices.contains(&index);
+    }
+
+    /// Reads the stale volumes that are noted, and those that a pair asks for.
+    fn read_volumes(
+        &mut self,
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+    ) {
+        if self.filter != PairFilter::Shapes {
+            return;
+        }
+        let noted = self.proxies.iter().filter(|(_, proxy)| proxy.is_noted);
+        let noted: Vec<_> = noted.map(|(&index, _)| index).collect();
+        self.read_volumes_of(&noted, params, colliders, bodies);
+        let overlapping = self.overlapping_pairs();
+        let asks = |&pair: &&Pair| match self.held.contains(pair) {
+            true => self.is_renewed(pair),
+            false => self.may_meet(pair),
+        };
+        let asking = overlapping.iter().filter(asks);
+        let asked: Vec<_> = asking.flatten().map(|&(index, _)| index).collect();
+        self.read_volumes_of(&asked, params, colliders, bodies);
+    }
+
+    fn read_volumes_of(
+        &mut self,
+        slots: &[u32],
+        params: &IntegrationParameters,
+        colliders: &ColliderSet,
+        bodies: &RigidBodySet,
+    ) {
+        let (extension, skin) = (self.extension(), self.skin);
+        let prediction = params.prediction_distance();
+        let shortfall = self.shortfall(prediction);
+        for index in slots {
+            let proxy = self.proxies.get_mut(index).expect("it is known");
+            proxy.is_noted = false;
+            if !std::mem::take(&mut proxy.is_stale) {
+                continue;
+            }
+            let handle = ColliderHandle::from_raw_parts(*index, proxy.generation);
+            let collider = colliders.get(handle);
+            let volume = collider.map_or_else(Volume::meeting_all, |collider| {
+                let body = collider.parent().and_then(|body| bodies.get(body));
+                // Of very many colliders of a body each keeps its box, and so does what has soft CCD.
+                let has_volume = |body: &RigidBody| {
+                    body.colliders().len() <= 32 && body.soft_ccd_prediction() <= 0.0
+                };
+                let volume = match body.is_none_or(has_volume) {
+                    true => Volume::of(collider, extension),
+                    false => Volume::meeting_all(),
+                };
+                match volume.kind {
+                    Kind::Ball => {
+                        let aabb = collider.compute_collision_aabb(prediction / 2.0);
+                        volume.in_box(&aabb.loosened(shortfall))
+                    }
+                    _ => volume,
+                }
+            });
+            let stays = proxy.volume.difference(&volume) <= skin;
+            if !stays || proxy.volume.is_of_another_kind(&volume) {
+                proxy.volume = volume;
+            }
         }
     }
 
-    /// Gives all known colliders the volumes that they have now.
-    fn reset_volumes(&mut self, colliders: &ColliderSet, bodies: &RigidBodySet) {
-        for handle in self.known().collect::<Vec<_>>() {
-            let enabled = colliders
-                .get(handle)
-                .filter(|collider| collider.is_enabled());
-            if let Some(collider) = enabled {
-                let aabb = collider.compute_collision_aabb(self.prediction / 2.0);
-                let volume = self.volume(collider, bodies, &aabb);
-                let index = handle.into_raw_parts().0;
-                let proxy = self.proxies.get_mut(&index).expect("it is known");
-                (proxy.volume, proxy.is_slow) = (volume, false);
-            }
-        }
+    /// Whether a box of a pair differs from that at the end of the last update.
+    fn is_renewed(&self, pair: &Pair) -> bool {
+        let mut pair = pair.iter();
+        pair.any(|(index, _)| self.settled.get(index).copied() != self.proxies[index].aabb)
     }
 
     /// Whether a pair whose boxes overlap is held, by its volumes: as soon as they meet, until one of its boxes is renewed and
@@ -264,18 +353,14 @@ impl Model {
             return true;
         }
         let [a, b] = pair.map(|(index, _)| &self.proxies[&index]);
-        let margin = |proxy: &Proxy| f32::from(proxy.is_slow) as Real * self.volume_margin;
-        let meet = |slack| a.volume.meets(&b.volume, slack + (margin(a) + margin(b)));
-        let is_renewed =
-            |(index, _)| self.settled.get(&index).copied() != self.proxies[&index].aabb;
         match self.held.contains(pair) {
-            false => meet(0.0),
-            true => !pair.iter().copied().any(is_renewed) || meet(slack),
+            false => a.volume.meets(&b.volume, 0.0),
+            true => !self.is_renewed(pair) || a.volume.meets(&b.volume, slack),
         }
     }
 
     /// The pairs whose boxes overlap and that the filter lets pass but for their volumes.
-    pub(super) fn near(&self) -> impl Iterator<Item = Pair> + '_ {
+    pub(super) fn overlapping(&self) -> impl Iterator<Item = Pair> + '_ {
         let pairs = self.overlapping_pairs().into_iter();
         pairs.filter(|pair| self.may_meet(pair))
     }
@@ -287,52 +372,39 @@ impl Model {
             self.proxies.remove(&gone.0);
             self.settled.remove(&gone.0);
             self.held.retain(|pair| !pair.contains(&gone));
+            self.near.retain(|pair| !pair.contains(&gone));
         }
     }
 
     /// Updates a collider's box: as it is if there was none, or if it is [another leaf](Self::is_another_leaf); else with a
     /// margin and only once the collider has left the last one.
-    fn renew(
-        &mut self,
-        handle: ColliderHandle,
-        aabb: Aabb,
-        margin: Real,
-        key: Key,
-        volume: Volume,
-    ) {
+    fn renew(&mut self, handle: ColliderHandle, aabb: Aabb, margin: Real, key: Key) {
         let (index, generation) = handle.into_raw_parts();
         let known = self.proxies.get(&index).map(|proxy| proxy.generation);
         if let Some(stale) = known.filter(|&known| known != generation) {
             self.forget(ColliderHandle::from_raw_parts(index, stale));
         }
-        let known = self.proxies.get(&index);
-        let is_another_leaf = known.is_some_and(|proxy| Self::is_another_leaf(proxy.key, key));
-        let aabb = match known.and_then(|proxy| proxy.aabb) {
+        let known = self.proxies.get(&index).cloned();
+        let is_another_leaf = known
+            .as_ref()
+            .is_some_and(|proxy| Self::is_another_leaf(proxy.key, key));
+        let held = known.as_ref().and_then(|proxy| proxy.aabb);
+        let aabb = match held {
             _ if !is_sound(&aabb) => None,
             None => Some(aabb),
             Some(_) if is_another_leaf => Some(aabb),
             Some(last) => Some(renewed(&last, &aabb, margin)),
         };
-        // What stays in its box, and near to where its volume is, keeps its volume.
-        let is_of_its_kind = |known: &&Proxy| known.volume.kind == volume.kind;
-        let known = known.filter(|known| known.aabb == aabb && !is_another_leaf);
-        let known = known.filter(is_of_its_kind);
-        let (volume, is_slow) = match known {
-            Some(known) => {
-                let difference = known.volume.difference(&volume);
-                match difference <= self.volume_margin {
-                    true => (known.volume.clone(), known.is_slow || difference > 0.0),
-                    false => (volume, known.is_slow),
-                }
-            }
-            None => (volume, false),
-        };
-        let proxy = Proxy {
-            generation,
-            aabb,
-            key,
-            volume,
-            is_slow,
+        let proxy = match known {
+            Some(known) => Proxy { aabb, key, ..known },
+            None => Proxy {
+                generation,
+                aabb,
+                key,
+                volume: Volume::meeting_all(),
+                is_stale: true,
+                is_noted: true,
+            },
         };
         self.proxies.insert(index, proxy);
     }

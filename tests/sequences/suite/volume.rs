@@ -36,12 +36,12 @@ impl Volume {
         }
     }
 
-    /// The volume of a collider in this box.
-    pub(super) fn of(collider: &Collider, prediction: Real, aabb: &Aabb) -> Self {
+    /// The volume of a collider, extended by this distance.
+    pub(super) fn of(collider: &Collider, extension: Real) -> Self {
         if !collider.active_hooks().is_empty() {
             return Self::meeting_all();
         }
-        let distance = (collider.contact_skin() + prediction / 2.0).max(0.0);
+        let distance = (collider.contact_skin() + extension).max(0.0);
         let (shape, pose) = (collider.shape(), collider.position());
         let turned = |vector| Array::from(pose.rotation * vector);
         let center = version::coordinates(collider);
@@ -96,11 +96,16 @@ impl Volume {
         if off > 8.0 * Real::EPSILON {
             return Self::meeting_all();
         }
+        let off = if volume.kind == Kind::Ball {
+            8.0 * Real::EPSILON
+        } else {
+            off
+        };
         if off > 0.0 {
             let size = volume.extent().iter().fold(0.0, |sum, x| sum + x) + volume.radius;
             volume.radius += size * (off + off);
         }
-        volume.in_box(aabb)
+        volume
     }
 
     /// The sum of how much all numbers of two volumes of one kind differ. Half-spaces are equal or not.
@@ -125,29 +130,26 @@ impl Volume {
         })
     }
 
-    /// The volume of a collider whose box is this one.
+    /// Whether another volume is of another kind, or a ball of another size.
+    pub(super) fn is_of_another_kind(&self, other: &Self) -> bool {
+        self.kind != other.kind || self.kind == Kind::Ball && self.radius != other.radius
+    }
+
+    /// Meets all, until it is replaced.
+    pub(super) fn forget_center(&mut self) {
+        self.center = [Real::NAN; DIM];
+    }
+
+    /// A ball in the middle of this box, which meets all if the box is larger.
     pub(super) fn in_box(&self, aabb: &Aabb) -> Self {
         let [mins, maxs] = [Array::from(aabb.mins), Array::from(aabb.maxs)];
-        let mut volume = self.clone();
-        let fits = match self.kind {
-            Kind::Box | Kind::HalfSpace => true,
-            Kind::Ball => {
-                volume.center = std::array::from_fn(|k| (mins[k] + maxs[k]) * 0.5);
-                let diameter = volume.loosened() * 2.0;
-                (0..DIM).all(|k| maxs[k] - mins[k] <= diameter)
-            }
-            Kind::Capsule | Kind::Cuboid => (0..DIM).all(|k| {
-                let reach = self
-                    .halves
-                    .iter()
-                    .fold(self.radius, |sum, h| sum + h[k].abs());
-                self.center[k] - reach <= mins[k] && maxs[k] <= self.center[k] + reach
-            }),
-        };
-        if !fits {
-            volume.center = [Real::NAN; DIM];
+        let mut ball = self.clone();
+        ball.center = std::array::from_fn(|k| (mins[k] + maxs[k]) * 0.5);
+        let diameter = ball.loosened() * 2.0;
+        if !(0..DIM).all(|k| maxs[k] - mins[k] <= diameter) {
+            ball.center = [Real::NAN; DIM];
         }
-        volume
+        ball
     }
 
     /// The radius, and eight rounding errors of the sum of all numbers.

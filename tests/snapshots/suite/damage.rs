@@ -161,7 +161,7 @@ const DAMAGES: [(&str, Change); 22] = [
     }),
     ("near", |value| list(&mut near(value)[0]).reverse()),
     ("not a distance", |value| {
-        tracker(value)["volumes"]["margin"] = json!(-1.0);
+        tracker(value)["volumes"]["skin"] = json!(-1.0);
     }),
     ("not a distance", |value| {
         tracker(value)["volumes"]["reach"] = json!(-1.0);
@@ -198,7 +198,7 @@ const DAMAGES: [(&str, Change); 22] = [
     }),
     ("", |value| volume(value, "Ball")[0] = json!("Sphere")),
     (
-        "format 1, and this version of unisize reads format 12",
+        "format 1, and this version of unisize reads format 13",
         |value| {
             value["format"] = json!(1);
         },

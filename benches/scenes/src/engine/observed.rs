@@ -208,9 +208,9 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
             let start = self.timing.is_some().then(Instant::now);
-            self.inner.set_aabbs(params, colliders, boxes);
+            self.inner.set_aabbs(params, boxes);
             if let (Some(timing), Some(start)) = (&mut self.timing, start) {
                 timing.record_boxes(start.elapsed());
             }

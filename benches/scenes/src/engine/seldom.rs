@@ -67,9 +67,9 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
             self.has_boxes |= !boxes.is_empty();
-            self.inner.set_aabbs(params, colliders, boxes);
+            self.inner.set_aabbs(params, boxes);
         }
 
         fn update_in_pipeline(&mut self, input: &PipelineInput<'_>, events: &mut Vec<BroadPhasePairEvent>) {

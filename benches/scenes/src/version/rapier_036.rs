@@ -177,7 +177,7 @@ macro_rules! when_boxes_are_handed_over {
             handle: ColliderHandle,
             aabb: Aabb,
         ) {
-            self.set_aabbs(params, &ColliderSet::new(), &[(handle, aabb)]);
+            self.set_aabbs(params, &[(handle, aabb)]);
         }
     };
 }

@@ -55,7 +55,7 @@ impl BroadPhase for Replay {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, _: &IntegrationParameters, _: &ColliderSet, _: &[(ColliderHandle, Aabb)]) {}
+        fn set_aabbs(&mut self, _: &IntegrationParameters, _: &[(ColliderHandle, Aabb)]) {}
 
         fn bvh(&self) -> &Bvh {
             unreachable!("a replay is not asked")

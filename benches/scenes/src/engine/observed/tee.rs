@@ -72,14 +72,14 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
     }
 
     version::when_boxes_are_handed_over! {
-        fn set_aabbs(&mut self, params: &IntegrationParameters, colliders: &ColliderSet, boxes: &[(ColliderHandle, Aabb)]) {
+        fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
             // The one that was first in the last update, which reads colliders, is second here.
             if self.updates.div_ceil(2) % 2 == 0 {
-                self.heard.set_aabbs(params, colliders, boxes);
-                self.unheard.set_aabbs(params, colliders, boxes);
+                self.heard.set_aabbs(params, boxes);
+                self.unheard.set_aabbs(params, boxes);
             } else {
-                self.unheard.set_aabbs(params, colliders, boxes);
-                self.heard.set_aabbs(params, colliders, boxes);
+                self.unheard.set_aabbs(params, boxes);
+                self.heard.set_aabbs(params, boxes);
             }
         }
 
