@@ -3,10 +3,6 @@
 //! No result depends on the threads: parts of the work do not depend on each other, and their results follow each other in the order
 //! of the parts. Whether threads share a section is decided by an estimate of its work, from counts and prices, and never by a clock.
 
-use core::cell::Cell;
-use core::sync::atomic::{AtomicBool, Ordering};
-
-use crate::stopwatch::{self, Shared};
 use crate::tuning::threads::{ENTER_COST, PART_FROM, SECTION_COST};
 
 #[cfg(feature = "parallel")]
@@ -112,54 +108,18 @@ impl Section {
 
     /// Calls `work` with each part, on several threads if there are several parts.
     pub(crate) fn for_each<T: Send>(self, parts: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
-        self.run(|| {
-            #[cfg(feature = "parallel")]
-            if parts.len() > 1 {
-                return enter(self.work, || {
-                    if threads() == 1 {
-                        return parts.iter_mut().for_each(work);
-                    }
-                    use rayon::prelude::*;
-                    parts.par_iter_mut().with_max_len(1).for_each(work);
-                });
-            }
-            parts.iter_mut().for_each(work);
-        });
-    }
-
-    /// Runs the whole section, and times it if that is on.
-    pub(crate) fn run<T>(self, work: impl FnOnce() -> T) -> T {
-        let is_worth_it = gain(self.work, 2) >= SECTION_COST;
-        if !is_worth_it || !IS_TIMED.load(Ordering::Relaxed) {
-            return work();
+        #[cfg(feature = "parallel")]
+        if parts.len() > 1 {
+            return enter(self.work, || {
+                if threads() == 1 {
+                    return parts.iter_mut().for_each(work);
+                }
+                use rayon::prelude::*;
+                parts.par_iter_mut().with_max_len(1).for_each(work);
+            });
         }
-        let mut shared = SHARED.get();
-        let began = stopwatch::now();
-        let done = work();
-        // Sections within this one, on the same thread, are a part of its time.
-        shared.time += stopwatch::since(began);
-        shared.sections += 1;
-        SHARED.set(shared);
-        done
+        parts.iter_mut().for_each(work);
     }
-}
-
-/// Whether sections are timed.
-static IS_TIMED: AtomicBool = AtomicBool::new(false);
-
-thread_local! {
-    /// The sections that began on this thread and are worth sharing, even if there is only one thread.
-    static SHARED: Cell<Shared> = Cell::default();
-}
-
-/// Switches the timing of sections on, for good.
-pub(crate) fn time_sections() {
-    IS_TIMED.store(true, Ordering::Relaxed);
-}
-
-/// The total of the [timed](time_sections) sections that began on this thread and are worth sharing.
-pub(crate) fn shared() -> Shared {
-    SHARED.get()
 }
 
 /// Runs a test in a pool with this number of threads, of which it uses one without the feature `parallel`.

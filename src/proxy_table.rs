@@ -26,12 +26,11 @@ use crate::aabb::Aabb;
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::{BoxUpdate, FilterKey, MOST_SLOTS, PairTracker};
-use crate::parallel;
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::settings::Settings;
 use crate::stats::Stats;
-use crate::stopwatch::{Phase, PhaseTimes, Shared, Stopwatch};
+use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::update::ROOM_AHEAD;
 pub(crate) use changes::Changes;
 pub(crate) use observer::IsActive;
@@ -211,7 +210,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
     #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
     pub(crate) fn clear(&mut self) -> &[u32] {
-        let shared = self.begin();
+        self.begin();
         self.beyond.clear();
         for (slot, _) in std::mem::take(&mut self.pending) {
             if self.generations.get(slot as usize) == Some(&None) {
@@ -223,7 +222,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
                 self.remove_known(slot as u32);
             }
         }
-        self.pause(shared);
+        self.tracker.stopwatch.leave();
         self.touched()
     }
 
@@ -238,7 +237,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     where
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
-        let shared = self.begin();
+        self.begin();
         let touched = self.touched().len();
         self.gathered.listed += lists.len();
         // Removals first: a listed collider may already have the slot of a removed one.
@@ -253,7 +252,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             source.has_changed_unmoved(handle, memo, key)
         });
         self.read_in_place(lists.swept, source, |_, _, _| true);
-        self.pause(shared);
+        self.tracker.stopwatch.leave();
         &self.touched()[touched..]
     }
 
@@ -275,22 +274,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.gathered.is_begun || self.known > 0 && volumes.have_longer_extents(margin, reach)
     }
 
-    /// Begins an update, or continues the one that has begun. Returns the argument for [`pause`](Self::pause).
-    fn begin(&mut self) -> Shared {
+    /// Begins an update, or continues the one that has begun.
+    fn begin(&mut self) {
         let stopwatch = &mut self.tracker.stopwatch;
         if !std::mem::replace(&mut self.gathered.is_begun, true) {
             stopwatch.times = PhaseTimes::default();
         }
         stopwatch.enter(Phase::Read);
-        parallel::shared()
-    }
-
-    /// Stops the clock until the update continues.
-    fn pause(&mut self, shared: Shared) {
-        let stopwatch = &mut self.tracker.stopwatch;
-        stopwatch.leave();
-        let shared = [shared, parallel::shared()];
-        stopwatch.times.shared.add(shared);
     }
 
     /// Makes room for this number of slots, if there is less.
@@ -411,9 +401,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             memos: &self.memos,
             extension: self.tracker.proxies.volumes().extension(),
         };
-        let shared = parallel::shared();
         self.tracker.commit(slack, &mut observer, &volumes);
-        self.pause(shared);
         self.tracker.stopwatch.enter(Phase::Events);
         self.last = std::mem::take(&mut self.gathered);
         let (generations, stats) = (&self.generations, &mut self.stats);

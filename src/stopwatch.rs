@@ -2,8 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use crate::parallel;
-
 /// The wall-clock time of each phase of finding pairs. Zeros unless timing is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
@@ -22,31 +20,6 @@ pub struct PhaseTimes {
     pub difference: Duration,
     /// Writing the changes as events.
     pub events: Duration,
-    /// The part of all phases that several threads share, or would share if there were several.
-    #[doc(hidden)]
-    pub shared: Shared,
-}
-
-/// Work that several threads can share.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
-#[non_exhaustive]
-pub struct Shared {
-    pub time: Duration,
-    /// The number of sections; at the end of each, threads wait for each other.
-    pub sections: u32,
-}
-
-impl Shared {
-    /// Adds the difference between two totals of the same thread.
-    pub(crate) fn add(&mut self, [before, after]: [Self; 2]) {
-        self.time += after.time - before.time;
-        self.sections += after.sections - before.sections;
-    }
 }
 
 impl PhaseTimes {
@@ -101,9 +74,6 @@ pub(crate) struct Stopwatch {
 
 impl Stopwatch {
     pub(crate) fn new(is_on: bool) -> Self {
-        if is_on {
-            parallel::time_sections();
-        }
         Self {
             is_on: is_on && IS_CLOCK,
             ..Self::default()

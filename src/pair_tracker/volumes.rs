@@ -197,12 +197,10 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         slots.dedup();
         let section = Section::of(slots.len(), BEYOND_BALLS * READ);
         if section.parts() == 1 {
-            return section.run(|| {
-                slots.retain(|&slot| {
-                    // A ball that has followed its box is not stale.
-                    let is_stale = std::mem::take(&mut self.are_stale[slot as usize]);
-                    !is_stale || self.set(slot, &source.volume(slot))
-                });
+            return slots.retain(|&slot| {
+                // A ball that has followed its box is not stale.
+                let is_stale = std::mem::take(&mut self.are_stale[slot as usize]);
+                !is_stale || self.set(slot, &source.volume(slot))
             });
         }
         let slots_a_part = slots.len().div_ceil(section.parts());

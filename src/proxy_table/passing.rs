@@ -31,7 +31,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         boxes: &[(H, B)],
         [margin, reach]: [R; 2],
     ) -> &[u32] {
-        let shared = self.begin();
+        self.begin();
         self.tracker.proxies.note_reach_of_boxes(reach);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
@@ -45,12 +45,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             }
         } else {
             let mut boxes = boxes.iter();
-            while let Some(&(handle, aabb)) = section.run(|| self.follow_up_to(&mut boxes, margin))
-            {
+            while let Some(&(handle, aabb)) = self.follow_up_to(&mut boxes, margin) {
                 self.set_box(handle, aabb.into(), margin);
             }
         }
-        self.pause(shared);
+        self.tracker.stopwatch.leave();
         &self.touched()[first_touched..]
     }
 

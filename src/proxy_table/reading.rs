@@ -113,7 +113,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
     ) {
         match is_read_as_listed(handles, section) {
-            true => self.visit_as_listed(handles, section, visit),
+            true => self.visit_as_listed(handles, visit),
             false => self.visit_by_slot(handles, section, visit),
         }
     }
@@ -122,7 +122,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     fn visit_as_listed<H: Handle>(
         &mut self,
         handles: &[H],
-        section: Section,
         visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool,
     ) {
         if self.reader.deferred.is_empty() {
@@ -134,15 +133,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             generations: &self.generations,
             memos: &mut self.memos,
         };
-        section.run(|| {
-            for &handle in handles {
-                let (slot, generation) = handle.into_raw_parts();
-                let is_known = is_known(all.generations, slot, generation);
-                if !(is_known && visit(&mut all, slot as usize, handle)) {
-                    deferred.push((slot, generation));
-                }
+        for &handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            let is_known = is_known(all.generations, slot, generation);
+            if !(is_known && visit(&mut all, slot as usize, handle)) {
+                deferred.push((slot, generation));
             }
-        });
+        }
     }
 
     /// Does the same in the order of slots, in one run of slots or in one for each thread.

@@ -225,37 +225,6 @@ fn colliders_are_read_alike_in_every_order() {
     }
 }
 
-/// The number of parallel sections in which this many colliders are read, moved and searched for.
-fn sections(count: u32) -> u32 {
-    let settings = Settings::default().with_filter(PairFilter::Shapes);
-    let mut table = Table::new(&settings.with_timed(true));
-    let ids: Vec<_> = (0..count).map(|slot| (slot, 0)).collect();
-    let place = |slot: u32, x: f32| {
-        let mins = [(slot % 100) as f32 + x, (slot / 100) as f32];
-        Aabb::new(mins, mins.map(|min| min + 1.0))
-    };
-    let colliders = ids
-        .iter()
-        .map(|&(slot, _)| Some((place(slot, 0.0), Side(0))));
-    let colliders: Colliders = colliders.map(|collider| (0, collider)).collect();
-    table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
-    finish(&mut table, &colliders);
-    let moved = ids.iter().map(|&id| (id, place(id.0, 9.0)));
-    let moved: Vec<_> = moved.collect();
-    table.set_boxes(&moved, [MARGIN, 0.0]);
-    table.update(&Lists::new(&[], &[]), &colliders, MARGIN);
-    finish(&mut table, &colliders);
-    table.stats().times.shared.sections
-}
-
-#[test]
-fn threads_share_much_work_and_not_little() {
-    // Setting boxes; and in a full search inflating, counting, placing, sweeping and comparing.
-    let shared = with_threads(2, || sections(10_000));
-    assert!(shared >= 6, "{shared}");
-    assert_eq!(with_threads(2, || sections(20)), 0);
-}
-
 #[test]
 fn boxes_that_are_set_many_times_take_no_more_memory() {
     let aabb = |x: f32| Aabb::new([x, 0.0], [x + 1.0, 1.0]);

@@ -6,9 +6,7 @@ use crate::options::Options;
 use crate::row::Row;
 use ours::{Settings, UnisizeBroadPhase};
 use scenes::{Candidate, Comparison};
-use std::sync::atomic::{AtomicU64, Ordering};
 use unisize::PairFilter;
-use unisize_scenes::Sharing;
 
 /// The seed of the scenes' randomness; repeats count up from it.
 const SEED: u64 = 1;
@@ -40,26 +38,10 @@ pub(crate) fn compare(case: Case, options: &Options) -> Row {
 }
 
 fn candidate(filter: PairFilter) -> Candidate<UnisizeBroadPhase> {
-    let settings = Settings::default().with_filter(filter).with_timed(true);
-    let candidate = Candidate::new(
+    let settings = Settings::default().with_filter(filter);
+    Candidate::new(
         move || UnisizeBroadPhase::with_settings(settings),
         |ours| ours.pairs().collect(),
         UnisizeBroadPhase::as_query_pipeline,
-    );
-    // An update without changes leaves the statistics as they are.
-    let updates = AtomicU64::new(0);
-    candidate.with_sharing(move |ours| {
-        let stats = ours.stats();
-        if updates.swap(stats.updates, Ordering::Relaxed) == stats.updates {
-            return Sharing::default();
-        }
-        let times = stats.times;
-        let [ms, ms_shared] =
-            [times.total(), times.shared.time].map(|time| time.as_secs_f64() * 1e3);
-        Sharing {
-            ms,
-            ms_shared,
-            sections: times.shared.sections.into(),
-        }
-    })
+    )
 }

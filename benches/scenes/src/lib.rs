@@ -40,7 +40,7 @@ pub use boxes::DriftingBoxes;
 pub use converging::ConvergingBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
-pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Sharing, Spread, WholeSteps};
+pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Spread, WholeSteps};
 pub use timing::{Times, Timing, milliseconds};
 
 use arrangements::random;

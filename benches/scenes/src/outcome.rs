@@ -49,29 +49,8 @@ pub struct Outcome {
     pub rays: Rays,
     /// How long the updates took.
     pub broad_phase: Both<Times>,
-    /// How much of the candidate's updates threads split, if it is known.
-    pub sharing: Option<Sharing>,
     /// The scene simulated on each broad phase alone, if it was.
     pub whole_steps: Option<WholeSteps>,
-}
-
-/// How much of the updates of a broad phase several threads split, or would split if there were several: sums over all steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Sharing {
-    /// How long the updates took, in milliseconds.
-    pub ms: f64,
-    /// The part of it that threads split.
-    pub ms_shared: f64,
-    /// The number of sections of that part.
-    pub sections: u64,
-}
-
-impl std::ops::AddAssign for Sharing {
-    fn add_assign(&mut self, other: Self) {
-        self.ms += other.ms;
-        self.ms_shared += other.ms_shared;
-        self.sections += other.sections;
-    }
 }
 
 /// How many rays were cast.

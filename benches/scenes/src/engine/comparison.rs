@@ -13,18 +13,17 @@
 //! The first difference ends the checks, not the simulation, and is kept as a sentence. Then whole steps are timed: the scene is
 //! simulated on each broad phase [alone], `repeats` times, and once more on the default, which measures the part of its broad phase.
 
-use super::observed::{Observed, Shares, Tee};
+use super::observed::{Observed, Tee};
 use super::pairs::{Pairs, describe, difference, in_order, is_relevant};
 use super::queries::AsQueryPipeline;
 use super::rapier::prelude::*;
 use super::scene::Scene;
 use super::version::{self, BroadPhase, OwnBroadPhase};
 use super::world::{Steppable, World};
-use crate::{Both, Outcome, Rays, SceneKind, Sharing, WholeSteps};
+use crate::{Both, Outcome, Rays, SceneKind, WholeSteps};
 use contacts::{Follower, Placed, Touching};
 use rays::RayCheck;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
 
 mod alone;
 mod contacts;
@@ -38,7 +37,6 @@ pub struct Candidate<C> {
     pairs: Ask<C, Vec<ColliderPair>>,
     queries: AsQueryPipeline<C>,
     validate: Option<Ask<C, ()>>,
-    shares: Option<Shares<C>>,
     leaves_out_more: bool,
 }
 
@@ -57,7 +55,6 @@ impl<C: BroadPhase + 'static> Candidate<C> {
             pairs: Box::new(pairs),
             queries,
             validate: None,
-            shares: None,
             leaves_out_more: false,
         }
     }
@@ -65,12 +62,6 @@ impl<C: BroadPhase + 'static> Candidate<C> {
     /// Allows it to leave out more pairs than the default, as long as contacts and intersections are the same.
     pub fn leaving_out_more(mut self) -> Self {
         self.leaves_out_more = true;
-        self
-    }
-
-    /// Asks it after each update how much of the update threads split.
-    pub fn with_sharing(mut self, shares: impl Fn(&C) -> Sharing + Send + Sync + 'static) -> Self {
-        self.shares = Some(Arc::new(shares));
         self
     }
 
@@ -130,10 +121,7 @@ impl Comparison {
     fn run_together<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
         let mut scene = Scene::build(self.kind, self.bodies, self.seed);
         let mut ray_check = RayCheck::new(candidate.queries, &scene, self);
-        let mut watched_candidate = watched((candidate.create)());
-        if let Some(shares) = &candidate.shares {
-            watched_candidate = watched_candidate.with_sharing(shares.clone());
-        }
+        let watched_candidate = watched((candidate.create)());
         let mut both = version::install(Tee::new(watched(OwnBroadPhase::new()), watched_candidate));
         let mut followers = Both::<Follower>::default();
         let mut outcome = Outcome {
@@ -188,7 +176,6 @@ impl Comparison {
             default: both.heard.timing(),
             candidate: both.unheard.timing(),
         };
-        outcome.sharing = both.unheard.sharing();
         let seconds = timing.map(|timing| timing.total.as_secs_f64());
         outcome.ratio = seconds.default / seconds.candidate;
         outcome.broad_phase = timing.map(|timing| timing.over(self.steps));

@@ -6,9 +6,8 @@
 use super::pairs::{PairEvent, Pairs, in_order};
 use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
-use crate::{Sharing, Timing};
+use crate::Timing;
 use std::collections::HashSet;
-use std::sync::Arc;
 use std::time::Instant;
 
 mod tee;
@@ -25,17 +24,12 @@ pub struct Observed<B> {
     held: Option<Held>,
     copies: Option<Copies>,
     is_sorted: bool,
-    shares: Option<Shares<B>>,
-    sharing: Sharing,
     /// The broad phase itself.
     pub inner: B,
 }
 
 /// How often an event is passed on.
 type Copies = Box<dyn FnMut(PairEvent) -> usize + Send + Sync>;
-
-/// Returns how much of the last update threads split.
-pub(super) type Shares<B> = Arc<dyn Fn(&B) -> Sharing + Send + Sync>;
 
 /// The pairs that the events of a broad phase amount to.
 #[derive(Default)]
@@ -67,8 +61,6 @@ impl<B: BroadPhase> Observed<B> {
             held: None,
             copies: None,
             is_sorted: false,
-            shares: None,
-            sharing: Sharing::default(),
             inner,
         }
     }
@@ -76,12 +68,6 @@ impl<B: BroadPhase> Observed<B> {
     /// Times the updates, except in WebAssembly, whose standard library has no clock.
     pub fn clocked(mut self) -> Self {
         self.timing = (!cfg!(target_family = "wasm")).then(Timing::default);
-        self
-    }
-
-    /// Adds up how much of the updates threads split.
-    pub(super) fn with_sharing(mut self, shares: Shares<B>) -> Self {
-        self.shares = Some(shares);
         self
     }
 
@@ -131,11 +117,6 @@ impl<B> Observed<B> {
     /// How long the updates took; zero unless it is [clocked](Self::clocked).
     pub fn timing(&self) -> Timing {
         self.timing.unwrap_or_default()
-    }
-
-    /// How much of the updates threads split, if it is [recorded](Self::with_sharing).
-    pub fn sharing(&self) -> Option<Sharing> {
-        self.shares.is_some().then_some(self.sharing)
     }
 
     /// The updates since this was last called.
@@ -260,9 +241,6 @@ impl<B: BroadPhase> Observed<B> {
             timing.record(start.elapsed());
         }
 
-        if let Some(shares) = &self.shares {
-            self.sharing += shares(&self.inner);
-        }
         let reported = &mut events[first..];
         if self.is_sorted {
             reported.sort_by_key(|event| PairEvent::from(event).sort_key());
