@@ -13,7 +13,6 @@ mod candidates;
 mod foresight;
 mod layers;
 mod notes;
-mod odometer;
 mod pair_state;
 mod policy;
 mod proxies;

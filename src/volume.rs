@@ -22,7 +22,6 @@ use crate::aabb::Aabb;
 use crate::real::Real;
 use separating_axes::Pair;
 
-mod room;
 mod separating_axes;
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,6 @@ mod lists;
 mod retired;
 mod turns;
 
-use super::odometer::Due;
 use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
@@ -34,9 +33,6 @@ pub(super) struct Candidates {
     pairs: Vec<[u32; 2]>,
     /// By row.
     states: Vec<PairState>,
-    /// By row, when the candidate must be asked again, if volumes [have odometers](super::volumes::Volumes::have_odometers); otherwise
-    /// empty.
-    dues: Vec<Due>,
     pub(super) held_count: usize,
     /// Candidates whose boxes overlap, held or not.
     pub(super) overlapping_count: usize,
@@ -201,11 +197,6 @@ impl Candidates {
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) -> PairState {
         let former = std::mem::replace(&mut self.states[row], state);
-        if former.is_held() != state.is_held() {
-            if let Some(due) = self.dues.get_mut(row) {
-                *due = Due::default();
-            }
-        }
         if state.overlaps() && !former.overlaps() {
             self.note_overlap(self.pairs[row]);
         }
@@ -233,9 +224,6 @@ impl Candidates {
             if turn.next == Next::Gone {
                 self.pairs.swap_remove(turn.row);
                 self.states.swap_remove(turn.row);
-                if !self.dues.is_empty() {
-                    self.dues.swap_remove(turn.row);
-                }
             }
         }
         self.tombstones = 0;
@@ -248,8 +236,9 @@ impl Candidates {
         if self.tombstones == 0 {
             return;
         }
-        retain(&mut self.states, &self.pairs);
-        retain(&mut self.dues, &self.pairs);
+        let mut pairs = self.pairs.iter();
+        self.states
+            .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
         self.pairs.retain(|pair| pair[0] != TOMBSTONE);
         self.tombstones = 0;
         // Rows have moved.
@@ -265,7 +254,6 @@ impl Candidates {
         should_be_held: impl Fn([u32; 2], bool) -> bool,
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
-        assert!(self.dues.is_empty() || self.dues.len() == self.rows());
         assert_eq!(self.held().count(), self.held_count);
         let overlapping = self.states.iter().filter(|state| state.overlaps());
         assert_eq!(overlapping.count(), self.overlapping_count);
@@ -278,10 +266,4 @@ impl Candidates {
         }
         self.lists.validate(&self.pairs);
     }
-}
-
-/// Keeps the items of rows that are not tombstones.
-fn retain<T>(by_row: &mut Vec<T>, pairs: &[[u32; 2]]) {
-    let mut pairs = pairs.iter();
-    by_row.retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
 }

@@ -201,7 +201,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// Begins an update: reads the volumes that the notes name, and makes sets of the notes.
     pub(super) fn begin_update(&mut self, slack: R, source: &impl VolumeSource<R, D>) {
         self.slack = slack;
-        self.volumes.note_moves();
         self.volumes.pull(&mut self.notes.revolumed, source);
         for &slot in &self.notes.leavers {
             self.leavers.insert(slot);

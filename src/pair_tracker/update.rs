@@ -173,8 +173,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             source,
         };
         comparing.replace(&mut self.layers.found);
-        let near = self.candidates.overlapping_count - self.candidates.held_count;
-        self.proxies.volumes.reset_odometers(near);
         if self.layers.found.capacity() > KEEP_SCRATCH_UP_TO {
             self.layers.found = Vec::new();
         }

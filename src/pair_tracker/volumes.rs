@@ -12,7 +12,6 @@
 mod chunk;
 
 use super::VolumeSource;
-use super::odometer::{Due, Odometer};
 use crate::aabb::max;
 use crate::parallel::Section;
 use crate::real::Real;
@@ -20,11 +19,6 @@ use crate::tuning::prices::{BEYOND_BALLS, READ};
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 pub(crate) use chunk::VolumesChunk;
 use chunk::volume_of;
-
-/// Pairs per slot whose boxes overlap and whose volumes do not. From this many on, in worlds of capsules, a pair is asked again only once
-/// both may have moved far enough. If larger: bundles of capsules are asked in each update. If smaller: counting moves takes longer than
-/// asking.
-const DUES_FROM: usize = 2;
 
 /// The skin of a volume, in margins of a box. If larger: more pairs begin that are near and do not touch. If smaller: more pairs of proxies
 /// that come to rest are asked in each update. Events depend on it.
@@ -46,10 +40,6 @@ pub(crate) struct Volumes<R, const D: usize> {
     are_stale: Vec<bool>,
     /// In how many pairs each slot is near another one.
     near: Vec<u32>,
-    /// How far each volume has moved since the last full search; empty if that is not counted.
-    odometers: Vec<Odometer>,
-    /// Updates since the last full search.
-    moves: u32,
     /// The largest skin so far.
     skin: R,
     /// The largest distance so far by which all shapes are extended, without the skin. Volumes are read with it even while the parameters ask
@@ -147,34 +137,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.balls.resize(slots, Volume::BOX.ball);
             self.are_stale.resize(slots, false);
             self.near.resize(slots, 0);
-            if self.have_odometers() {
-                self.odometers.resize(slots, Odometer::default());
-            }
-        }
-    }
-
-    /// Whether odometers count, so that candidates have dues.
-    pub(super) fn have_odometers(&self) -> bool {
-        !self.odometers.is_empty()
-    }
-
-    /// Counts an update.
-    pub(super) fn note_moves(&mut self) {
-        self.moves = self.moves.saturating_add(1);
-    }
-
-    /// Sets all odometers to 0, when no candidate has a due. From now on they count if enough pairs are `near` and not held, and most
-    /// volumes are capsules: the test of others is too fast for odometers to pay.
-    pub(super) fn reset_odometers(&mut self, near: usize) {
-        let slots = self.kinds.len();
-        let is_capsule = |kind: &&VolumeKind| **kind == VolumeKind::Capsule;
-        let is_worth_it =
-            || near > DUES_FROM * slots && 2 * self.kinds.iter().filter(is_capsule).count() > slots;
-        // Debug builds have them in any case, so that tests need not have thousands of colliders.
-        self.odometers.clear();
-        if self.are_used && (cfg!(debug_assertions) || is_worth_it()) {
-            self.odometers.resize(slots, Odometer::default());
-            self.moves = 0;
         }
     }
 
@@ -242,9 +204,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             if change <= self.skin && is_ball_as_before {
                 return false;
             }
-            if let Some(odometer) = self.odometers.get_mut(i) {
-                odometer.advance(change);
-            }
         }
         if volume.kind.axes::<D>() > 0 {
             self.half_axes[i] = volume.half_axes;
@@ -257,9 +216,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     #[cold]
     fn set_kind(&mut self, i: usize, kind: VolumeKind) {
         self.kinds[i] = kind;
-        if let Some(odometer) = self.odometers.get_mut(i) {
-            *odometer = Odometer::LOST;
-        }
         if kind.axes::<D>() > 0 && i >= self.half_axes.len() {
             let room = self.half_axes.capacity();
             if i >= room {
@@ -330,7 +286,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             balls: &mut self.balls,
             are_stale: &mut self.are_stale,
             near: &self.near,
-            odometers: &mut self.odometers,
             skin: self.skin,
             shortfall: self.shortfall,
         }
@@ -342,14 +297,12 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let mut balls = self.balls.chunks_mut(slots);
         let mut are_stale = self.are_stale.chunks_mut(slots);
         let mut near = self.near.chunks(slots);
-        let mut odometers = self.odometers.chunks_mut(slots);
         let (skin, shortfall) = (self.skin, self.shortfall);
         std::iter::repeat_with(move || VolumesChunk {
             kinds: kinds.next().unwrap_or_default(),
             balls: balls.next().unwrap_or_default(),
             are_stale: are_stale.next().unwrap_or_default(),
             near: near.next().unwrap_or_default(),
-            odometers: odometers.next().unwrap_or_default(),
             skin,
             shortfall,
         })
@@ -373,33 +326,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         are_balls.then(|| self.balls[i].meets(&self.balls[j], slack))
     }
 
-    /// Whether two volumes that were apart may meet now, unless they are [both balls](Self::meet_as_balls). If they have a due, they are tested
-    /// only once it is reached, and the due is set.
-    #[inline(always)]
-    pub(super) fn have_met_beyond_balls(&self, pair: [u32; 2], due: Option<&mut Due>) -> bool {
-        match due {
-            None => self.meet_beyond_balls(pair, R::ZERO),
-            Some(due) => {
-                due.is_reached(self.odometers_of(pair)) && self.have_met_when_due(pair, due)
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn have_met_when_due(&self, pair: [u32; 2], due: &mut Due) -> bool {
-        let [a, b] = pair.map(|slot| self.get(slot));
-        let meet = a.meets(b, R::ZERO);
-        if !meet && !due.is_hopeless() {
-            *due = Due::of_room(self.odometers_of(pair), a.room(b, R::ZERO), self.moves);
-        }
-        meet
-    }
-
-    #[inline(always)]
-    fn odometers_of(&self, pair: [u32; 2]) -> [Odometer; 2] {
-        pair.map(|slot| self.odometers[slot as usize])
-    }
-
     /// Whether two volumes may meet, each loosened by half of `slack`, unless they are [both balls](Self::meet_as_balls).
     #[inline(never)]
     pub(super) fn meet_beyond_balls(&self, [a, b]: [u32; 2], slack: R) -> bool {
@@ -412,38 +338,5 @@ fn at_least<R: Real>(noted: R, wanted: R) -> R {
     match wanted > noted {
         true => max(wanted, noted * R::from_f64(GROWTH)),
         false => noted,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SLOTS: [u32; 2] = [0, 1];
-
-    fn capsule(x: f32, half: f32) -> Volume<f32, 2> {
-        Volume::new(VolumeKind::Capsule, [x, 0.0], 0.1, &[[half, 0.0]])
-    }
-
-    #[test]
-    fn a_volume_of_another_kind_for_a_while_is_tested() {
-        // Two capsules on one line with a gap of 0.2, and the due of the pair after a test.
-        let mut volumes = Volumes::new(true);
-        volumes.make_room(2);
-        volumes.note_extents(1.0, 0.0);
-        volumes.set(0, &capsule(0.0, 1.0));
-        volumes.set(1, &capsule(2.4, 1.0));
-        volumes.reset_odometers(0);
-        volumes.note_moves();
-        let mut due = Due::default();
-        assert!(!volumes.have_met_beyond_balls(SLOTS, Some(&mut due)));
-        assert!(!due.is_reached(volumes.odometers_of(SLOTS)));
-
-        volumes.set(0, &Volume::new(VolumeKind::Ball, [0.25, 0.0], 0.1, &[]));
-        let mut due = Due::default();
-        assert!(!volumes.have_met_beyond_balls(SLOTS, Some(&mut due)));
-        // Its half axes are the former ones.
-        volumes.set(0, &capsule(0.25, 1.0));
-        assert!(volumes.have_met_beyond_balls(SLOTS, Some(&mut due)));
     }
 }

@@ -3,7 +3,6 @@
 use super::turns::{Found, Next, Turn};
 use super::{Candidates, TOMBSTONE};
 use crate::bit_set::{Lookup, gather, ones};
-use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_most_touched;
 use crate::pair_tracker::proxies::{Proxies, Rows};
@@ -42,7 +41,6 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             candidates.forbidden = forbidden.collect();
         }
         candidates.states.clear();
-        candidates.dues.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
         candidates.tombstones = 0;
@@ -59,14 +57,9 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
     pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
         self.keep_forbidden(found);
         self.hold_new(found);
-        let Candidates {
-            pairs, dues, lists, ..
-        } = &mut *self.candidates;
+        let Candidates { pairs, lists, .. } = &mut *self.candidates;
         let first = pairs.len();
         pairs.append(found);
-        if !dues.is_empty() {
-            dues.resize(pairs.len(), Due::default());
-        }
         lists.extend(pairs, first, self.proxies.len());
         self.answer_unread();
         self.candidates.fill_tombstones();
@@ -218,10 +211,6 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         price: u64,
         pick: impl Fn(&Proxies<R, D, K>, Rows<'_>) -> u64 + Send + Sync,
     ) {
-        let mut dues = std::mem::take(&mut self.candidates.dues);
-        if self.proxies.volumes.have_odometers() {
-            dues.resize(self.candidates.rows(), Due::default());
-        }
         let mut parts = std::mem::take(&mut self.candidates.turns);
         let rows = self.candidates.rows();
         let section = Section::of(rows, self.proxies.volumes.price(price));
@@ -229,18 +218,15 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         parts.resize_with(count, Vec::new);
         // Whole words, so that threads pick as one does.
         let rows_a_part = 64 * rows.div_ceil(64).div_ceil(count).max(1);
-        let mut dues_of_parts = dues.chunks_mut(rows_a_part);
         let asked = parts.iter_mut().enumerate().map(|(i, turns)| {
             let [start, end] = [i, i + 1].map(|i| rows.min(i * rows_a_part));
-            let dues = dues_of_parts.next().unwrap_or_default();
-            (start..end, turns, dues)
+            (start..end, turns)
         });
         let mut asked: Vec<_> = asked.collect();
         let asking = &*self;
-        section.for_each(&mut asked, |(rows, turns, dues)| {
-            asking.ask(rows.clone(), turns, dues, |rows| pick(asking.proxies, rows));
+        section.for_each(&mut asked, |(rows, turns)| {
+            asking.ask(rows.clone(), turns, |rows| pick(asking.proxies, rows));
         });
-        self.candidates.dues = dues;
         for &turn in parts.iter().flatten() {
             self.apply(turn);
         }
@@ -256,7 +242,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         let former = self.candidates.states[row];
         let next = match has_left {
             true => Next::Gone,
-            false => self.next(pair, former, None),
+            false => self.next(pair, former),
         };
         if next != Next::Is(former) {
             self.apply(Turn { row, next });

@@ -4,7 +4,6 @@ use core::ops::Range;
 
 use super::Comparing;
 use crate::bit_set::ones;
-use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::PairState;
 use crate::pair_tracker::proxies::Rows;
 use crate::pair_tracker::{FilterKey, PairChange, PairObserver, VolumeSource};
@@ -51,33 +50,29 @@ pub(super) struct Found<'a> {
 impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, D>>
     Comparing<'_, R, D, K, O, S>
 {
-    /// Asks the rows of a range that `pick` picks from each 64, and replaces `turns` by their changes. `dues` are those of the range, or none.
+    /// Asks the rows of a range that `pick` picks from each 64, and replaces `turns` by their changes.
     pub(super) fn ask(
         &self,
         all: Range<usize>,
         turns: &mut Vec<Turn>,
-        dues: &mut [Due],
         pick: impl Fn(Rows<'_>) -> u64,
     ) {
         turns.clear();
-        let mut dues = dues.chunks_mut(64);
         for start in all.clone().step_by(64) {
             let rows = start..all.end.min(start + 64);
-            let dues = dues.next().unwrap_or_default();
             let picked = pick(Rows {
                 pairs: &self.candidates.pairs[rows.clone()],
                 states: &self.candidates.states[rows],
-                dues: &mut *dues,
             });
             if picked != 0 {
-                self.ask_picked(start, picked, dues, turns);
+                self.ask_picked(start, picked, turns);
             }
         }
     }
 
     /// Asks the rows from `start` on whose bit is set.
     #[inline(never)]
-    fn ask_picked(&self, start: usize, picked: u64, dues: &mut [Due], turns: &mut Vec<Turn>) {
+    fn ask_picked(&self, start: usize, picked: u64, turns: &mut Vec<Turn>) {
         let leavers = &self.proxies.leavers;
         for i in ones(picked) {
             let row = start + i;
@@ -87,7 +82,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             let former = self.candidates.states[row];
             let next = match pair.iter().any(|&slot| leavers.contains(slot)) {
                 true => Next::Gone,
-                false => self.next(pair, former, dues.get_mut(i)),
+                false => self.next(pair, former),
             };
             if next != Next::Is(former) {
                 turns.push(Turn { row, next });
@@ -95,11 +90,11 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         }
     }
 
-    /// What becomes of a candidate that had this state, and this due if it has one. It is gone if its boxes have parted and its keys forbid it.
+    /// What becomes of a candidate that had this state. It is gone if its boxes have parted and its keys forbid it.
     #[inline(always)]
-    pub(super) fn next(&self, pair: [u32; 2], former: PairState, due: Option<&mut Due>) -> Next {
+    pub(super) fn next(&self, pair: [u32; 2], former: PairState) -> Next {
         match self.proxies.overlap(pair) {
-            true => self.next_of_overlapping(pair, former.is_held(), due),
+            true => self.next_of_overlapping(pair, former.is_held()),
             false if self.proxies.is_forbidden(pair) => Next::Gone,
             false => Next::Is(PairState::Apart),
         }
@@ -107,8 +102,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
 
     /// What becomes of a pair whose boxes overlap. A pair that would end by its volumes alone stays while its contact is active.
     #[inline(always)]
-    fn next_of_overlapping(&self, pair: [u32; 2], was_held: bool, due: Option<&mut Due>) -> Next {
-        match self.proxies.holds(pair, was_held, due) {
+    fn next_of_overlapping(&self, pair: [u32; 2], was_held: bool) -> Next {
+        match self.proxies.holds(pair, was_held) {
             None => Next::Unread,
             Some(false) if !(was_held && self.observer.is_active(pair)) => {
                 Next::Is(PairState::Near)
@@ -128,7 +123,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
                 let place = candidates.retired.place(pair);
                 let was_held = place.is_some();
                 found.taken.extend(place);
-                states[i] = match self.next_of_overlapping(pair, was_held, None) {
+                states[i] = match self.next_of_overlapping(pair, was_held) {
                     Next::Is(state) => state,
                     _ => {
                         found.unread.push(start + i);

@@ -4,7 +4,6 @@ use super::Proxies;
 use crate::aabb::Aabb;
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::FilterKey;
-use crate::pair_tracker::odometer::Due;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::real::Real;
 
@@ -12,8 +11,6 @@ use crate::real::Real;
 pub(in crate::pair_tracker) struct Rows<'a> {
     pub(in crate::pair_tracker) pairs: &'a [[u32; 2]],
     pub(in crate::pair_tracker) states: &'a [PairState],
-    /// One for each candidate, or none.
-    pub(in crate::pair_tracker) dues: &'a mut [Due],
 }
 
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
@@ -60,12 +57,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// volumes allow it. Its keys are not asked again, as in Rapier: a pair that they have come to forbid stays. If volumes are in use, it
     /// ends when one of its boxes is renewed and its volumes are farther apart than the slack.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn holds(
-        &self,
-        pair: [u32; 2],
-        was_held: bool,
-        due: Option<&mut Due>,
-    ) -> Option<bool> {
+    pub(in crate::pair_tracker) fn holds(&self, pair: [u32; 2], was_held: bool) -> Option<bool> {
         let volumes = &self.volumes;
         if !was_held && !self.may_begin(pair) {
             return Some(false);
@@ -78,10 +70,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             return Some(meet);
         }
         let are_read = !volumes.are_stale(pair);
-        are_read.then(|| match was_held {
-            true => volumes.meet_beyond_balls(pair, slack),
-            false => volumes.have_met_beyond_balls(pair, due),
-        })
+        are_read.then(|| volumes.meet_beyond_balls(pair, slack))
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
@@ -91,14 +80,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         gather(pairs, |&pair| self.overlap(pair))
     }
 
-    /// Of up to 64 candidates those whose state changes, if their keys allow it.
+    /// Of up to 64 candidates those whose state changes, if their keys allow it, and those whose stale volumes decide.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn toggled(&self, rows: Rows<'_>) -> u64 {
-        let Rows {
-            pairs,
-            states,
-            dues,
-        } = rows;
+    pub(in crate::pair_tracker) fn toggled(&self, Rows { pairs, states }: Rows<'_>) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
         // Where boxes have begun or ceased to overlap, the state changes in any case.
@@ -106,53 +90,37 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !self.volumes.are_used() {
             return toggled;
         }
-        let asked = ones(overlap & !toggled).map(|i| (i, pairs[i], held >> i & 1 == 1));
-        let bit = |i: usize, has_toggled: bool| u64::from(has_toggled) << i;
-        match dues {
-            // In an arm of its own, so that balls are as fast as without dues.
-            [] => asked.fold(toggled, |word, (i, pair, was_held)| {
-                word | bit(i, self.has_toggled(pair, was_held, None))
-            }),
-            dues => asked.fold(toggled, |word, (i, pair, was_held)| {
-                word | bit(i, self.has_toggled(pair, was_held, Some(&mut dues[i])))
-            }),
-        }
+        ones(overlap & !toggled).fold(toggled, |word, i| {
+            let has_toggled = self.has_toggled(pairs[i], held >> i & 1 == 1);
+            word | u64::from(has_toggled) << i
+        })
     }
 
     /// Of up to 64 candidates those that are near, that are `wanted`, and whose volumes have met.
     #[inline(always)]
     pub(in crate::pair_tracker) fn met_of_near(
         &self,
-        rows: Rows<'_>,
+        Rows { pairs, states }: Rows<'_>,
         wanted: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
-        let Rows {
-            pairs,
-            states,
-            dues,
-        } = rows;
         let [near, _] = near_and_held(states);
-        let mut have_met =
-            |i: usize| wanted(pairs[i]) && self.has_toggled(pairs[i], false, dues.get_mut(i));
+        let have_met = |i: usize| wanted(pairs[i]) && self.has_toggled(pairs[i], false);
         ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
     }
 
-    /// Whether volumes make a pair whose boxes overlap begin, or end if it was held.
+    /// Whether volumes make a pair whose boxes overlap begin, or end if it was held, or whether it was held and a stale volume decides.
     #[inline(always)]
-    fn has_toggled(&self, pair: [u32; 2], was_held: bool, due: Option<&mut Due>) -> bool {
+    fn has_toggled(&self, pair: [u32; 2], was_held: bool) -> bool {
         // Which balls meet is practically random, so there is no branch on it.
+        let volumes = &self.volumes;
         let slack = if was_held { self.slack } else { R::ZERO };
-        if let Some(meet) = self.volumes.meet_as_balls(pair, slack) {
+        if let Some(meet) = volumes.meet_as_balls(pair, slack) {
             return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
         }
         match was_held {
-            // Whether it ends is asked again, so an answer by a stale volume does no harm unless it is no.
-            true => {
-                self.is_renewed(pair)
-                    && (self.volumes.are_stale(pair)
-                        || !self.volumes.meet_beyond_balls(pair, slack))
-            }
-            false => self.volumes.have_met_beyond_balls(pair, due),
+            false => volumes.meet_beyond_balls(pair, slack),
+            true if !self.is_renewed(pair) => false,
+            true => volumes.are_stale(pair) || !volumes.meet_beyond_balls(pair, slack),
         }
     }
 }

@@ -1,7 +1,6 @@
 //! The volumes of a range of slots, written in place: that of one thread, or all of them.
 
 use crate::aabb::Aabb;
-use crate::pair_tracker::odometer::Odometer;
 use crate::real::Real;
 use crate::volume::{Ball, VolumeKind, VolumeRef};
 
@@ -11,8 +10,6 @@ pub(crate) struct VolumesChunk<'a, R, const D: usize> {
     pub(super) balls: &'a mut [Ball<R, D>],
     pub(super) are_stale: &'a mut [bool],
     pub(super) near: &'a [u32],
-    /// Empty if they stand still.
-    pub(super) odometers: &'a mut [Odometer],
     pub(super) skin: R,
     pub(super) shortfall: R,
 }
@@ -42,14 +39,10 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         match self.kinds[i] {
             VolumeKind::Ball if has_only_moved && !self.are_stale[i] => {
                 let ball = self.balls[i].in_box(&aabb.loosened(self.shortfall));
-                let change = self.balls[i].change_to(&ball);
-                if change <= self.skin {
+                if self.balls[i].change_to(&ball) <= self.skin {
                     return false;
                 }
                 self.balls[i] = ball;
-                if let Some(odometer) = self.odometers.get_mut(i) {
-                    odometer.advance(change);
-                }
                 self.near[i] > 0
             }
             VolumeKind::Part if has_only_moved => false,
