@@ -114,7 +114,6 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         let Some(collider) = self.input.colliders.get(handle) else {
             return Volume::BOX;
         };
-        // Bodies are scattered in memory.
         let bounds = outline.bounds;
         let bounds =
             bounds.unwrap_or_else(|| Bounds::of(collider, body_of(collider, self.input.bodies)));

@@ -20,6 +20,7 @@ pub(super) struct Outline {
     known: Option<(SharedShape, Profile)>,
     /// The properties at the last reading.
     silent: Option<Silent>,
+    /// As of the last reading, because bodies are scattered in memory.
     pub(super) bounds: Option<Bounds>,
 }
 
