@@ -340,3 +340,32 @@ fn at_least<R: Real>(noted: R, wanted: R) -> R {
         false => noted,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ball_stays_within_its_skin_unless_its_radius_changes() {
+        let mut volumes = Volumes::<f32, 2>::new(true);
+        volumes.make_room(1);
+        volumes.note_extents(1.0, 0.0);
+        let ball = |x: f32, radius: f32| Volume::new(VolumeKind::Ball, [x, 0.0], radius, &[]);
+        // The skin is a sixteenth.
+        for (x, radius, is_replaced) in [
+            (0.0, 0.5, true),
+            (0.06, 0.5, false),
+            (0.0, 0.51, true),
+            (0.07, 0.51, true),
+        ] {
+            let before = *volumes.get(0).ball;
+            assert_eq!(volumes.set(0, &ball(x, radius)), is_replaced);
+            let after = if is_replaced {
+                ball(x, radius).ball
+            } else {
+                before
+            };
+            assert_eq!(*volumes.get(0).ball, after);
+        }
+    }
+}
