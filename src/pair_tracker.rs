@@ -138,9 +138,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Makes room for this number of slots, at most [`MOST_SLOTS`], if there is less.
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
-        if self.proxies.volumes().are_used() {
-            self.candidates.acquainted.resize(self.proxies.len());
-        }
+        let volumes = self.proxies.volumes().are_used();
+        self.candidates.make_room(self.proxies.len(), volumes);
     }
 
     /// Removes a proxy; its pairs end without an event.

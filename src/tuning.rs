@@ -189,15 +189,8 @@ pub(crate) mod update {
 /// chosen and not fitted, because the time of an update does not show what it saves or costs later. Their ratios decide what an update
 /// does, their sums how many threads share it.
 pub(crate) mod prices {
-    /// Testing whether one of a candidate's proxies was touched. If larger: lists are walked where picking is faster. If smaller: lists are
-    /// unused where few proxies move.
+    /// Testing whether one of a candidate's proxies was touched. If larger: threads are woken for little. If smaller: cores idle.
     pub(crate) const PICKED: u64 = 10;
-
-    /// Finding the list of a proxy. If larger: lists are unused where few proxies move. If smaller: lists are walked where picking is faster.
-    pub(crate) const LISTED: u64 = 300;
-
-    /// Visiting a candidate in a list: waiting for memory. If larger or smaller: the same.
-    pub(crate) const WALKED: u64 = 50;
 
     /// Reading a collider, or the box that was passed for it: shapes and bodies are scattered in memory. If larger: threads are woken for
     /// little. If smaller: cores idle.

@@ -1,64 +1,66 @@
-//! The candidates: pairs of proxies whose fat boxes overlap, with a tombstone in place of each that is gone.
+//! The candidates: pairs of proxies whose fat boxes overlap.
 //!
 //! When most proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each
-//! slot; when very few were, by lists. The lists are made once they would have been useful a number of times, and kept up to date until
-//! all candidates are replaced.
+//! slot. Candidates of slots that nobody has asked about since the last full search are *cold*: they stand behind the others, and are not
+//! looked at.
 
 mod comparing;
-mod lists;
 mod retired;
 mod turns;
 
 use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
-use crate::bit_set::BitSet;
+use crate::bit_set::{BitSet, gather};
 use crate::real::Real;
+use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
-use lists::CandidateLists;
 use retired::RetiredPairs;
-use turns::{Next, Turn};
+use turns::Turn;
 
-/// One row in this many. Once more rows are tombstones, they are removed. If larger: rows are moved, and lists made again, for a few
-/// tombstones. If smaller: comparing goes through rows that are gone.
-const SPARSE_FROM_ONE_IN: usize = 2;
-
-/// In place of a slot: the candidate is gone.
-const TOMBSTONE: u32 = u32::MAX;
-
-/// The candidates by rows, the state of each, and the lists through them.
+/// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    /// By row, the two slots, smaller first; two tombstones where the candidate is gone.
+    /// By row, the two slots, smaller first.
     pairs: Vec<[u32; 2]>,
     /// By row.
     states: Vec<PairState>,
     pub(super) held_count: usize,
     /// Candidates whose boxes overlap, held or not.
     pub(super) overlapping_count: usize,
-    tombstones: usize,
-    lists: CandidateLists,
-    /// How often the candidates of some slots were picked from all rows, and how often they were found by lists; for tests.
-    pub(super) passes: [u64; 2],
+    /// The first cold row.
+    pub(super) first_cold: usize,
+    /// The slots that have no cold rows.
+    warm: BitSet,
     /// In an update, held pairs that were retired.
     retired: RetiredPairs,
     /// In an update, pairs that were retired, were not held, and that their keys have come to forbid.
     forbidden: Vec<[u32; 2]>,
     /// The slots of proxies whose box has ever overlapped that of another one that they might meet. Has room only if volumes are in use.
     pub(super) acquainted: BitSet,
-    /// Scratch: the slots whose candidates are compared.
+    /// Scratch: the slots whose candidates are picked.
     slots: BitSet,
+    /// Scratch: the slots of which the near candidates are picked.
+    revolumed: BitSet,
     /// Scratch: answers about rows.
     answers: BitSet,
     /// In an update, the rows that cannot be answered before volumes are read.
     unread: Vec<usize>,
     /// Scratch: the changes of rows, by parts of the rows.
     turns: Vec<Vec<Turn>>,
-    /// Whether all tombstones are from these turns.
-    are_turned: bool,
+    /// In an update, the rows whose candidates are retired, ascending.
+    gone: Vec<usize>,
 }
 
 impl Candidates {
+    /// Makes room for this number of slots.
+    pub(super) fn make_room(&mut self, slots: usize, volumes: bool) {
+        self.warm.resize(slots);
+        if volumes {
+            self.acquainted.resize(slots);
+        }
+    }
+
     /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near`, in ascending order, are not held. There must
     /// be room for the acquainted slots.
     ///
@@ -92,25 +94,12 @@ impl Candidates {
         Ok(())
     }
 
-    /// The pair in a row, if it is not gone.
-    #[inline(always)]
-    fn get(&self, row: usize) -> Option<[u32; 2]> {
-        let pair = self.pairs[row];
-        (pair[0] != TOMBSTONE).then_some(pair)
-    }
-
-    /// The rows, tombstones included.
-    pub(super) fn rows(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.pairs.len()
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.pairs.len() - self.tombstones
-    }
-
     pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let pairs = self.pairs.iter().copied();
-        pairs.filter(|pair| pair[0] != TOMBSTONE)
+        self.pairs.iter().copied()
     }
 
     pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -151,26 +140,10 @@ impl Candidates {
         if listed.is_empty() || self.overlapping_count == self.held_count {
             return;
         }
-        if self.walks_lists(listed.len(), slots) {
-            let Self {
-                pairs,
-                states,
-                lists,
-                ..
-            } = self;
-            for &slot in listed {
-                lists.walk(slot, |row| {
-                    let [a, b] = pairs[row];
-                    if states[row] == PairState::Near {
-                        visit(if a == slot { [a, b] } else { [b, a] });
-                    }
-                    a != TOMBSTONE
-                });
-            }
-            return;
-        }
+        self.warm(listed);
         self.slots.insert_all(listed, slots);
-        for [a, b] in self.near() {
+        let warm = self.pairs[..self.first_cold].iter().zip(&self.states);
+        for (&[a, b], _) in warm.filter(|(_, state)| **state == PairState::Near) {
             for pair in [[a, b], [b, a]] {
                 if self.slots.contains(pair[0] as usize) {
                     visit(pair);
@@ -180,17 +153,23 @@ impl Candidates {
         self.slots.clear_around(listed);
     }
 
-    /// Whether the candidates of a number of slots are found by lists, and not picked from all. Makes the lists once they have been missed
-    /// often enough.
-    fn walks_lists(&mut self, walked: usize, slots: usize) -> bool {
-        let pay = CandidateLists::pay(walked, slots, self.rows());
-        if pay && !self.lists.are_made && self.lists.are_due() {
-            self.compact();
-            self.lists.make(&self.pairs, slots);
+    /// Moves the cold rows of these slots before the others. Takes a pass over the cold rows if there is a slot that was not warm.
+    fn warm(&mut self, listed: &[u32]) {
+        let are_new = |are_new, &slot: &u32| are_new | self.warm.insert(slot as usize);
+        if !listed.iter().fold(false, are_new) {
+            return;
         }
-        let walks_lists = pay && self.lists.are_made;
-        self.passes[usize::from(walks_lists)] += 1;
-        walks_lists
+        let (first, warm) = (self.first_cold, self.warm.lookup());
+        let cold = &self.pairs[first..];
+        self.answers.ask(cold.len(), PICKED, |rows| {
+            gather(&cold[rows], |&pair| warm.has_one(pair))
+        });
+        let asked = std::mem::take(&mut self.answers);
+        for row in asked.iter() {
+            self.swap_with_first_cold(first + row);
+            self.first_cold += 1;
+        }
+        self.answers = asked;
     }
 
     /// Sets the state of a row. Returns the former one.
@@ -207,45 +186,43 @@ impl Candidates {
         former
     }
 
-    /// Removes the tombstones if they are too large a share of all rows.
-    pub(super) fn compact_if_sparse(&mut self) {
-        if self.tombstones > self.pairs.len() / SPARSE_FROM_ONE_IN {
-            self.compact();
-        }
+    /// Makes all rows cold.
+    fn cool(&mut self) {
+        self.first_cold = 0;
+        self.warm.clear();
     }
 
-    /// Fills tombstones with the last rows, if all of them are from the last turns.
-    fn fill_tombstones(&mut self) {
-        if !std::mem::take(&mut self.are_turned) || self.tombstones == 0 {
-            return;
-        }
-        // Backwards, so that the row that `swap_remove` moves has been visited already.
-        for turn in self.turns.iter().flatten().rev() {
-            if turn.next == Next::Gone {
-                self.pairs.swap_remove(turn.row);
-                self.states.swap_remove(turn.row);
+    /// Moves the rows from `first` on that have a warm slot before those that are cold.
+    fn warm_from(&mut self, first: usize) {
+        for row in first..self.pairs.len() {
+            if self.warm.lookup().has_one(self.pairs[row]) {
+                self.swap_with_first_cold(row);
+                self.first_cold += 1;
             }
         }
-        self.tombstones = 0;
-        // Rows have moved.
-        self.lists.forget();
     }
 
-    /// Removes the tombstones.
-    fn compact(&mut self) {
-        if self.tombstones == 0 {
-            return;
+    #[inline(always)]
+    fn swap_with_first_cold(&mut self, row: usize) {
+        self.pairs.swap(row, self.first_cold);
+        self.states.swap(row, self.first_cold);
+    }
+
+    /// Removes the rows that are gone. The other rows may move.
+    fn remove_gone(&mut self) {
+        // Backwards, so that a row that takes the place of another has been visited already.
+        for mut row in std::mem::take(&mut self.gone).into_iter().rev() {
+            if row < self.first_cold {
+                self.first_cold -= 1;
+                self.swap_with_first_cold(row);
+                row = self.first_cold;
+            }
+            self.pairs.swap_remove(row);
+            self.states.swap_remove(row);
         }
-        let mut pairs = self.pairs.iter();
-        self.states
-            .retain(|_| pairs.next().is_some_and(|pair| pair[0] != TOMBSTONE));
-        self.pairs.retain(|pair| pair[0] != TOMBSTONE);
-        self.tombstones = 0;
-        // Rows have moved.
-        self.lists.forget();
     }
 
-    /// Panics unless states, counts and, if they are made, lists are consistent.
+    /// Panics unless states, counts and cold rows are consistent.
     ///
     /// `should_be_held` says whether a pair whose boxes overlap should be held, given whether it is.
     pub(super) fn validate<R: Real, const D: usize>(
@@ -257,13 +234,13 @@ impl Candidates {
         assert_eq!(self.held().count(), self.held_count);
         let overlapping = self.states.iter().filter(|state| state.overlaps());
         assert_eq!(overlapping.count(), self.overlapping_count);
-        assert_eq!(self.iter().count(), self.len());
+        let mut cold = self.pairs[self.first_cold..].as_flattened().iter();
+        assert!(!cold.any(|&slot| self.warm.contains(slot as usize)));
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {
-            let overlaps = pair[0] != TOMBSTONE && overlap(now, pair);
+            let overlaps = overlap(now, pair);
             assert_eq!(state != PairState::Apart, overlaps, "{pair:?} overlaps");
             let is_held = overlaps && should_be_held(pair, state.is_held());
             assert_eq!(state.is_held(), is_held, "{pair:?} is held, or is not");
         }
-        self.lists.validate(&self.pairs);
     }
 }

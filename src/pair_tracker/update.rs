@@ -55,7 +55,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return;
         }
         self.stopwatch.enter(Phase::Difference);
-        self.candidates.compact_if_sparse();
         self.proxies.begin_update(slack, source);
         let proxies = &self.proxies;
         let plan = Plan::of(&self.plan_inputs(), || {
@@ -86,8 +85,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return 0;
         }
         let comparing = match are_most_touched(touched, self.proxies.len()) {
-            true => COMPARED * self.candidates.rows() as u64 + SLOT * self.proxies.len() as u64,
-            false => PICKED * self.candidates.rows() as u64,
+            true => COMPARED * self.candidates.len() as u64 + SLOT * self.proxies.len() as u64,
+            false => PICKED * self.candidates.first_cold as u64,
         };
         let comparing = self.proxies.volumes.price(comparing);
         self.cost.mean().saturating_add(comparing)

@@ -1,8 +1,8 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
+use super::Candidates;
 use super::turns::{Found, Next, Turn};
-use super::{Candidates, TOMBSTONE};
-use crate::bit_set::{Lookup, gather, ones};
+use crate::bit_set::{gather, ones};
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_most_touched;
 use crate::pair_tracker::proxies::{Proxies, Rows};
@@ -43,8 +43,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         candidates.states.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
-        candidates.tombstones = 0;
-        candidates.lists.forget();
+        candidates.cool();
         self.keep_forbidden(found);
         self.hold_new(found);
         self.candidates.retired.free_if_large();
@@ -57,12 +56,10 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
     pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
         self.keep_forbidden(found);
         self.hold_new(found);
-        let Candidates { pairs, lists, .. } = &mut *self.candidates;
-        let first = pairs.len();
-        pairs.append(found);
-        lists.extend(pairs, first, self.proxies.len());
+        let first = self.candidates.pairs.len();
+        self.candidates.pairs.append(found);
         self.answer_unread();
-        self.candidates.fill_tombstones();
+        self.candidates.warm_from(first);
     }
 
     /// Reads the volumes of the candidates that could not be answered without, and answers them.
@@ -73,7 +70,9 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             .volumes
             .pull(&mut pairs.flatten().collect(), self.source);
         for row in unread.drain(..) {
-            self.compare_row(row, false);
+            let former = self.candidates.states[row];
+            let next = self.next(self.candidates.pairs[row], former);
+            self.apply(Turn { row, next });
         }
         self.candidates.unread = unread;
     }
@@ -135,84 +134,59 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
 
     /// Brings the candidates of touched proxies, and of those with another volume, up to date, and retires the candidates of leavers.
     ///
-    /// If most proxies were touched, it goes through all candidates. Otherwise it picks theirs out of all, which is cheap per candidate, or
-    /// walks their lists, which waits for memory at each step and so is for very few proxies.
+    /// If most proxies were touched, it goes through all candidates, in order. Otherwise it picks theirs out of those that are not cold.
     pub(in crate::pair_tracker) fn compare(&mut self) {
         let notes = std::mem::take(&mut self.proxies.notes);
         let (touched, revolumed) = (&notes.touched, &notes.revolumed);
-        if !touched.is_empty() && are_most_touched(touched.len(), self.proxies.len()) {
-            self.compare_all();
+        let slots = self.proxies.len();
+        if !touched.is_empty() && are_most_touched(touched.len(), slots) {
+            // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
+            self.turn(self.candidates.len(), COMPARED, |proxies, rows| {
+                let leavers = &proxies.leavers;
+                let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+                match leavers.len() {
+                    0 => proxies.toggled(rows),
+                    _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
+                }
+            });
         } else {
-            self.compare_those_of(touched, |_, rows, listed| {
-                gather(rows.pairs, |&pair| listed.has_one(pair))
+            let candidates = &mut *self.candidates;
+            candidates.warm(touched);
+            candidates.warm(revolumed);
+            let rows = candidates.first_cold;
+            let [mut moved, mut changed] =
+                [&mut candidates.slots, &mut candidates.revolumed].map(std::mem::take);
+            moved.insert_all(touched, slots);
+            changed.insert_all(revolumed, slots);
+            let [has_moved, has_changed] = [&moved, &changed].map(|set| set.lookup());
+            // Each candidate has two slots.
+            let share_picked = (2 * touched.len()).min(slots) as u64;
+            let price = PICKED + COMPARED * share_picked / slots.max(1) as u64;
+            self.turn(rows, price, |proxies, rows| {
+                let picked = gather(rows.pairs, |&pair| has_moved.has_one(pair));
+                // The boxes of the others stay, so their pairs that are held stay too.
+                match revolumed.is_empty() {
+                    true => picked,
+                    false => picked | proxies.met_of_near(rows, |pair| has_changed.has_one(pair)),
+                }
             });
-            // Now, because rows may move before the lists of other slots are walked.
-            self.answer_unread();
-            // The boxes of these slots stay, so the pairs that are held stay too.
-            self.compare_those_of(revolumed, |proxies, rows, listed| {
-                proxies.met_of_near(rows, |pair| listed.has_one(pair))
-            });
+            moved.clear_around(touched);
+            changed.clear_around(revolumed);
+            (self.candidates.slots, self.candidates.revolumed) = (moved, changed);
         }
         self.proxies.notes = notes;
+        self.answer_unread();
+        self.candidates.remove_gone();
     }
 
-    /// Brings all candidates up to date, in order.
-    fn compare_all(&mut self) {
-        self.candidates.compact();
-        // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-        self.turn(COMPARED, |proxies, rows| {
-            let leavers = &proxies.leavers;
-            let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
-            match leavers.len() {
-                0 => proxies.toggled(rows),
-                _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
-            }
-        });
-        self.candidates.are_turned = true;
-    }
-
-    /// Brings the candidates of these slots up to date: those in their lists, or the rows that are picked from each 64, given which pairs
-    /// have one of the slots.
-    fn compare_those_of(
-        &mut self,
-        listed: &[u32],
-        pick: impl Fn(&Proxies<R, D, K>, Rows<'_>, Lookup<'_>) -> u64 + Send + Sync,
-    ) {
-        if listed.is_empty() {
-            return;
-        }
-        let count = self.proxies.len();
-        if self.candidates.walks_lists(listed.len(), count) {
-            let mut lists = std::mem::take(&mut self.candidates.lists);
-            // Leavers first: then no other row needs to be asked whether it has one.
-            for slot in self.proxies.leavers.slots().to_vec() {
-                lists.walk(slot, |row| self.compare_row(row, true));
-            }
-            for &slot in listed {
-                lists.walk(slot, |row| self.compare_row(row, false));
-            }
-            self.candidates.lists = lists;
-            return;
-        }
-        let mut slots = std::mem::take(&mut self.candidates.slots);
-        slots.insert_all(listed, count);
-        let lookup = slots.lookup();
-        // Each candidate has two slots.
-        let share_picked = (2 * listed.len()).min(count) as u64;
-        let price = PICKED + COMPARED * share_picked / count.max(1) as u64;
-        self.turn(price, |proxies, rows| pick(proxies, rows, lookup));
-        slots.clear_around(listed);
-        self.candidates.slots = slots;
-    }
-
-    /// Asks the rows that are picked from each 64, and applies the answers.
+    /// Asks the rows that are picked from each 64 of so many, and applies the answers.
     fn turn(
         &mut self,
+        rows: usize,
         price: u64,
         pick: impl Fn(&Proxies<R, D, K>, Rows<'_>) -> u64 + Send + Sync,
     ) {
         let mut parts = std::mem::take(&mut self.candidates.turns);
-        let rows = self.candidates.rows();
         let section = Section::of(rows, self.proxies.volumes.price(price));
         let count = section.parts();
         parts.resize_with(count, Vec::new);
@@ -233,24 +207,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         self.candidates.turns = parts;
     }
 
-    /// Brings a row up to date, or retires its candidate. Returns whether there is a candidate in it.
-    #[inline(always)]
-    fn compare_row(&mut self, row: usize, has_left: bool) -> bool {
-        let Some(pair) = self.candidates.get(row) else {
-            return false;
-        };
-        let former = self.candidates.states[row];
-        let next = match has_left {
-            true => Next::Gone,
-            false => self.next(pair, former),
-        };
-        if next != Next::Is(former) {
-            self.apply(Turn { row, next });
-        }
-        next != Next::Gone
-    }
-
-    /// Changes a row: sets its state and reports if a pair begins or ends, or puts a tombstone in place of the candidate.
+    /// Changes a row: sets its state and reports if a pair begins or ends, or retires its candidate.
     #[inline(always)]
     fn apply(&mut self, Turn { row, next }: Turn) {
         let (candidates, proxies) = (&mut *self.candidates, &mut *self.proxies);
@@ -272,8 +229,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
                 _ => {}
             };
         }
-        candidates.pairs[row] = [TOMBSTONE; 2];
-        candidates.tombstones += 1;
+        candidates.gone.push(row);
         match former {
             PairState::Near if proxies.is_forbidden(pair) => candidates.forbidden.push(pair),
             // The pairs of removed proxies end without an event.

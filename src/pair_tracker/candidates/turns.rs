@@ -76,9 +76,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         let leavers = &self.proxies.leavers;
         for i in ones(picked) {
             let row = start + i;
-            let Some(pair) = self.candidates.get(row) else {
-                continue;
-            };
+            let pair = self.candidates.pairs[row];
             let former = self.candidates.states[row];
             let next = match pair.iter().any(|&slot| leavers.contains(slot)) {
                 true => Next::Gone,
