@@ -52,13 +52,6 @@ impl BitSet {
         self.words[i / 64] >> (i % 64) & 1 == 1
     }
 
-    /// Whether a number is below the capacity and not in the set.
-    #[inline(always)]
-    pub(crate) fn has_room_without(&self, i: usize) -> bool {
-        let word = self.words.get(i / 64);
-        word.is_some_and(|word| word >> (i % 64) & 1 == 0)
-    }
-
     /// A lookup without a branch. The capacity must not be 0.
     pub(crate) fn lookup(&self) -> Lookup<'_> {
         Lookup {

@@ -12,8 +12,9 @@ use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather};
+use crate::parallel::Section;
 use crate::real::Real;
-use crate::tuning::prices::PICKED;
+use crate::tuning::prices::{HELD, PICKED};
 pub(super) use comparing::Comparing;
 use retired::RetiredPairs;
 use turns::Turn;
@@ -123,13 +124,6 @@ impl Candidates {
         }
     }
 
-    /// Whether one of a pair is not acquainted yet; false if volumes are not in use.
-    #[inline(always)]
-    fn are_strangers(&self, pair: [u32; 2]) -> bool {
-        pair.iter()
-            .any(|&slot| self.acquainted.has_room_without(slot as usize))
-    }
-
     /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first.
     pub(super) fn visit_near(
         &mut self,
@@ -184,6 +178,36 @@ impl Candidates {
         self.held_count += usize::from(state.is_held());
         self.held_count -= usize::from(former.is_held());
         former
+    }
+
+    /// Adds the states of the rows from `first` on: those that were retired are held, until they are asked, and the others are apart.
+    fn restore_held(&mut self, first: usize) {
+        let pairs = &self.pairs[first..];
+        self.states.resize(first + pairs.len(), PairState::Apart);
+        self.retired.index();
+        if self.retired.is_empty() {
+            return;
+        }
+        let section = Section::of(pairs.len(), HELD);
+        let pairs_a_part = pairs.len().div_ceil(section.parts()).max(1);
+        let states = self.states[first..].chunks_mut(pairs_a_part);
+        let parts = pairs.chunks(pairs_a_part).zip(states);
+        let mut parts: Vec<_> = parts.map(|part| (part, Vec::new())).collect();
+        let retired = &self.retired;
+        section.for_each(&mut parts, |((pairs, states), taken)| {
+            for (&pair, state) in pairs.iter().zip(states.iter_mut()) {
+                if let Some(place) = retired.place(pair) {
+                    *state = PairState::Held;
+                    taken.push(place);
+                }
+            }
+        });
+        let taken: Vec<_> = parts.into_iter().map(|(_, taken)| taken).collect();
+        for place in taken.into_iter().flatten() {
+            self.retired.take(place);
+            self.held_count += 1;
+            self.overlapping_count += 1;
+        }
     }
 
     /// Makes all rows cold.

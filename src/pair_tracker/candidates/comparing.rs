@@ -1,7 +1,9 @@
 //! Brings candidates up to date with the proxies, and reports which pairs begin and end.
 
+use std::ops::Range;
+
 use super::Candidates;
-use super::turns::{Found, Next, Turn};
+use super::turns::{Next, Turn};
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_most_touched;
@@ -40,24 +42,30 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             let forbidden = candidates.near().filter(|&pair| proxies.is_forbidden(pair));
             candidates.forbidden = forbidden.collect();
         }
+        candidates.pairs.clear();
         candidates.states.clear();
         candidates.held_count = 0;
         candidates.overlapping_count = 0;
         candidates.cool();
-        self.keep_forbidden(found);
-        self.hold_new(found);
+        self.extend(found);
         self.candidates.retired.free_if_large();
-        std::mem::swap(&mut self.candidates.pairs, found);
-        found.clear();
-        self.answer_unread();
     }
 
-    /// Adds the candidates that were `found`, and empties that list.
+    /// Adds the candidates that were `found`, and empties that list. Retired pairs that were not found end.
     pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
         self.keep_forbidden(found);
-        self.hold_new(found);
-        let first = self.candidates.pairs.len();
-        self.candidates.pairs.append(found);
+        let candidates = &mut *self.candidates;
+        let first = candidates.pairs.len();
+        match first {
+            0 => std::mem::swap(&mut candidates.pairs, found),
+            _ => candidates.pairs.append(found),
+        }
+        candidates.restore_held(first);
+        let observer = &mut *self.observer;
+        let retired = &mut candidates.retired;
+        retired.drain(|pair| observer.report(PairChange::Deleted(pair)));
+        let rows = first..self.candidates.len();
+        self.turn(rows, HELD, false, |proxies, rows| proxies.toggled(rows));
         self.answer_unread();
         self.candidates.warm_from(first);
     }
@@ -89,49 +97,6 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         }
     }
 
-    /// Appends the states of candidates that were found, and reports which pairs begin. Retired pairs that were not found end.
-    fn hold_new(&mut self, found: &[[u32; 2]]) {
-        let mut states = std::mem::take(&mut self.candidates.states);
-        let first = states.len();
-        states.resize(first + found.len(), PairState::Apart);
-        self.candidates.retired.index();
-        let section = Section::of(found.len(), self.proxies.volumes.price(HELD));
-        let pairs_a_part = found.len().div_ceil(section.parts()).max(1);
-        let pairs = found.chunks(pairs_a_part);
-        let states_of_parts = states[first..].chunks_mut(pairs_a_part);
-        let mut parts: Vec<_> = pairs
-            .zip(states_of_parts)
-            .map(|(pairs, states)| Found {
-                pairs,
-                states,
-                ..Found::default()
-            })
-            .collect();
-        let asking = &*self;
-        section.for_each(&mut parts, |part| asking.ask_found(part));
-        for (start, found) in (first..).step_by(pairs_a_part).zip(parts) {
-            let unread = found.unread.into_iter().map(|i| start + i);
-            self.candidates.unread.extend(unread);
-            for pair in found.near {
-                self.proxies.volumes.note_near(pair, true);
-            }
-            self.candidates.held_count += found.held_count;
-            self.candidates.overlapping_count += found.overlapping_count;
-            for place in found.taken {
-                self.candidates.retired.take(place);
-            }
-            for pair in found.strangers {
-                self.candidates.note_overlap(pair);
-            }
-            for change in found.changed {
-                self.observer.report(change);
-            }
-        }
-        self.candidates.states = states;
-        let retired = &mut self.candidates.retired;
-        retired.drain(|pair| self.observer.report(PairChange::Deleted(pair)));
-    }
-
     /// Brings the candidates of touched proxies, and of those with another volume, up to date, and retires the candidates of leavers.
     ///
     /// If most proxies were touched, it goes through all candidates, in order. Otherwise it picks theirs out of those that are not cold.
@@ -141,7 +106,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         let slots = self.proxies.len();
         if !touched.is_empty() && are_most_touched(touched.len(), slots) {
             // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-            self.turn(self.candidates.len(), COMPARED, |proxies, rows| {
+            self.turn(0..self.candidates.len(), COMPARED, true, |proxies, rows| {
                 let leavers = &proxies.leavers;
                 let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
                 match leavers.len() {
@@ -153,7 +118,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             let candidates = &mut *self.candidates;
             candidates.warm(touched);
             candidates.warm(revolumed);
-            let rows = candidates.first_cold;
+            let rows = 0..candidates.first_cold;
             let [mut moved, mut changed] =
                 [&mut candidates.slots, &mut candidates.revolumed].map(std::mem::take);
             moved.insert_all(touched, slots);
@@ -162,7 +127,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             // Each candidate has two slots.
             let share_picked = (2 * touched.len()).min(slots) as u64;
             let price = PICKED + COMPARED * share_picked / slots.max(1) as u64;
-            self.turn(rows, price, |proxies, rows| {
+            self.turn(rows, price, true, |proxies, rows| {
                 let picked = gather(rows.pairs, |&pair| has_moved.has_one(pair));
                 // The boxes of the others stay, so their pairs that are held stay too.
                 match revolumed.is_empty() {
@@ -179,27 +144,30 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
         self.candidates.remove_gone();
     }
 
-    /// Asks the rows that are picked from each 64 of so many, and applies the answers.
+    /// Asks the rows that are picked from each 64 of a range, and applies the answers. With `retires`, the candidates of leavers are retired.
     fn turn(
         &mut self,
-        rows: usize,
+        rows: Range<usize>,
         price: u64,
+        retires: bool,
         pick: impl Fn(&Proxies<R, D, K>, Rows<'_>) -> u64 + Send + Sync,
     ) {
         let mut parts = std::mem::take(&mut self.candidates.turns);
-        let section = Section::of(rows, self.proxies.volumes.price(price));
+        let section = Section::of(rows.len(), self.proxies.volumes.price(price));
         let count = section.parts();
         parts.resize_with(count, Vec::new);
         // Whole words, so that threads pick as one does.
-        let rows_a_part = 64 * rows.div_ceil(64).div_ceil(count).max(1);
+        let rows_a_part = 64 * rows.len().div_ceil(64).div_ceil(count).max(1);
         let asked = parts.iter_mut().enumerate().map(|(i, turns)| {
-            let [start, end] = [i, i + 1].map(|i| rows.min(i * rows_a_part));
+            let [start, end] = [i, i + 1].map(|i| rows.end.min(rows.start + i * rows_a_part));
             (start..end, turns)
         });
         let mut asked: Vec<_> = asked.collect();
         let asking = &*self;
         section.for_each(&mut asked, |(rows, turns)| {
-            asking.ask(rows.clone(), turns, |rows| pick(asking.proxies, rows));
+            asking.ask(rows.clone(), retires, turns, |rows| {
+                pick(asking.proxies, rows)
+            });
         });
         for &turn in parts.iter().flatten() {
             self.apply(turn);

@@ -38,6 +38,10 @@ impl RetiredPairs {
         self.entries.iter().map(|entry| entry.pair)
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
     /// Prepares for [`place`](Self::place).
     pub(super) fn index(&mut self) {
         let count = self.entries.len().next_power_of_two().max(2);
@@ -51,9 +55,6 @@ impl RetiredPairs {
 
     /// The place of a pair, if it is in the set, which must be indexed.
     pub(super) fn place(&self, pair: [u32; 2]) -> Option<u32> {
-        if self.entries.is_empty() {
-            return None;
-        }
         let mut link = self.heads[hash(pair, self.heads.len())];
         while link != END {
             let entry = &self.entries[link as usize];

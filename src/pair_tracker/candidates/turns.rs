@@ -6,7 +6,7 @@ use super::Comparing;
 use crate::bit_set::ones;
 use crate::pair_tracker::pair_state::PairState;
 use crate::pair_tracker::proxies::Rows;
-use crate::pair_tracker::{FilterKey, PairChange, PairObserver, VolumeSource};
+use crate::pair_tracker::{FilterKey, PairObserver, VolumeSource};
 use crate::real::Real;
 
 /// The change of a row.
@@ -27,26 +27,6 @@ pub(super) enum Next {
     Gone,
 }
 
-/// The answers for a range of the pairs that a search has found.
-#[derive(Debug, Default)]
-pub(super) struct Found<'a> {
-    pub(super) pairs: &'a [[u32; 2]],
-    /// One for each pair.
-    pub(super) states: &'a mut [PairState],
-    pub(super) held_count: usize,
-    pub(super) overlapping_count: usize,
-    /// The places of pairs whose volumes must be read. Those that were held are, and the others are apart, until then.
-    pub(super) unread: Vec<usize>,
-    /// Pairs that are near.
-    pub(super) near: Vec<[u32; 2]>,
-    /// Pairs that were retired in this update, by their places there.
-    pub(super) taken: Vec<u32>,
-    /// The pairs that begin or end.
-    pub(super) changed: Vec<PairChange>,
-    /// Pairs of which one proxy has never overlapped another before.
-    pub(super) strangers: Vec<[u32; 2]>,
-}
-
 impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, D>>
     Comparing<'_, R, D, K, O, S>
 {
@@ -54,6 +34,7 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
     pub(super) fn ask(
         &self,
         all: Range<usize>,
+        retires: bool,
         turns: &mut Vec<Turn>,
         pick: impl Fn(Rows<'_>) -> u64,
     ) {
@@ -65,20 +46,21 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
                 states: &self.candidates.states[rows],
             });
             if picked != 0 {
-                self.ask_picked(start, picked, turns);
+                self.ask_picked(start, picked, retires, turns);
             }
         }
     }
 
     /// Asks the rows from `start` on whose bit is set.
     #[inline(never)]
-    fn ask_picked(&self, start: usize, picked: u64, turns: &mut Vec<Turn>) {
+    fn ask_picked(&self, start: usize, picked: u64, retires: bool, turns: &mut Vec<Turn>) {
         let leavers = &self.proxies.leavers;
+        let has_left = |pair: [u32; 2]| pair.iter().any(|&slot| leavers.contains(slot));
         for i in ones(picked) {
             let row = start + i;
             let pair = self.candidates.pairs[row];
             let former = self.candidates.states[row];
-            let next = match pair.iter().any(|&slot| leavers.contains(slot)) {
+            let next = match retires && has_left(pair) {
                 true => Next::Gone,
                 false => self.next(pair, former),
             };
@@ -107,46 +89,6 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
                 Next::Is(PairState::Near)
             }
             Some(_) => Next::Is(PairState::Held),
-        }
-    }
-
-    /// Asks pairs that a search has found.
-    pub(super) fn ask_found(&self, found: &mut Found<'_>) {
-        let (candidates, proxies) = (&*self.candidates, &*self.proxies);
-        let chunks = found.pairs.chunks(64).zip(found.states.chunks_mut(64));
-        for (start, (pairs, states)) in (0..).step_by(64).zip(chunks) {
-            for i in ones(proxies.overlapping(pairs)) {
-                let pair = pairs[i];
-                // Most pairs that are held were held before.
-                let place = candidates.retired.place(pair);
-                let was_held = place.is_some();
-                found.taken.extend(place);
-                states[i] = match self.next_of_overlapping(pair, was_held) {
-                    Next::Is(state) => state,
-                    _ => {
-                        found.unread.push(start + i);
-                        match was_held {
-                            true => PairState::Held,
-                            false => continue,
-                        }
-                    }
-                };
-                let is_held = states[i].is_held();
-                found.held_count += usize::from(is_held);
-                found.overlapping_count += 1;
-                if !is_held {
-                    found.near.push(pair);
-                }
-                if candidates.are_strangers(pair) {
-                    found.strangers.push(pair);
-                }
-                if was_held != is_held {
-                    found.changed.push(match was_held {
-                        true => PairChange::Deleted(pair),
-                        false => PairChange::Added(pair),
-                    });
-                }
-            }
         }
     }
 }

@@ -62,15 +62,19 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !was_held && !self.may_begin(pair) {
             return Some(false);
         }
-        if !volumes.are_used() || was_held && !self.is_renewed(pair) {
+        if !volumes.are_used() {
             return Some(true);
         }
+        let stays = was_held & !self.is_renewed(pair);
         let slack = if was_held { self.slack } else { R::ZERO };
+        // Which balls meet is practically random, so there is no branch on it.
         if let Some(meet) = volumes.meet_as_balls(pair, slack) {
-            return Some(meet);
+            return Some(stays | meet);
         }
-        let are_read = !volumes.are_stale(pair);
-        are_read.then(|| volumes.meet_beyond_balls(pair, slack))
+        if !stays && volumes.are_stale(pair) {
+            return None;
+        }
+        Some(stays || volumes.meet_beyond_balls(pair, slack))
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
@@ -90,38 +94,29 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !self.volumes.are_used() {
             return toggled;
         }
-        ones(overlap & !toggled).fold(toggled, |word, i| {
-            let has_toggled = self.has_toggled(pairs[i], held >> i & 1 == 1);
-            word | u64::from(has_toggled) << i
-        })
+        toggled | self.changed(overlap & !toggled, held, pairs)
     }
 
-    /// Of up to 64 candidates those that are near, that are `wanted`, and whose volumes have met.
+    /// Of up to 64 candidates those that are near, that are `wanted`, and that are held now.
     #[inline(always)]
     pub(in crate::pair_tracker) fn met_of_near(
         &self,
         Rows { pairs, states }: Rows<'_>,
         wanted: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
-        let [near, _] = near_and_held(states);
-        let have_met = |i: usize| wanted(pairs[i]) && self.has_toggled(pairs[i], false);
-        ones(near).fold(0, |word, i| word | u64::from(have_met(i)) << i)
+        let [near, held] = near_and_held(states);
+        let wanted = ones(near).fold(0, |word, i| word | u64::from(wanted(pairs[i])) << i);
+        self.changed(wanted, held, pairs)
     }
 
-    /// Whether volumes make a pair whose boxes overlap begin, or end if it was held, or whether it was held and a stale volume decides.
+    /// Of these candidates, whose boxes overlap, those that begin or end, or whose stale volumes decide.
     #[inline(always)]
-    fn has_toggled(&self, pair: [u32; 2], was_held: bool) -> bool {
-        // Which balls meet is practically random, so there is no branch on it.
-        let volumes = &self.volumes;
-        let slack = if was_held { self.slack } else { R::ZERO };
-        if let Some(meet) = volumes.meet_as_balls(pair, slack) {
-            return (was_held & self.is_renewed(pair) & !meet) | (!was_held & meet);
-        }
-        match was_held {
-            false => volumes.meet_beyond_balls(pair, slack),
-            true if !self.is_renewed(pair) => false,
-            true => volumes.are_stale(pair) || !volumes.meet_beyond_balls(pair, slack),
-        }
+    fn changed(&self, asked: u64, held: u64, pairs: &[[u32; 2]]) -> u64 {
+        ones(asked).fold(0, |word, i| {
+            let was_held = held >> i & 1 == 1;
+            let has_changed = self.holds(pairs[i], was_held) != Some(was_held);
+            word | u64::from(has_changed) << i
+        })
     }
 }
 
