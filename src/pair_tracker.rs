@@ -81,6 +81,11 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may become a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
 
+    /// A number that says of two proxies that have it that they may not meet.
+    fn clique(self) -> Option<u32> {
+        None
+    }
+
     /// Whether the two, if they meet, have a contact and not only an intersection; the same in either order.
     fn may_touch(self, _other: Self) -> bool {
         true

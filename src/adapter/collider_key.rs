@@ -37,6 +37,9 @@ const TYPES: [RigidBodyType; 4] = [
     RigidBodyType::KinematicVelocityBased,
 ];
 
+/// The index of fixed bodies in them.
+const FIXED: u32 = 1;
+
 /// The lowest bit of each part.
 const TYPE: u32 = TYPES.len() as u32;
 const EXACT_TYPE: u32 = TYPE + 2;
@@ -137,6 +140,12 @@ impl FilterKey for ColliderKey {
         (!is_of_one_body & types_meet | !has(BODIES_DECIDE)) & (groups_meet | !has(GROUPS_DECIDE))
     }
 
+    /// The body, unless it is fixed: then it hardly takes part in searches.
+    fn clique(self) -> Option<u32> {
+        let is_one = self.body != NO_BODY && self.bits >> TYPE & 3 != FIXED;
+        (is_one && self.bits & BODIES_DECIDE != 0).then_some(self.body)
+    }
+
     #[inline(always)]
     fn may_touch(self, other: Self) -> bool {
         (self.bits | other.bits) & IS_SENSOR == 0
@@ -196,6 +205,8 @@ mod tests {
                 let expected = (is_active(first) || is_active(second))
                     && groups.test(second.collision_groups());
                 assert_eq!(first_key.may_meet(*second_key), expected);
+                let clique = first_key.clique();
+                assert!(clique.is_none() || clique != second_key.clique() || !expected);
                 met += usize::from(expected);
             }
         }

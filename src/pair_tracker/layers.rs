@@ -19,6 +19,10 @@ use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 /// quadratic. If smaller: choosing a grid and sorting into it takes longer than comparing, and so do look-ups.
 const COMPARE_ALL_UP_TO: usize = 16;
 
+/// One slot in this many. If no more are not of one clique, the others need not all be searched. If larger: bodies with others around them are
+/// searched. If smaller: where a body is most of a world, the others are all searched whenever one has left its fat box.
+const FEW_OTHERS_ONE_IN: usize = 8;
+
 /// The kernel for each layer.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Layers<R: Real, const D: usize> {
@@ -62,8 +66,9 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
     }
 
-    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. The list of [pairs](Self::found) must
-    /// be empty. Returns how many overlap, whether they may meet or not.
+    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
+    /// [clique](super::FilterKey::clique) of a slot. The list of [pairs](Self::found) must be empty. Returns how many overlap, whether they may
+    /// meet or not, except within a clique that is [left out](leave_out).
     ///
     /// # Errors
     /// If so many more overlap than in the last full search as `most` says. Then only some were found.
@@ -71,6 +76,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         may_meet: Option<impl Fn([u32; 2]) -> bool + Sync>,
+        clique: impl Fn(u32) -> Option<u32>,
         most: usize,
         stopwatch: &mut Stopwatch,
     ) -> Result<usize, TooMany> {
@@ -88,6 +94,10 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.members.clear();
         let numbered = (0..).zip(boxes).filter(|(_, b)| b.is_valid());
         self.members.extend(numbered.map(|(slot, _)| slot));
+        let all = self.members.len();
+        if may_meet.is_some() {
+            leave_out(&mut self.members, boxes, clique);
+        }
         let most = self.overlapping.saturating_add(most);
         let (base, members, found) = (&mut self.base, &self.members, &mut self.found);
         let overlapping = base.find_among(boxes, members, may_meet, most, found, stopwatch);
@@ -95,7 +105,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
             return Err(TooMany);
         }
         self.overlapping = overlapping;
-        self.is_base_sorted = true;
+        // Otherwise some might not be found by those that are looked up.
+        self.is_base_sorted = self.members.len() == all;
         if boxes.len() > KEEP_SCRATCH_UP_TO {
             self.members = Vec::new();
             self.base.free_scratch();
@@ -164,5 +175,43 @@ fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u
             .zip(boxes)
             .filter(|(_, first)| first.intersects(second));
         found.extend(overlapping.map(|(a, _)| [a, b]));
+    }
+}
+
+/// If nearly all of these slots are of one clique, leaves out those of them whose boxes overlap no box of another slot. So a body of thousands
+/// of colliders that all overlap each other need not be searched. **O(slots)**.
+fn leave_out<R: Real, const D: usize>(
+    members: &mut Vec<u32>,
+    boxes: &[Aabb<R, D>],
+    clique: impl Fn(u32) -> Option<u32>,
+) {
+    let few = members.len() / FEW_OTHERS_ONE_IN;
+    let sample = members.iter().step_by(few.max(1));
+    let mut cliques: Vec<_> = sample.map(|&slot| clique(slot)).collect();
+    cliques.sort_unstable();
+    // Whatever nearly all have is in the middle.
+    let middle = cliques.len() / 2;
+    let Some(Some(most)) = cliques.get(middle) else {
+        return;
+    };
+    let is_other = |slot: &&u32| clique(**slot) != Some(*most);
+    if members.iter().filter(is_other).nth(few).is_some() {
+        return;
+    }
+    let around = |slots: &mut dyn Iterator<Item = &u32>| {
+        slots.fold(Aabb::ABSENT, |all, &slot| all.around(&boxes[slot as usize]))
+    };
+    let all = around(&mut members.iter().filter(|slot| !is_other(slot)));
+    let overlap = |slot: &&u32, aabb| boxes[**slot as usize].intersects(aabb);
+    let reach = around(
+        &mut members
+            .iter()
+            .filter(|slot| is_other(slot) && overlap(slot, &all)),
+    );
+    let enters = |slot: &&u32| is_other(slot) || overlap(slot, &reach);
+    let entering = members.iter().filter(enters).copied();
+    let entering: Vec<_> = entering.take(few + 1).collect();
+    if entering.len() <= few {
+        *members = entering;
     }
 }

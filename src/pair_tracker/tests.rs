@@ -18,6 +18,10 @@ impl FilterKey for Side {
     fn may_meet(self, other: Self) -> bool {
         self.0 != other.0 || self.0 == 0
     }
+
+    fn clique(self) -> Option<u32> {
+        (self.0 != 0).then_some(self.0)
+    }
 }
 
 /// How far the volumes of a held pair may be apart.
@@ -188,6 +192,30 @@ fn random_changes_agree_with_brute_force() {
             }
         }
     }
+}
+
+/// Nearly all are of one side, at one place, where one of the others passes by now and then.
+#[test]
+fn a_large_clique_agrees_with_brute_force() {
+    const SLOTS: u32 = 200;
+    let mut world = World::new(SLOTS, false);
+    let mut left_out = 0;
+    for update in 0..200 {
+        for slot in 0..SLOTS {
+            let is_other = slot % 20 == 7;
+            let side = Side(if is_other { 2 + slot / 20 % 2 } else { 1 });
+            world.tracker.proxies.set_key(slot, side);
+            let place = if is_other { 30.0 } else { 4.0 };
+            let corner = [(); 2].map(|()| world.random.rand_float() * place);
+            let aabb = Aabb::new(corner, corner.map(|x| x + 1.0));
+            if is_other || update % 3 == 0 {
+                world.tracker.proxies.place(slot, aabb);
+            }
+        }
+        world.update();
+        left_out += u32::from(world.tracker.layers.recent().is_none());
+    }
+    assert!((20..180).contains(&left_out), "{left_out}");
 }
 
 /// A ball goes to and fro before another one, in a fat box that reaches it, while their keys forbid the pair.

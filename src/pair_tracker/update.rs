@@ -187,6 +187,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let overlapping = self.layers.find_all(
             &proxies.fat_boxes,
             proxies.are_filtered.then_some(may_meet),
+            |slot| proxies.keys[slot as usize].clique(),
             most,
             &mut self.stopwatch,
         );

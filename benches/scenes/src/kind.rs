@@ -22,6 +22,7 @@ named! {
         Soft "soft" "soft bodies in a heap with nine times as many balls"
         TileMap "tile-map" "balls falling onto a solid map of sixty fixed tiles to a ball"
         Ships "ships" "three drifting bodies, each of a third of the colliders"
+        OneBody "one-body" "a turning body of hundreds of copies of a few overlapping hulls, in Rapier's examples as well"
         Ghosts "ghosts" "overlapping balls that pass through each other, slowly"
         Player "player" "a character and a vehicle that query the world, among falling balls"
         Columns "columns" "columns of fourteen boxes, a twentieth of a box apart"
@@ -45,7 +46,7 @@ impl SceneKind {
 
     /// A number of bodies with which the default broad phase takes a few seconds for 300 steps.
     ///
-    /// Of [`Ships`](Self::Ships) it is the number of colliders that move.
+    /// Of [`Ships`](Self::Ships) and [`OneBody`](Self::OneBody) it is the number of colliders that move.
     pub const fn default_bodies(self) -> usize {
         match self {
             Self::Gas | Self::Crowd | Self::Swarm | Self::Sleeping | Self::Restated => 10_000,
@@ -54,6 +55,7 @@ impl SceneKind {
             Self::Stacks => 6_250,
             Self::Wall => 6_000,
             Self::Ships => 5_184,
+            Self::OneBody => 2_210,
             Self::Chains | Self::Breathing => 5_000,
             Self::Ghosts => 3_000,
             Self::TileMap => 500,

@@ -71,7 +71,9 @@ macro_rules! scene_tests {
                     let movable = bodies.filter(|(_, body)| !body.is_fixed());
                     let movable: usize = match kind {
                         SceneKind::Restated => scene.world.bodies.len(),
-                        SceneKind::Ships => movable.map(|(_, body)| body.colliders().len()).sum(),
+                        SceneKind::Ships | SceneKind::OneBody => {
+                            movable.map(|(_, body)| body.colliders().len()).sum()
+                        }
                         _ => movable.count(),
                     };
                     assert!((75..=80).contains(&movable), "{}: {movable}", kind.name());

@@ -53,6 +53,7 @@ pub(super) fn build(kind: SceneKind, bodies: usize, random: &mut Random) -> Stag
         SceneKind::Soft => soft::build(bodies, random),
         SceneKind::TileMap => tile_map::build(bodies, random),
         SceneKind::Ships => ships::build(bodies, random),
+        SceneKind::OneBody => ships::build_one(bodies, random),
         SceneKind::Ghosts => gas::build_ghosts(bodies, random),
         SceneKind::Player => player::build(bodies, random),
         SceneKind::Columns => masonry::build_towers(bodies, masonry::COLUMNS, random),

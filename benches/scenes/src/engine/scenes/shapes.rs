@@ -82,7 +82,7 @@ fn colliders(kind: usize, random: &mut Random) -> Vec<ColliderBuilder> {
 }
 
 /// The convex hull of a few points around a ball.
-fn convex(random: &mut Random) -> ColliderBuilder {
+pub(super) fn convex(random: &mut Random) -> ColliderBuilder {
     let mut points: Vec<Point> = Vec::new();
     // The corners of a cross-polytope, so that the hull is never flat.
     for axis in 0..DIM {

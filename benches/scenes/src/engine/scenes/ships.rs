@@ -67,6 +67,29 @@ pub(super) fn build(colliders: usize, random: &mut Random) -> Stage {
     Stage::new(world, room)
 }
 
+/// The different hulls of the single body, the largest distance of each from the middle along each axis, and the rate of turning.
+const HULLS: usize = 17;
+const ASIDE: Real = 2.0;
+const SPIN: Real = 1.0;
+
+/// Builds a body of `colliders` in all, which turns alone in space.
+pub(super) fn build_one(colliders: usize, random: &mut Random) -> Stage {
+    let mut world = floating();
+    let turning = RigidBodyBuilder::dynamic()
+        .translation(along(UP, 2.0 * ASIDE))
+        .angvel(flavour::turning(|| SPIN))
+        .can_sleep(false);
+    let body = world.bodies.insert(turning);
+    let hull = |_| shapes::convex(random).translation(jitter(random, ASIDE));
+    let hulls: Vec<_> = (0..HULLS).map(hull).collect();
+    for hull in hulls.into_iter().cycle().take(colliders) {
+        world
+            .colliders
+            .insert_with_parent(hull, body, &mut world.bodies);
+    }
+    Stage::new(world, Container::standing(3.0 * ASIDE, 5.0 * ASIDE))
+}
+
 /// The cell of the cargo, in the middle; none of a ship that is too small to keep it in.
 fn hold(hull: &Lattice, cells: usize) -> usize {
     let full_layers = cells / hull.per_layer();
