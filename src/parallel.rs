@@ -26,14 +26,6 @@ fn threads_for(work: u64) -> usize {
     1
 }
 
-/// The largest number of threads that have shared work so far.
-pub(crate) fn most_threads() -> usize {
-    #[cfg(feature = "parallel")]
-    return pool::most_threads();
-    #[cfg(not(feature = "parallel"))]
-    return 1;
-}
-
 /// The first item of the part `i` when this many items are divided into equal parts; for the part past the last, their number.
 pub(crate) fn start_of_part(i: usize, parts: usize, items: usize) -> usize {
     // The product may need more than the 32 bits that some processors have.

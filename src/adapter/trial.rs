@@ -1,6 +1,5 @@
 //! A trial of unisize next to Rapier's own broad phase, in a program of the user's.
 
-mod cost;
 mod report;
 #[cfg(test)]
 mod tests;
@@ -8,7 +7,6 @@ mod tests;
 pub use report::{Difference, Measured, TrialReport};
 
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::time::Duration;
 
 use super::collider_box::body_of;
 use super::collider_key::ColliderKey;
@@ -18,11 +16,8 @@ use super::rapier::geometry::*;
 use super::{Input, Settings, UnisizeBroadPhase, version};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
-use crate::parallel;
 use crate::proxy_table::Lists;
 use crate::stats::Stats;
-use crate::stopwatch;
-use cost::Cost;
 
 /// The levels of the filter, in ascending order.
 const LEVELS: [PairFilter; 4] = [
@@ -43,7 +38,8 @@ const LEVELS: [PairFilter; 4] = [
 /// println!("{}", broad_phase.report());                              // some hundred steps later
 /// ```
 ///
-/// The simulation is the same, only slower; [`TrialReport::overhead`] says by how much. On a patched Rapier 0.36, Rapier's own broad phase
+/// The simulation is the same, only slower. What whole steps gain is more than the time of updates, because each level leaves other pairs to
+/// the narrow phase; so run the program once on each broad phase, as the guide shows. On a patched Rapier 0.36, Rapier's own broad phase
 /// optimizes its tree later in a step than it would alone, so in large worlds it may report pairs in another order, and the last bits of poses
 /// may differ; otherwise they are the same. The five broad phases compete for the caches of the processor, so each alone is a little faster
 /// than reported.
@@ -60,15 +56,14 @@ const LEVELS: [PairFilter; 4] = [
 #[derive(Clone)]
 pub struct Trial {
     own: DefaultBroadPhase,
-    own_cost: Cost,
     own_pairs: HeldPairs,
     /// unisize at each of the [`LEVELS`].
     tried: [UnisizeBroadPhase; LEVELS.len()],
-    costs: [Cost; LEVELS.len()],
     /// The pairs of unisize at the level of Rapier's own broad phase.
     pairs: HeldPairs,
-    /// The time of all updates, including the comparison.
-    total: Duration,
+    /// Of Rapier's own broad phase, and of unisize at each level.
+    own_measured: Measured,
+    measured: [Measured; LEVELS.len()],
     first_difference: Option<Difference>,
     /// See [`with_allocated`](Self::with_allocated).
     allocated: Option<fn() -> usize>,
@@ -94,13 +89,12 @@ impl Trial {
     pub fn with_settings(settings: Settings) -> Self {
         Self {
             own: DefaultBroadPhase::new(),
-            own_cost: Cost::default(),
             own_pairs: HeldPairs::default(),
             tried: LEVELS
                 .map(|level| UnisizeBroadPhase::with_settings(settings.with_filter(level))),
-            costs: [Cost::default(); LEVELS.len()],
             pairs: HeldPairs::default(),
-            total: Duration::ZERO,
+            own_measured: Measured::of(None),
+            measured: LEVELS.map(|level| Measured::of(Some(level))),
             first_difference: None,
             allocated: None,
             observed: HashMap::new(),
@@ -123,19 +117,12 @@ impl Trial {
 
     /// Returns the results so far. Computes in **O(1)** time.
     pub fn report(&self) -> TrialReport {
-        let updates = self.stats().updates;
-        let own = self.own_cost.measured(None, updates);
         TrialReport {
-            updates,
-            colliders: self.tried[0].stats().proxies,
-            threads: parallel::most_threads(),
-            overhead: self.total.saturating_sub(own.total),
-            own,
-            levels: std::array::from_fn(|i| self.costs[i].measured(Some(LEVELS[i]), updates)),
-            default_level: version::PAIR_FILTER,
-            compared_level: version::FILTER_OF_OWN,
+            updates: self.stats().updates,
+            colliders: self.stats().proxies,
+            own: self.own_measured,
+            levels: self.measured,
             first_difference: self.first_difference,
-            steps: None,
         }
     }
 
@@ -156,14 +143,12 @@ impl Trial {
         own: impl FnOnce(&mut DefaultBroadPhase),
         mut tried: impl FnMut(&mut UnisizeBroadPhase),
     ) {
-        let began = stopwatch::now();
         let (allocated, no_events) = (self.allocated, &mut Vec::new());
-        self.own_cost
-            .of(allocated, no_events, |_| own(&mut self.own));
-        for (broad_phase, cost) in self.tried.iter_mut().zip(&mut self.costs) {
-            cost.of(allocated, no_events, |_| tried(broad_phase));
+        self.own_measured
+            .run(allocated, no_events, |_| own(&mut self.own));
+        for (broad_phase, measured) in self.tried.iter_mut().zip(&mut self.measured) {
+            measured.run(allocated, no_events, |_| tried(broad_phase));
         }
-        self.total += stopwatch::since(began);
     }
 
     /// Removes all colliders.
@@ -178,7 +163,6 @@ impl Trial {
 
     /// Updates all broad phases, and compares their pairs. The events are those of Rapier's own.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
-        let began = stopwatch::now();
         let Input {
             params,
             colliders,
@@ -189,16 +173,16 @@ impl Trial {
             ..
         } = *input;
         let (former, allocated, earlier) = (self.stats().updates, self.allocated, events.len());
-        self.own_cost.of(allocated, events, |events| {
+        self.own_measured.run(allocated, events, |events| {
             self.own
                 .update(params, colliders, bodies, modified, removed, events);
         });
         self.own_pairs.update(removed, &events[earlier..]);
 
-        let tried = self.tried.iter_mut().zip(&mut self.costs);
-        for (level, (broad_phase, cost)) in LEVELS.into_iter().zip(tried) {
+        let tried = self.tried.iter_mut().zip(&mut self.measured);
+        for (level, (broad_phase, measured)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();
-            cost.of(allocated, &mut events, |events| match input.is_active {
+            measured.run(allocated, &mut events, |events| match input.is_active {
                 Some(_) => broad_phase.run_in_pipeline(input, events),
                 None => broad_phase.run(input, events),
             });
@@ -207,14 +191,13 @@ impl Trial {
             }
         }
         let update = Some(self.stats().updates).filter(|&update| update > former);
-        self.own_cost.end_update(update, self.own_pairs.0.len());
-        for (broad_phase, cost) in self.tried.iter().zip(&mut self.costs) {
-            cost.end_update(update, broad_phase.stats().pairs);
+        self.own_measured.end_update(update, self.own_pairs.0.len());
+        for (broad_phase, measured) in self.tried.iter().zip(&mut self.measured) {
+            measured.end_update(update, broad_phase.stats().pairs);
         }
         if self.first_difference.is_none() {
             self.first_difference = self.difference(input);
         }
-        self.total += stopwatch::since(began);
     }
 
     /// The first pair that only one of the two broad phases holds and that the narrow phase would not drop.
