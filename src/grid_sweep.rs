@@ -24,7 +24,7 @@
 //!
 //! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
 //!
-//! The bound is that of a search. A later [look-up](GridSweep::look_up) among its members has no budget. The tracker counts the comparisons,
+//! The bound is that of a search. A later [look-up](GridSweep::look_up_queries) among its members has no budget. The tracker counts the comparisons,
 //! and makes a full search once they cost more than full searches do.
 
 mod assignment;
@@ -160,7 +160,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 
     /// Appends the wanted pairs among `members`, which are indices of at most [`MAX_BOXES`] valid boxes, and keeps the members in
-    /// order for [`look_up`](Self::look_up). `None` means that all pairs are wanted.
+    /// order for [`look_up_queries`](Self::look_up_queries). `None` means that all pairs are wanted.
     ///
     /// Returns how many pairs overlap, wanted or not. If they are more than `most`, the search stops early and appends some of them,
     /// and nothing may be looked up.
@@ -256,14 +256,15 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
                 (class, queries, members) = (coarse, members, queries);
             }
         }
-        let look_up = |i: u32, emitter: &mut Emitter| class.look_up(&boxes[i as usize], i, emitter);
+        let look_up =
+            |i: u32, emitter: &mut Emitter| class.look_up_box(&boxes[i as usize], i, emitter);
         // Rounds of look-ups together may take twice as long as the tree.
         let mut price = TREE_FROM * (queries.len() + members.len()) as f64;
         while queries.len() > FEW_QUERIES && !search.is_over() {
             let budget = (price / queries.len() as f64) as usize;
             let costly = match effort > price {
                 true => std::mem::take(queries),
-                false => search.look_up(queries, budget, look_up),
+                false => search.run_queries(queries, budget, look_up),
             };
             if costly.len() > queries.len() / 2 {
                 return search.match_lists(&costly, members);
@@ -272,7 +273,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             *queries = costly;
             price /= 2.0;
         }
-        search.look_up(queries, usize::MAX, look_up);
+        search.run_queries(queries, usize::MAX, look_up);
     }
 
     /// The number of size classes in the last search.
@@ -280,7 +281,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.class_count
     }
 
-    /// Prepares for [`look_up`](Self::look_up), until the next search.
+    /// Prepares for [`look_up_queries`](Self::look_up_queries), until the next search.
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
             class.prepare_lookup();
@@ -301,7 +302,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ///
     /// Computes in about **O(log n + pairs)** time per query of the members' size; a larger query takes a binary search for each tube
     /// that it reaches. Stops early if more than `most` pairs overlap, wanted or not.
-    pub(crate) fn look_up(
+    pub(crate) fn look_up_queries(
         &self,
         boxes: &[Aabb<R, D>],
         queries: &[u32],
@@ -315,7 +316,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             most,
             ..Search::new(boxes, pairs, stopwatch)
         };
-        search.look_up(queries, usize::MAX, |i, emitter| {
+        search.run_queries(queries, usize::MAX, |i, emitter| {
             self.look_up_box(&boxes[i as usize], i, emitter);
         });
         search.tally
@@ -327,7 +328,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             if emitter.is_budget_exceeded() {
                 return;
             }
-            class.look_up(aabb, index, emitter);
+            class.look_up_box(aabb, index, emitter);
         }
     }
 }

@@ -13,7 +13,7 @@ mod observer;
 mod passing;
 mod reading;
 mod refusals;
-mod slot_run;
+mod slot_chunk;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 mod source;

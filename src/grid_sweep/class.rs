@@ -161,7 +161,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let (mut pairs, mut count) = (Vec::new(), 0);
         let mut emitter = Emitter::new(&mut pairs, usize::MAX);
         for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
-            self.look_up(&boxes[queries[i] as usize], queries[i], &mut emitter);
+            self.look_up_box(&boxes[queries[i] as usize], queries[i], &mut emitter);
             count += 1;
         }
         let Tally { compared, emitted } = emitter.finish();

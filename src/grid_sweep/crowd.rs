@@ -51,7 +51,7 @@ impl<R: Real, const D: usize> Crowd<R, D> {
 
     /// Calls `visit` with each entry that overlaps a box. Returns the comparisons, with visits of tubes in units of comparisons. Stops early
     /// if they exceed the budget and some for each of those entries, so that the budget of the caller is exceeded as well.
-    pub(super) fn look_up(
+    pub(super) fn visit_overlapping(
         &self,
         aabb: &Aabb<R, D>,
         budget: usize,

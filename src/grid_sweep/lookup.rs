@@ -34,7 +34,7 @@ struct Query<'a, R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Prepares for [`look_up`](Self::look_up), unless that is done.
+    /// Prepares for [`look_up_box`](Self::look_up_box), unless that is done.
     pub(super) fn prepare_lookup(&mut self) {
         let (grid, slabs) = (&self.grid, &mut self.slabs);
         if slabs.iter().any(|slab| slab.table.is_empty()) {
@@ -46,7 +46,7 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     /// Emits the pair of a box with every box of the class that it overlaps.
-    pub(super) fn look_up(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
+    pub(super) fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
         let (grid, slabs) = (&self.grid, &self.slabs);
         let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
             return;
@@ -57,7 +57,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             if row.slabs[0].candidates(aabb) as u64
                 <= span.count().saturating_mul(PASSED_OVER as u64)
             {
-                return row.look_up(aabb, index, emitter);
+                return row.look_up_box(aabb, index, emitter);
             }
         }
         let query = Query {
@@ -76,7 +76,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                         return;
                     }
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {
-                        slab.look_up(tube, &query, None, emitter);
+                        slab.look_up_in_tube(tube, &query, None, emitter);
                     }
                 }
             }
@@ -95,7 +95,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 let position = slab.table[(number - slab.range.start) as usize];
                 let tube = slab.tubes.get(position as usize);
                 if let Some(tube) = tube.filter(|tube| tube.strips.is_none_or(|s| s == strips)) {
-                    slab.look_up(tube, &query, Some(strips), emitter);
+                    slab.look_up_in_tube(tube, &query, Some(strips), emitter);
                 }
             }
         }
@@ -145,7 +145,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     /// Emits the pairs of the query with the entries of a tube: those that are at `strips`, or if that is `None`, those of all tubes
     /// that share the number.
     #[inline(always)]
-    fn look_up(
+    fn look_up_in_tube(
         &self,
         tube: &Tube<R, D>,
         query: &Query<R, D>,
@@ -169,7 +169,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
         if let Some(crowd) = &tube.crowd {
             let budget = emitter.budget_left();
             let visit = |Entry { owner, aabb }: &_| emit(*owner, aabb, emitter);
-            let compared = crowd.look_up(aabb, budget, visit);
+            let compared = crowd.visit_overlapping(aabb, budget, visit);
             emitter.tally.compared += compared;
             return;
         }

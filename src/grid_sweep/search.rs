@@ -144,7 +144,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
 
     /// Calls `look_up` with each query, and appends the pairs in the order of the queries. Returns the queries that took more comparisons than
     /// the budget, besides some for each pair. Their pairs are not appended. Stops early if more pairs overlap than may.
-    pub(super) fn look_up(
+    pub(super) fn run_queries(
         &mut self,
         queries: &[u32],
         budget: usize,

@@ -99,7 +99,7 @@ fn a_crowd_has_a_grid_of_its_own() {
     kernel.prepare_lookup();
     found.clear();
     let queries: Vec<_> = (0..boxes.len() as u32).step_by(7).collect();
-    kernel.look_up(&boxes, &queries, |_| true, usize::MAX, &mut found);
+    kernel.look_up_queries(&boxes, &queries, |_| true, usize::MAX, &mut found);
     for &i in &queries {
         let overlapping = members
             .iter()
@@ -144,7 +144,7 @@ fn queries_within_their_budget_have_all_their_pairs() {
         let mut found = Vec::new();
         let mut search = Search::new(&boxes, &mut found, stopwatch);
         let look_up = |i, emitter: &mut Emitter| kernel.look_up_box(&boxes[i as usize], i, emitter);
-        let costly = search.look_up(&members, budget, look_up);
+        let costly = search.run_queries(&members, budget, look_up);
         let mut expected = Vec::new();
         for &i in members.iter().filter(|i| costly.binary_search(i).is_err()) {
             let overlaps = |&j: &u32| boxes[i as usize].intersects(&boxes[j as usize]);
@@ -194,7 +194,7 @@ fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
         let both = 2 * count + boxes.len();
         for most in [0, both - 1, both] {
             found.clear();
-            let tally = kernel.look_up(&boxes, &members, |_| true, most, &mut found);
+            let tally = kernel.look_up_queries(&boxes, &members, |_| true, most, &mut found);
             assert_eq!(tally.emitted > most, both > most);
         }
         assert_eq!(found.len(), both);

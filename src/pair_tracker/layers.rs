@@ -148,7 +148,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
             a != b && may_meet(pair)
         };
         let most = self.overlapping.saturating_add(most);
-        let tally = base.look_up(boxes, &queries, is_current, most, found);
+        let tally = base.look_up_queries(boxes, &queries, is_current, most, found);
         if tally.emitted > most {
             return Err(TooMany);
         }

@@ -65,7 +65,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 self.work = Work::default();
                 self.compare(observer, source);
             }
-            Plan::LookUp => match self.look_up() {
+            Plan::LookUp => match self.look_up_leavers() {
                 Ok(()) => self.compare(observer, source),
                 Err(TooMany) => {
                     self.foresight.shorten();
@@ -107,7 +107,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Makes new fat boxes for the leavers and looks them up among all others.
-    fn look_up(&mut self) -> Result<(), TooMany> {
+    fn look_up_leavers(&mut self) -> Result<(), TooMany> {
         self.proxies.inflate_leavers(self.foresight);
         let (proxies, most) = (&self.proxies, self.most_found());
         self.work = self.layers.find_leavers(

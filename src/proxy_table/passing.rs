@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use super::slot_run::{SlotRun, slot_runs};
+use super::slot_chunk::{SlotChunk, slot_chunks};
 use super::{BoxSource, Handle, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
@@ -60,7 +60,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         margin: R,
     ) -> Option<&'a (H, B)> {
         let touched = self.touched().len();
-        let mut all = SlotRun {
+        let mut all = SlotChunk {
             proxies: self.tracker.proxies.all(),
             generations: &self.generations,
             memos: &mut self.memos,
@@ -70,7 +70,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         unusual
     }
 
-    /// Moves proxies on several threads, each of which has a run of slots. Returns the ascending indices of the boxes that it has not
+    /// Moves proxies on several threads, each of which has a chunk of slots. Returns the ascending indices of the boxes that it has not
     /// applied: those that need more than a move, and later ones of the same slots, so that the boxes of a collider are applied in order.
     pub(super) fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
@@ -81,7 +81,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         let parts = section.parts();
         let slots_a_part = self.generations.len().div_ceil(parts).max(1);
         let boxes_a_part = boxes.len().div_ceil(parts).max(1);
-        // First, each thread sorts some of the boxes by the run that they belong to; in the last place are those of slots without room.
+        // First, each thread sorts some of the boxes by the chunk that they belong to; in the last place are those of slots without room.
         let part_of = |slot: usize| match slot < self.generations.len() {
             true => slot / slots_a_part,
             false => parts,
@@ -100,23 +100,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             let of_part = dealt.iter().map(move |(_, _, places)| &places[part]);
             of_part.flatten().copied()
         };
-        // Then each thread applies the boxes of one run.
+        // Then each thread applies the boxes of one chunk.
         let (proxies, notes) = (&mut self.tracker.proxies, &mut self.reader.notes);
-        let runs = slot_runs(
+        let chunks = slot_chunks(
             proxies,
             &self.generations,
             &mut self.memos,
             notes,
             slots_a_part,
         );
-        let runs = runs.enumerate();
-        let mut followed: Vec<_> = runs.map(|(part, run)| (part, run, Vec::new())).collect();
-        section.for_each(&mut followed, |(part, run, unusual)| {
+        let chunks = chunks.enumerate();
+        let mut followed: Vec<_> = chunks
+            .map(|(part, chunk)| (part, chunk, Vec::new()))
+            .collect();
+        section.for_each(&mut followed, |(part, chunk, unusual)| {
             let mut slots = BTreeSet::new();
             for place in places(*part) {
                 let (handle, aabb) = boxes[place];
                 let (slot, _) = handle.into_raw_parts();
-                if slots.contains(&slot) || !run.follow(handle, &aabb.into(), margin) {
+                if slots.contains(&slot) || !chunk.follow(handle, &aabb.into(), margin) {
                     slots.insert(slot);
                     unusual.push(place);
                 }

@@ -1,13 +1,13 @@
 //! Reads listed colliders, in the order of the list or in the order of their slots.
 //!
 //! Rapier lists colliders island by island. Once bodies have met, that order jumps around in memory. In the order of slots the processor
-//! prefetches the next collider, which halves the time to read a scene that does not fit in the caches. A long list is split into runs
+//! prefetches the next collider, which halves the time to read a scene that does not fit in the caches. A long list is split into chunks
 //! of slots, one for each thread.
 //!
 //! The order only affects speed: events are sorted afterwards. A collider that needs more than a move, such as a new one, is deferred until all
 //! others have been read.
 
-use super::slot_run::{SlotRun, slot_runs};
+use super::slot_chunk::{SlotChunk, slot_chunks};
 use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes};
@@ -21,9 +21,9 @@ use crate::tuning::update::{READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM};
 pub(super) struct Reader {
     /// The slots to read in the order of slots.
     listed: BitSet,
-    /// One for each run of slots.
+    /// One for each chunk of slots.
     pub(super) notes: Vec<Notes>,
-    /// For each run of slots, the slot and the generation of the colliders that need more than a move.
+    /// For each chunk of slots, the slot and the generation of the colliders that need more than a move.
     deferred: Vec<Vec<(u32, u32)>>,
 }
 
@@ -68,8 +68,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     {
         let touched = self.touched().len();
         let section = self.section(handles.len());
-        self.visit(handles, section, |run, i, handle| {
-            run.read(i, handle, source, margin)
+        self.visit(handles, section, |chunk, i, handle| {
+            chunk.read(i, handle, source, margin)
         });
         self.gathered.moved += self.touched().len() - touched;
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
@@ -86,8 +86,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         S: BoxSource<R, D, Memo = M, Key = K>,
     {
         let section = self.section(handles.len());
-        self.visit(handles, section, |run, i, handle| {
-            run.read_in_place(i, handle, source, &has_changed)
+        self.visit(handles, section, |chunk, i, handle| {
+            chunk.read_in_place(i, handle, source, &has_changed)
         });
         self.for_deferred(|table, handle| {
             let Some(slot) = table.slot_of(handle) else {
@@ -104,13 +104,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         Section::of(colliders, self.tracker.proxies.volumes().price(READ))
     }
 
-    /// Calls `visit` with each known collider: with the run of slots, the index in it, and the handle. Defers the colliders for which it
+    /// Calls `visit` with each known collider: with the chunk of slots, the index in it, and the handle. Defers the colliders for which it
     /// returns false, and unknown ones.
     fn visit<H: Handle>(
         &mut self,
         handles: &[H],
         section: Section,
-        visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
+        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
     ) {
         match is_read_as_listed(handles, section) {
             true => self.visit_as_listed(handles, visit),
@@ -122,13 +122,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     fn visit_as_listed<H: Handle>(
         &mut self,
         handles: &[H],
-        visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool,
+        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool,
     ) {
         if self.reader.deferred.is_empty() {
             self.reader.deferred.push(Vec::new());
         }
         let deferred = &mut self.reader.deferred[0];
-        let mut all = SlotRun {
+        let mut all = SlotChunk {
             proxies: self.tracker.proxies.all(),
             generations: &self.generations,
             memos: &mut self.memos,
@@ -142,12 +142,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         }
     }
 
-    /// Does the same in the order of slots, in one run of slots or in one for each thread.
+    /// Does the same in the order of slots, in one chunk of slots or in one for each thread.
     fn visit_by_slot<H: Handle>(
         &mut self,
         handles: &[H],
         section: Section,
-        visit: impl Fn(&mut SlotRun<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
+        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
     ) {
         self.reader.list(handles, &self.generations, section);
         let Reader {
@@ -157,19 +157,19 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         } = &mut self.reader;
         let words_a_part = listed.words().len().div_ceil(section.parts()).max(1);
         let words = listed.words().chunks(words_a_part).zip(deferred);
-        let runs = slot_runs(
+        let chunks = slot_chunks(
             &mut self.tracker.proxies,
             &self.generations,
             &mut self.memos,
             notes,
             64 * words_a_part,
         );
-        let mut parts: Vec<_> = words.zip(runs).collect();
-        section.for_each(&mut parts, |((words, deferred), run)| {
+        let mut parts: Vec<_> = words.zip(chunks).collect();
+        section.for_each(&mut parts, |((words, deferred), chunk)| {
             for (first, &word) in (0..).step_by(64).zip(*words) {
                 for i in ones(word).map(|bit| first + bit) {
-                    if let Some(handle) = run.handle::<H>(i) {
-                        if !visit(run, i, handle) {
+                    if let Some(handle) = chunk.handle::<H>(i) {
+                        if !visit(chunk, i, handle) {
                             deferred.push(handle.into_raw_parts());
                         }
                     }

@@ -1,36 +1,36 @@
-//! A run of consecutive slots: all of them, or those of one thread.
+//! A chunk of consecutive slots: all of them, or those of one thread.
 
 use super::{BoxSource, Handle, Reading, is_known};
 use crate::aabb::Aabb;
 use crate::pair_tracker::{FilterKey, Notes, Proxies, ProxyChunk};
 use crate::real::Real;
 
-/// The data of a run of slots, by index in the run.
-pub(super) struct SlotRun<'a, R, const D: usize, M, K> {
+/// The data of a chunk of slots, by index in the chunk.
+pub(super) struct SlotChunk<'a, R, const D: usize, M, K> {
     pub(super) proxies: ProxyChunk<'a, R, D, K>,
     pub(super) generations: &'a [Option<u32>],
     pub(super) memos: &'a mut [M],
 }
 
-/// Splits all slots into runs of this many. The caller merges their [notes](Proxies::note).
-pub(super) fn slot_runs<'a, R: Real, const D: usize, M, K: FilterKey>(
+/// Splits all slots into chunks of this many. The caller merges their [notes](Proxies::note).
+pub(super) fn slot_chunks<'a, R: Real, const D: usize, M, K: FilterKey>(
     proxies: &'a mut Proxies<R, D, K>,
     generations: &'a [Option<u32>],
     memos: &'a mut [M],
     notes: &'a mut Vec<Notes>,
     slots: usize,
-) -> impl Iterator<Item = SlotRun<'a, R, D, M, K>> {
+) -> impl Iterator<Item = SlotChunk<'a, R, D, M, K>> {
     notes.resize_with(generations.len().div_ceil(slots), Notes::default);
     let known = generations.chunks(slots).zip(memos.chunks_mut(slots));
-    let runs = proxies.chunks(slots, notes).zip(known);
-    runs.map(|(proxies, (generations, memos))| SlotRun {
+    let chunks = proxies.chunks(slots, notes).zip(known);
+    chunks.map(|(proxies, (generations, memos))| SlotChunk {
         proxies,
         generations,
         memos,
     })
 }
 
-impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
+impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
     /// The handle of the known collider at `i`.
     #[inline(always)]
     pub(super) fn handle<H: Handle>(&self, i: usize) -> Option<H> {
@@ -79,7 +79,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotRun<'_, R, D, M, K> {
         })
     }
 
-    /// Moves a proxy of the run to a box, or keeps the box that it has. Returns false, and leaves its box, if the collider is unknown
+    /// Moves a proxy of the chunk to a box, or keeps the box that it has. Returns false, and leaves its box, if the collider is unknown
     /// or needs more than a move.
     #[inline(always)]
     pub(super) fn follow<H: Handle>(&mut self, handle: H, aabb: &Aabb<R, D>, margin: R) -> bool {

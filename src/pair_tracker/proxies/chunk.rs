@@ -6,7 +6,7 @@ use crate::pair_tracker::notes::Notes;
 use crate::pair_tracker::volumes::VolumesChunk;
 use crate::real::Real;
 
-/// A range of slots, numbered from its first one.
+/// A chunk of slots, numbered from its first one.
 pub(crate) struct ProxyChunk<'a, R, const D: usize, K> {
     pub(super) first_slot: usize,
     pub(super) boxes: &'a mut [Aabb<R, D>],
