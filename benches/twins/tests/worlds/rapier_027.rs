@@ -48,6 +48,12 @@ pub(crate) fn origin(pose: &Pose) -> Vector {
 /// Has every step look at every contact, which this version does.
 pub(crate) fn look_at_contacts_anew(_: &mut IntegrationParameters) {}
 
+/// The least distance of the points of two colliders' contact.
+pub(crate) fn least_distance(pair: &ContactPair) -> Real {
+    let points = pair.manifolds.iter().flat_map(|manifold| &manifold.points);
+    points.fold(Real::MAX, |least, point| least.min(point.dist))
+}
+
 /// Sets the skin and says that the collider has moved, so that Rapier's own broad phase looks at it.
 pub(crate) fn set_contact_skin(collider: &mut Collider, skin: Real) {
     collider.set_contact_skin(skin);

@@ -51,6 +51,15 @@ pub(crate) fn look_at_contacts_anew(params: &mut IntegrationParameters) {
     params.normalized_contact_recycle_distance = 0.0;
 }
 
+/// The least distance of the points of two colliders' contact.
+pub(crate) fn least_distance(pair: &ContactPair) -> Real {
+    let points = pair
+        .manifolds()
+        .iter()
+        .flat_map(|manifold| &manifold.points);
+    points.fold(Real::MAX, |least, point| least.min(point.dist))
+}
+
 /// Sets the skin.
 pub(crate) fn set_contact_skin(collider: &mut Collider, skin: Real) {
     collider.set_contact_skin(skin);
