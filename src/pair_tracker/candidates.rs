@@ -6,7 +6,6 @@
 
 mod comparing;
 mod retired;
-mod turns;
 
 use super::pair_state::PairState;
 use super::proxies::overlap;
@@ -16,8 +15,8 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{HELD, PICKED};
 pub(super) use comparing::Comparing;
+use comparing::Turn;
 use retired::RetiredPairs;
-use turns::Turn;
 
 /// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
