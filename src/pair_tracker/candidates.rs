@@ -18,6 +18,10 @@ pub(super) use comparing::Comparing;
 use comparing::Turn;
 use retired::RetiredPairs;
 
+/// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a bit is
+/// looked up for each row.
+const FEW_NEW: usize = 8;
+
 /// The candidates by rows, and the state of each.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
@@ -148,14 +152,24 @@ impl Candidates {
 
     /// Moves the cold rows of these slots before the others. Takes a pass over the cold rows if there is a slot that was not warm.
     fn warm(&mut self, listed: &[u32]) {
-        let are_new = |are_new, &slot: &u32| are_new | self.warm.insert(slot as usize);
-        if !listed.iter().fold(false, are_new) {
+        let is_new = |slot: &u32| self.warm.insert(*slot as usize);
+        let new: Vec<_> = listed.iter().copied().filter(is_new).collect();
+        if new.is_empty() {
             return;
         }
         let (first, warm) = (self.first_cold, self.warm.lookup());
         let cold = &self.pairs[first..];
+        // Without a branch, so that the compiler compares many slots at once.
+        let has = |rows: &[[u32; 2]], new: u32| {
+            let slots = rows.as_flattened().iter();
+            slots.fold(false, |has, &slot| has | (slot == new))
+        };
         self.answers.ask(cold.len(), PICKED, |rows| {
-            gather(&cold[rows], |&pair| warm.has_one(pair))
+            let rows = &cold[rows];
+            match new.len() > FEW_NEW || new.iter().any(|&new| has(rows, new)) {
+                true => gather(rows, |&pair| warm.has_one(pair)),
+                false => 0,
+            }
         });
         let asked = std::mem::take(&mut self.answers);
         for row in asked.iter() {
