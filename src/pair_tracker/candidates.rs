@@ -10,7 +10,7 @@ mod retired;
 use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
-use crate::bit_set::{BitSet, gather};
+use crate::bit_set::{BitSet, gather, ones};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{HELD, PICKED};
@@ -194,7 +194,12 @@ impl Candidates {
     }
 
     /// Adds the states of the rows from `first` on: those that were retired are held, until they are asked, and the others are apart.
-    fn restore_held(&mut self, first: usize) {
+    /// `overlapping` says which of up to 64 pairs may be held at all.
+    fn restore_held(
+        &mut self,
+        first: usize,
+        overlapping: impl Fn(&[[u32; 2]]) -> u64 + Send + Sync,
+    ) {
         let pairs = &self.pairs[first..];
         self.states.resize(first + pairs.len(), PairState::Apart);
         self.retired.index();
@@ -208,10 +213,12 @@ impl Candidates {
         let mut parts: Vec<_> = parts.map(|part| (part, Vec::new())).collect();
         let retired = &self.retired;
         section.for_each(&mut parts, |((pairs, states), taken)| {
-            for (&pair, state) in pairs.iter().zip(states.iter_mut()) {
-                if let Some(place) = retired.place(pair) {
-                    *state = PairState::Held;
-                    taken.push(place);
+            for (pairs, states) in pairs.chunks(64).zip(states.chunks_mut(64)) {
+                for i in ones(overlapping(pairs)) {
+                    if let Some(place) = retired.place(pairs[i]) {
+                        states[i] = PairState::Held;
+                        taken.push(place);
+                    }
                 }
             }
         });

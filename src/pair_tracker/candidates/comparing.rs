@@ -78,7 +78,8 @@ impl<R: Real, const D: usize, K: FilterKey, O: PairObserver, S: VolumeSource<R, 
             0 => std::mem::swap(&mut candidates.pairs, found),
             _ => candidates.pairs.append(found),
         }
-        candidates.restore_held(first);
+        let proxies = &*self.proxies;
+        candidates.restore_held(first, |pairs| proxies.overlapping(pairs));
         let observer = &mut *self.observer;
         let retired = &mut candidates.retired;
         retired.drain(|pair| observer.report(PairChange::Deleted(pair)));

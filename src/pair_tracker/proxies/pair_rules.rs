@@ -65,16 +65,16 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         if !volumes.are_used() {
             return Some(true);
         }
-        let stays = was_held & !self.is_renewed(pair);
         let slack = if was_held { self.slack } else { R::ZERO };
         // Which balls meet is practically random, so there is no branch on it.
         if let Some(meet) = volumes.meet_as_balls(pair, slack) {
-            return Some(stays | meet);
+            return Some(meet | (was_held & !self.is_renewed(pair)));
         }
-        if !stays && volumes.are_stale(pair) {
-            return None;
+        if was_held && !self.is_renewed(pair) {
+            return Some(true);
         }
-        Some(stays || volumes.meet_beyond_balls(pair, slack))
+        let are_read = !volumes.are_stale(pair);
+        are_read.then(|| volumes.meet_beyond_balls(pair, slack))
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
