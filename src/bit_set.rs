@@ -52,12 +52,14 @@ impl BitSet {
         self.words[i / 64] >> (i % 64) & 1 == 1
     }
 
-    /// A lookup without a branch. The capacity must not be 0.
-    pub(crate) fn lookup(&self) -> Lookup<'_> {
-        Lookup {
-            words: &self.words,
-            last: self.words.len() - 1,
-        }
+    /// Whether one of two numbers is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is unspecified.
+    #[inline(always)]
+    pub(crate) fn has_any(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|i| {
+            let word = self.words[(i as usize / 64).min(self.words.len() - 1)];
+            word >> (i % 64) & 1 == 1
+        });
+        a | b
     }
 
     /// The numbers in the set, ascending.
@@ -98,7 +100,7 @@ impl BitSet {
     ///
     /// `ask` answers for a range of up to 64 numbers, the first one in the lowest bit, which takes about `price` for each number. Several
     /// threads call it if that is a lot of work.
-    pub(crate) fn ask(
+    pub(crate) fn fill_from(
         &mut self,
         count: usize,
         price: u64,
@@ -113,25 +115,6 @@ impl BitSet {
                 *word = ask(64 * i..count.min(64 * (i + 1)));
             }
         });
-    }
-}
-
-/// Says which pairs of slots have one in a set.
-#[derive(Clone, Copy)]
-pub(crate) struct Lookup<'a> {
-    words: &'a [u64],
-    last: usize,
-}
-
-impl Lookup<'_> {
-    /// Whether one of two slots is in the set. Beyond its capacity, the answer is unspecified.
-    #[inline(always)]
-    pub(crate) fn has_one(self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|slot| {
-            let i = slot as usize;
-            self.words[(i / 64).min(self.last)] >> (i % 64) & 1 == 1
-        });
-        a | b
     }
 }
 

@@ -44,10 +44,9 @@ mod tests;
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
-use crate::pair_finder::{PairFinder, check_count, retain_from};
+use crate::pair_finder::{PairFinder, check_count};
 use crate::parallel;
 use crate::real::Real;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, ROW_FROM, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
@@ -63,7 +62,8 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
 /// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
 /// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
-/// the direction that takes less time for a sample; a box that reaches very many tubes is compared along the first axis alone. Where
+/// the direction that takes less time for a sample; a box that reaches very many tubes is looked up in a copy of the
+/// class that is sorted along the first axis only. Where
 /// look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
 /// than most or lie where few others do, they get a grid of their own.
 ///
@@ -100,7 +100,6 @@ pub struct GridSweep<R, const D: usize> {
     /// Scratch: the members of two classes.
     members: [Vec<u32>; 2],
     compared: usize,
-    stopwatch: Stopwatch,
 }
 
 impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
@@ -111,19 +110,16 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
     ) -> Result<(), InvalidInput> {
         pairs.clear();
         check_count(boxes.len(), MAX_BOXES)?;
-        let mut stopwatch = self.stopwatch.reset();
         let work = match self.assignment.slabs_asked {
             Some(2..) => u64::MAX,
             _ => SEARCHED * boxes.len() as u64,
         };
         let found = parallel::enter(work, || {
-            let mut search = Search::new(boxes, pairs, &mut stopwatch);
+            let mut search = Search::new(boxes, pairs);
             let found = self.search(None, &mut search);
             self.compared = search.tally.compared;
             found
         });
-        stopwatch.leave();
-        self.stopwatch = stopwatch;
         found.inspect_err(|_| pairs.clear())
     }
 }
@@ -138,19 +134,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let mut kernel = Self::default();
         kernel.assignment.slabs_asked = Some(count.get());
         kernel
-    }
-
-    /// Returns the kernel with its clock switched on: see [`phase_times`](Self::phase_times).
-    pub fn timed(self) -> Self {
-        Self {
-            stopwatch: Stopwatch::new(true),
-            ..self
-        }
-    }
-
-    /// The times of the last search's phases; zeros unless the kernel is [`timed`](Self::timed).
-    pub fn phase_times(&self) -> PhaseTimes {
-        self.stopwatch.times
     }
 
     /// The comparisons of the last call of `find_pairs`, with visits of tubes in units of comparisons.
@@ -172,7 +155,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
-        stopwatch: &mut Stopwatch,
     ) -> usize {
         debug_assert!(boxes.len() <= MAX_BOXES);
         let filter = wanted.map(filter);
@@ -180,7 +162,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             keeps: true,
             filter: filter.as_ref().map(|filter| filter as _),
             most,
-            ..Search::new(boxes, pairs, stopwatch)
+            ..Search::new(boxes, pairs)
         };
         // The boxes are valid.
         let _ = self.search(Some(members), &mut search);
@@ -219,9 +201,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
                 if search.is_over() {
                     return Ok(());
                 }
-                search.stopwatch.enter(Phase::Sweep);
                 self.match_classes(fine, coarse, search);
-                search.stopwatch.leave();
             }
         }
         Ok(())
@@ -276,11 +256,6 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         search.run_queries(queries, usize::MAX, look_up);
     }
 
-    /// The number of size classes in the last search.
-    pub(crate) fn class_count(&self) -> usize {
-        self.class_count
-    }
-
     /// Prepares for [`look_up_queries`](Self::look_up_queries), until the next search.
     pub(crate) fn prepare_lookup(&mut self) {
         for class in &mut self.classes[..self.class_count] {
@@ -310,11 +285,11 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
     ) -> Tally {
-        let (filter, stopwatch) = (filter(wanted), &mut Stopwatch::default());
+        let filter = filter(wanted);
         let mut search = Search {
             filter: Some(&filter),
             most,
-            ..Search::new(boxes, pairs, stopwatch)
+            ..Search::new(boxes, pairs)
         };
         search.run_queries(queries, usize::MAX, |i, emitter| {
             self.look_up_box(&boxes[i as usize], i, emitter);
@@ -333,7 +308,15 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 }
 
-/// Removes the pairs from the given one on that are not wanted.
+/// Removes the pairs from the given one on that are not wanted, without a branch.
 fn filter(wanted: impl Fn([u32; 2]) -> bool + Sync) -> impl Fn(&mut Vec<[u32; 2]>, usize) + Sync {
-    move |pairs, first| retain_from(pairs, first, &wanted)
+    move |pairs, first| {
+        let mut kept = first;
+        for i in first..pairs.len() {
+            let pair = pairs[i];
+            pairs[kept] = pair;
+            kept += usize::from(wanted(pair));
+        }
+        pairs.truncate(kept);
+    }
 }

@@ -67,6 +67,7 @@ mod aabb;
 mod bit_set;
 mod brute_force;
 mod bucket_sort;
+mod clock;
 mod counting_sort;
 #[cfg(feature = "_adapter")]
 mod diagnostics;
@@ -90,7 +91,6 @@ mod settings;
 mod slot_set;
 #[cfg(feature = "_adapter")]
 mod stats;
-mod stopwatch;
 mod tuning;
 #[cfg(feature = "_adapter")]
 mod volume;
@@ -166,7 +166,6 @@ pub use invalid_input::{InvalidInput, InvalidInputReason};
 pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
-pub use stopwatch::PhaseTimes;
 #[cfg(feature = "_adapter")]
 pub use {
     diagnostics::{Diagnostics, Overrides},

@@ -2,7 +2,8 @@
 
 /// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
 ///
-/// A pair that is left out is dropped when a search finds it. It costs nothing between searches, nor in the narrow phase. It is reported
+/// A pair that is left out costs nothing in the narrow phase. Unless only its shapes keep it apart, a search drops it, and it costs nothing
+/// between searches either. It is reported
 /// once it may have an effect and one of its colliders is listed as modified. Rapier's `PhysicsPipeline` lists a collider whenever a
 /// property that the filter reads has changed, except for a body's soft CCD in 0.27. A reported pair that bodies, types or groups come to forbid stays until its boxes part, as
 /// with the own broad phase of Rapier 0.36.
@@ -56,8 +57,8 @@ pub enum PairFilter {
     /// | other convex shapes, segments, triangles, compounds | the oriented box around them |
     /// | meshes, polylines, height fields, voxels, custom shapes | none: their pairs are those of [`Groups`](Self::Groups) |
     ///
-    /// Some colliders have no volume, whatever their shape: those with physics hooks, so that hooks are called for the same pairs; those whose
-    /// box is larger than the shape, because of soft CCD or because the collider is soft; and those of a body with more than 32 colliders at the time of
+    /// Some colliders have no volume, whatever their shape: those with physics hooks, so that hooks are called for the same pairs; those of
+    /// bodies with soft CCD; and those of a body with more than 32 colliders at the time of
     /// reading, if they are mostly within the body.
     ///
     /// Contacts and intersections stay the same. Rapier 0.36 tests a pair again only when its colliders have moved by some hundredths of a

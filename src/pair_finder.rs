@@ -75,22 +75,6 @@ pub(crate) fn check_boxes<R: Real, const D: usize>(
     Err(InvalidInput::new(index, reason))
 }
 
-/// Removes the pairs from `first` on that do not meet the condition, without a branch.
-#[inline(always)]
-pub(crate) fn retain_from(
-    pairs: &mut Vec<[u32; 2]>,
-    first: usize,
-    keep: impl Fn([u32; 2]) -> bool,
-) {
-    let mut kept = first;
-    for i in first..pairs.len() {
-        let pair = pairs[i];
-        pairs[kept] = pair;
-        kept += usize::from(keep(pair));
-    }
-    pairs.truncate(kept);
-}
-
 /// Returns the pair of two different indices, smaller first.
 #[inline]
 pub(crate) fn ordered(a: u32, b: u32) -> [u32; 2] {

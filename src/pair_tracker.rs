@@ -1,15 +1,17 @@
 //! The pair set over time: proxies in, changes of the pair set out.
 //!
-//! A *proxy* is a box in a numbered slot. Between two updates, proxies are placed, moved and removed; [`PairTracker::commit`] makes an
+//! A *proxy* is a box in a numbered slot. Between two updates, proxies are placed, moved and removed; [`PairTracker::update`] makes an
 //! update of these changes and reports which pairs begin and end.
 //!
 //! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates. New candidates must be searched for only
-//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap. Held pairs whose candidates are
+//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap, unless its volumes or its keys
+//! keep them apart. Held pairs whose candidates are
 //! retired are kept in a hash table until the search has found them again or not. This is the neighbour list of molecular dynamics (Verlet
 //! 1967), made exact.
 
 mod box_update;
 mod candidates;
+mod changes;
 mod foresight;
 mod layers;
 mod notes;
@@ -30,10 +32,10 @@ use crate::diagnostics::{Diagnostics, Overrides};
 use crate::grid_sweep::MAX_BOXES;
 use crate::real::Real;
 use crate::stats::Stats;
-use crate::stopwatch::Stopwatch;
 use crate::volume::Volume;
 pub(crate) use box_update::BoxUpdate;
 use candidates::Candidates;
+pub(crate) use changes::Changes;
 use foresight::Foresight;
 use layers::Layers;
 pub(crate) use notes::Notes;
@@ -45,34 +47,14 @@ pub(crate) use snapshot::TrackerSnapshot;
 /// The most slots: every kernel takes so many boxes.
 pub(crate) const MOST_SLOTS: usize = MAX_BOXES;
 
-/// A change of the pair set, by slots, smaller first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PairChange {
-    Added([u32; 2]),
-    Deleted([u32; 2]),
-}
-
-/// Receives the changes of the pair set, and answers questions about pairs.
-pub(crate) trait PairObserver: Sync {
-    fn report(&mut self, change: PairChange);
+/// What an update asks about colliders.
+pub(crate) trait Colliders<R, const D: usize>: Sync {
+    /// The present volume of a slot, extended as [`Volumes`](volumes::Volumes::extension) say.
+    fn volume(&self, slot: u32) -> Volume<R, D>;
 
     /// Whether the contact of a held pair is active. Removing an active contact wakes its bodies, so such a pair does not end while its boxes
     /// overlap.
-    fn is_active(&self, _pair: [u32; 2]) -> bool {
-        false
-    }
-}
-
-/// The present volumes of colliders.
-pub(crate) trait VolumeSource<R, const D: usize>: Sync {
-    /// The volume of a slot, extended as [`Volumes`](volumes::Volumes::extension) say.
-    fn volume(&self, slot: u32) -> Volume<R, D>;
-}
-
-impl<F: FnMut(PairChange) + Sync> PairObserver for F {
-    fn report(&mut self, change: PairChange) {
-        self(change);
-    }
+    fn is_active(&self, pair: [u32; 2]) -> bool;
 }
 
 /// A property of a proxy that decides with which others it may become a pair. A pair that its keys come to forbid stays until its boxes
@@ -81,7 +63,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may become a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;
 
-    /// A number that says of two proxies that have it that they may not meet.
+    /// Two proxies with the same number may not meet.
     fn clique(self) -> Option<u32> {
         None
     }
@@ -110,7 +92,6 @@ pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     full_searches: u64,
     candidates: Candidates,
     layers: Layers<R, D>,
-    pub(crate) stopwatch: Stopwatch,
 }
 
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
@@ -125,7 +106,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             full_searches: 0,
             candidates: Candidates::default(),
             layers: Layers::default(),
-            stopwatch: Stopwatch::default(),
         }
     }
 
@@ -143,7 +123,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Makes room for this number of slots, at most [`MOST_SLOTS`], if there is less.
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
-        let volumes = self.proxies.volumes().are_used();
+        let volumes = self.proxies.volumes.are_used();
         self.candidates.make_room(self.proxies.len(), volumes);
     }
 
@@ -159,8 +139,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Calls `visit` with each of these slots and each neighbor: another slot whose box overlapped its box at the end of the last update,
-    /// that might touch it, and with which it is not a pair only because of their volumes. Takes time in proportion to their candidates
-    /// if few slots are listed repeatedly.
+    /// that might touch it, and with which it is not a pair only because of their volumes. Passes over the candidates that
+    /// are not cold.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
         let slots = self.proxies.len();
@@ -178,12 +158,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         stats.full_searches = self.full_searches;
     }
 
-    /// The candidates, the foresight and the layers.
     pub(crate) fn diagnostics(&self) -> Diagnostics {
         Diagnostics {
             candidates: self.candidates.len(),
             foresight: self.foresight.moves,
-            ..self.layers.diagnostics()
         }
     }
 }

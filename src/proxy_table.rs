@@ -8,8 +8,6 @@
 //! [`set_boxes`](ProxyTable::set_boxes) receives boxes together with their handles, between two updates. Nearly all of them are moves of known
 //! proxies, which [`follow`](crate::pair_tracker::ProxyChunk::follow) handles; [`admit`](ProxyTable::admit) handles the rest.
 
-mod changes;
-mod observer;
 mod passing;
 mod reading;
 mod refusals;
@@ -24,23 +22,17 @@ use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
 use crate::diagnostics::{Diagnostics, Overrides};
-use crate::pair_filter::PairFilter;
-use crate::pair_tracker::{BoxUpdate, FilterKey, MOST_SLOTS, PairTracker};
+use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, MOST_SLOTS, PairTracker};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
-use crate::settings::Settings;
 use crate::stats::Stats;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::update::ROOM_AHEAD;
-pub(crate) use changes::Changes;
-pub(crate) use observer::IsActive;
-use observer::Observer;
 use passing::Pending;
 use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
-use source::KnownVolumes;
-pub(crate) use source::{BoxSource, Handle, Lists, Reading};
+use source::Known;
+pub(crate) use source::{ColliderSource, Handle, IsActive, Lists, Reading};
 
 /// The maximum number of slots for known colliders. The rest of [`MOST_SLOTS`] is for boxes of unknown colliders.
 const MOST_KNOWN_SLOTS: usize = MOST_SLOTS - ROOM_AHEAD;
@@ -63,37 +55,20 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     beyond: BTreeMap<u32, u32>,
     /// Only `proxies`, the number of known colliders with a box, is current; the last update set the others.
     stats: Stats,
-    /// What the last update gathered.
-    last: Gathered,
     has_warned: bool,
-    gathered: Gathered,
+    /// Whether an update has begun that [finish](Self::finish) ends.
+    is_begun: bool,
     pending: Pending,
     reader: Reader,
-}
-
-/// What the next [finish](ProxyTable::finish) reports about the update that has begun.
-#[derive(Clone, Copy, Debug, Default)]
-#[cfg_attr(
-    feature = "serde-serialize",
-    derive(serde::Serialize, serde::Deserialize)
-)]
-struct Gathered {
-    is_begun: bool,
-    /// As in [`Diagnostics`].
-    listed: usize,
-    moved: usize,
 }
 
 impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     ProxyTable<R, D, M, K>
 {
-    /// An empty table.
-    pub(crate) fn new(settings: &Settings<R>) -> Self {
-        let volumes = settings.filter == Some(PairFilter::Shapes);
-        let mut tracker = PairTracker::new(volumes);
-        tracker.stopwatch = Stopwatch::new(settings.timed);
+    /// An empty table. `volumes` says whether volumes are in use.
+    pub(crate) fn new(volumes: bool) -> Self {
         Self {
-            tracker,
+            tracker: PairTracker::new(volumes),
             generations: Vec::new(),
             known_slots: 0,
             memos: Vec::new(),
@@ -101,9 +76,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             most_known_slots: MOST_KNOWN_SLOTS,
             beyond: BTreeMap::new(),
             stats: Stats::default(),
-            last: Gathered::default(),
             has_warned: false,
-            gathered: Gathered::default(),
+            is_begun: false,
             pending: Pending::new(),
             reader: Reader::default(),
         }
@@ -119,11 +93,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
 
     /// What tests and studies ask beyond that. **O(1)**.
     pub(crate) fn diagnostics(&self) -> Diagnostics {
-        Diagnostics {
-            listed: self.last.listed,
-            moved: self.last.moved,
-            ..self.tracker.diagnostics()
-        }
+        self.tracker.diagnostics()
     }
 
     pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
@@ -143,7 +113,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
 
     /// The slots whose boxes were written since the last [finish](Self::finish); some may repeat.
     fn touched(&self) -> &[u32] {
-        self.tracker.proxies.touched()
+        &self.tracker.proxies.notes.touched
     }
 
     /// The held pairs, the collider in the smaller slot first.
@@ -160,7 +130,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         listed: &[H],
         mut visit: impl FnMut(H, Option<H>),
     ) {
-        if listed.is_empty() || !self.tracker.proxies.volumes().are_used() {
+        if listed.is_empty() || !self.tracker.proxies.volumes.are_used() {
             return;
         }
         let mut slots = Vec::with_capacity(listed.len());
@@ -210,7 +180,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
     #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
     pub(crate) fn clear(&mut self) -> &[u32] {
-        self.begin();
+        self.is_begun = true;
         self.beyond.clear();
         for (slot, _) in std::mem::take(&mut self.pending) {
             if self.generations.get(slot as usize) == Some(&None) {
@@ -222,7 +192,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
                 self.remove_known(slot as u32);
             }
         }
-        self.tracker.stopwatch.leave();
         self.touched()
     }
 
@@ -235,11 +204,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         margin: R,
     ) -> &[u32]
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        self.begin();
+        self.is_begun = true;
         let touched = self.touched().len();
-        self.gathered.listed += lists.len();
         // Removals first: a listed collider may already have the slot of a removed one.
         for &handle in lists.removed {
             self.remove(handle);
@@ -252,35 +220,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             source.has_changed_unmoved(handle, memo, key)
         });
         self.read_in_place(lists.swept, source, |_, _, _| true);
-        self.tracker.stopwatch.leave();
         &self.touched()[touched..]
     }
 
     /// An estimate of the work of an update, in tenths of a nanosecond.
     pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
         let touched = self.touched().len() + lists.modified.len();
-        self.reading(lists.len())
+        self.reading_work(lists.len())
             .saturating_add(self.tracker.work_ahead(touched))
     }
 
     /// An estimate of the work of reading this many colliders, or of setting their boxes, in tenths of a nanosecond.
-    pub(crate) fn reading(&self, colliders: usize) -> u64 {
-        self.section(colliders).work
+    pub(crate) fn reading_work(&self, colliders: usize) -> u64 {
+        self.reading_section(colliders).work
     }
 
     /// Whether an update without listed colliders has something to do: boxes have been set, or all volumes must be read again.
     pub(crate) fn is_due(&self, margin: R, reach: R) -> bool {
-        let volumes = self.tracker.proxies.volumes();
-        self.gathered.is_begun || self.known > 0 && volumes.have_longer_extents(margin, reach)
-    }
-
-    /// Begins an update, or continues the one that has begun.
-    fn begin(&mut self) {
-        let stopwatch = &mut self.tracker.stopwatch;
-        if !std::mem::replace(&mut self.gathered.is_begun, true) {
-            stopwatch.times = PhaseTimes::default();
-        }
-        stopwatch.enter(Phase::Read);
+        let volumes = &self.tracker.proxies.volumes;
+        self.is_begun || self.known > 0 && volumes.have_longer_extents(margin, reach)
     }
 
     /// Makes room for this number of slots, if there is less.
@@ -292,13 +250,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         }
     }
 
-    /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one. See
-    /// [`BoxSource::skips_unbounded`].
+    /// Updates one collider in the general case: it may be new, moved, gone, or in the former slot of another one.
     fn admit<H: Handle>(
         &mut self,
         handle: H,
         margin: R,
-        skips_unbounded: bool,
         read: impl FnOnce(&mut M) -> Option<Reading<R, D, K>>,
     ) {
         let slot = self.slot_of(handle);
@@ -317,20 +273,20 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             aabb,
             key,
             has_only_moved,
+            is_skipped,
         } = reading;
         let proxies = &mut self.tracker.proxies;
         let former = proxies.key(slot);
         let (is_same_key, renews_box) = (key == former, key.renews_box(former));
         proxies.set_key(slot, key);
-        let held = proxies.boxes[slot as usize];
-        let is_skipped = skips_unbounded && aabb.is_unbounded();
-        let is_refused = is_skipped && !held.is_valid();
+        let present = proxies.boxes[slot as usize];
+        let is_refused = is_skipped && !present.is_valid();
         let aabb = if is_skipped && !is_refused {
-            held
+            present
         } else {
             aabb
         };
-        let update = BoxUpdate::of(&held, &aabb, margin);
+        let update = BoxUpdate::of(&present, &aabb, margin);
         let renewed = match update {
             BoxUpdate::Keep if !renews_box => None,
             BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
@@ -338,13 +294,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             _ => Some(aabb),
         };
         let (mut all, i) = (proxies.all(), slot as usize);
-        let has_only_moved = has_only_moved && is_same_key && !all.is_part(i);
-        all.follow_with_volume(i, &aabb, has_only_moved);
+        let has_only_moved = has_only_moved && is_same_key && !all.is_box_until_read(i);
+        all.follow_volume(i, &aabb, has_only_moved);
         match renewed {
             None => {}
             Some(renewed) if renewed.is_valid() && !is_refused => {
                 self.place(slot, renewed);
-                self.gathered.moved += 1;
             }
             Some(_) => self.refuse(handle, aabb),
         }
@@ -378,7 +333,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.tracker.proxies.place(slot, aabb);
     }
 
-    /// Ends an update, which reads volumes: calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
+    /// Ends an update: reads volumes, and calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
     /// in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
     pub(crate) fn finish<S>(
         &mut self,
@@ -388,29 +343,22 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         changes: &mut Changes,
         mut event: impl FnMut(bool, [S::Handle; 2]),
     ) where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        let mut observer = Observer {
-            generations: &self.generations,
-            is_active,
-            changes,
-        };
-        let volumes = KnownVolumes {
+        let known = Known {
             source,
+            is_active,
             generations: &self.generations,
             memos: &self.memos,
-            extension: self.tracker.proxies.volumes().extension(),
+            extension: self.tracker.proxies.volumes.extension(),
         };
-        self.tracker.commit(slack, &mut observer, &volumes);
-        self.tracker.stopwatch.enter(Phase::Events);
-        self.last = std::mem::take(&mut self.gathered);
+        self.tracker.update(slack, changes, &known);
+        self.is_begun = false;
         let (generations, stats) = (&self.generations, &mut self.stats);
         stats.updates = stats.updates.wrapping_add(1);
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
             event(is_added, handles(generations, pair));
         });
-        self.tracker.stopwatch.leave();
-        self.stats.times = self.tracker.stopwatch.times;
     }
 
     /// Panics unless the table is consistent, and its pairs are those of a full search.

@@ -9,13 +9,15 @@ mod succ_tree;
 #[cfg(test)]
 mod tests;
 
+use std::time::Duration;
+
 use crate::aabb::Aabb;
+use crate::clock;
 use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_boxes, check_count, ordered};
 use crate::parallel;
 use crate::radix_sort::RadixSort;
 use crate::real::Real;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::SORT_BOTH_AXES_FROM;
 use crate::tuning::prices::SEARCHED;
 use succ_tree::SuccTree;
@@ -55,12 +57,12 @@ const BATCH: usize = 32;
 ///
 /// let square = |x: f32, y: f32| Aabb::new([x, y], [x + 1.0, y + 1.0]);
 /// let boxes = [square(0.0, 0.0), square(0.5, 0.5), square(3.0, 0.0)];
-/// let mut finder = RankSweep::default().timed();
+/// let mut finder = RankSweep::default();
 /// let mut pairs = Vec::new();
 /// finder.find_pairs(&boxes, &mut pairs)?;
 /// assert_eq!(pairs, [[0, 1]]);
-/// let times = finder.phase_times();
-/// println!("sorting took {:?}, pairing {:?}", times.sort, times.sweep);
+/// let [sorting, pairing] = finder.phase_times();
+/// println!("sorting took {sorting:?}, pairing {pairing:?}");
 /// # Ok::<(), unisize::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -73,7 +75,7 @@ pub struct RankSweep<R: Real, const D: usize> {
     ranks: Vec<[u32; 2]>,
     /// The ranks of the active objects; each has its object as a label.
     active: SuccTree,
-    stopwatch: Stopwatch,
+    phase_times: [Duration; 2],
 }
 
 /// The `2n` endpoints of an axis: the low one of object `i` at `i`, and the high one at `i + n`.
@@ -107,10 +109,8 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
         const { assert!(D > 0, "boxes need an axis") };
         pairs.clear();
         check_count(boxes.len(), MAX_BOXES)?;
-        self.stopwatch = self.stopwatch.reset();
-        self.stopwatch.enter(Phase::Read);
-        check_boxes(boxes).inspect_err(|_| self.stopwatch.leave())?;
-        self.stopwatch.enter(Phase::Sort);
+        check_boxes(boxes)?;
+        let began = clock::now();
         let work = match D > 1 && boxes.len() >= SORT_BOTH_AXES_FROM {
             true => SEARCHED * boxes.len() as u64,
             false => 0,
@@ -132,7 +132,7 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             }
             (is_exact, 0)
         });
-        self.stopwatch.enter(Phase::Sweep);
+        let (sorting, began) = (clock::since(began), clock::now());
         if is_exact {
             // The sweep decides two axes. One interval remains in 3D; in 2D, the boxes need not even be read.
             self.sweep(swept, pairs, |p, q| {
@@ -145,24 +145,16 @@ impl<R: Real, const D: usize> PairFinder<R, D> for RankSweep<R, D> {
             let overlap = |p, q| boxes[p as usize].intersects(&boxes[q as usize]);
             self.sweep(swept, pairs, overlap);
         }
-        self.stopwatch.leave();
+        self.phase_times = [sorting, clock::since(began)];
         Ok(())
     }
 }
 
 impl<R: Real, const D: usize> RankSweep<R, D> {
-    /// Returns the kernel with its clock switched on: see [`phase_times`](Self::phase_times).
-    pub fn timed(self) -> Self {
-        Self {
-            stopwatch: Stopwatch::new(true),
-            ..self
-        }
-    }
-
-    /// Returns the times of the last search's phases; zeros unless the kernel is [`timed`](Self::timed). Computing the ranks belongs to
-    /// [`sort`](PhaseTimes::sort). The paper calls [`sweep`](PhaseTimes::sweep) the pairing phase.
-    pub fn phase_times(&self) -> PhaseTimes {
-        self.stopwatch.times
+    /// Returns how long the last search took to sort and rank the endpoints, and to sweep them, which the paper calls the pairing phase.
+    /// Zeros if there is no clock, as on `wasm32-unknown-unknown`.
+    pub fn phase_times(&self) -> [Duration; 2] {
+        self.phase_times
     }
 
     /// Sweeps the endpoints of the second axis, which are sorted in `axes[swept]`. Appends the pairs of objects that overlap on both axes

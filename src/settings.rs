@@ -39,9 +39,6 @@ pub struct Settings<R> {
     /// Which pairs are left out because they can have no effect. Default: `None`, which is [`PairFilter::Off`] for Rapier 0.27
     /// and [`PairFilter::Shapes`] for 0.36.
     pub filter: Option<PairFilter>,
-    /// Whether each update measures its phases for [`Stats::times`](crate::Stats::times). Default: `false`. Then
-    /// an update reads the clock only for parts that threads may share, once any broad phase or kernel of the program has been timed. `wasm32-unknown-unknown` has no clock, so times are zero there.
-    pub timed: bool,
 }
 
 impl<R: Real> Settings<R> {
@@ -55,10 +52,5 @@ impl<R: Real> Settings<R> {
     pub fn with_filter(self, filter: impl Into<Option<PairFilter>>) -> Self {
         let filter = filter.into();
         Self { filter, ..self }
-    }
-
-    /// Returns the settings with [`timed`](Self::timed) replaced.
-    pub fn with_timed(self, timed: bool) -> Self {
-        Self { timed, ..self }
     }
 }

@@ -1,9 +1,5 @@
 //! A set of slots that remembers the order in which they were inserted.
 
-/// One slot in this many. A set of more slots is cleared by overwriting all flags. If larger: flags of slots outside the set are
-/// written. If smaller: the slots of the set are visited one by one, in any order.
-const CLEAR_ALL_FROM_ONE_IN: usize = 4;
-
 /// A set of slots, as a list and as flags. Iterating and clearing take time in proportion to the members, everything else takes constant
 /// time.
 ///
@@ -23,9 +19,11 @@ impl SlotSet {
         }
     }
 
-    pub(crate) fn insert(&mut self, slot: u32) {
-        if !std::mem::replace(&mut self.is_member[slot as usize], true) {
-            self.slots.push(slot);
+    pub(crate) fn extend(&mut self, slots: &[u32]) {
+        for &slot in slots {
+            if !std::mem::replace(&mut self.is_member[slot as usize], true) {
+                self.slots.push(slot);
+            }
         }
     }
 
@@ -44,13 +42,8 @@ impl SlotSet {
     }
 
     pub(crate) fn clear(&mut self) {
-        if self.slots.len() > self.is_member.len() / CLEAR_ALL_FROM_ONE_IN {
-            self.is_member.fill(false);
-        } else {
-            for &slot in &self.slots {
-                self.is_member[slot as usize] = false;
-            }
+        for slot in self.slots.drain(..) {
+            self.is_member[slot as usize] = false;
         }
-        self.slots.clear();
     }
 }

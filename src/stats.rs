@@ -1,7 +1,5 @@
 //! What a broad phase tells its user.
 
-use crate::stopwatch::PhaseTimes;
-
 /// What a broad phase holds, and what its last update did.
 ///
 /// An update with nothing to do leaves them as they are. Later versions may add fields; to make a value, say for a test, start from
@@ -15,7 +13,8 @@ use crate::stopwatch::PhaseTimes;
 pub struct Stats {
     /// Colliders with a box.
     pub proxies: usize,
-    /// Colliders that are left out. One whose box has a NaN or is inverted returns automatically once its box is valid. One whose
+    /// Colliders that are left out. One whose box has a NaN or is inverted, or in a pipeline of 0.36 is
+    /// infinite and its first one, returns automatically once its box is valid. One whose
     /// index is 2²⁹ - 2¹⁶ or more never does, because `GridSweep` takes no more boxes; a snapshot does not count those.
     pub refused: usize,
     /// Pairs held.
@@ -28,6 +27,4 @@ pub struct Stats {
     pub updates: u64,
     /// Searches for all pairs so far. The other updates needed none.
     pub full_searches: u64,
-    /// How long each phase of the last update took; zeros unless [`Settings::timed`](crate::Settings::timed) is on.
-    pub times: PhaseTimes,
 }

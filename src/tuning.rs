@@ -208,15 +208,12 @@ pub(crate) mod prices {
     /// Inflating, comparing or copying the box of a slot. If larger or smaller: the same.
     pub(crate) const SLOT: u64 = 30;
 
-    /// Looking up a box in a sorted layer, without its visits. If larger: full searches where a look-up would do. If smaller: tens of
-    /// thousands of boxes are looked up one by one.
+    /// Looking up a box in a sorted layer, without its visits; or a box of two lists between which a segment tree finds the pairs. If larger:
+    /// full searches where a look-up would do. If smaller: tens of thousands of boxes are looked up one by one.
     pub(crate) const LOOKED_UP: u64 = 5000;
 
     /// A comparison of a look-up, or an equal cost: few for most boxes, many for moving walls. If larger or smaller: the same.
     pub(crate) const VISITED: u64 = 4;
-
-    /// A box of two lists between which a segment tree finds the pairs. If larger: threads are woken for little. If smaller: cores idle.
-    pub(crate) const MATCHED: u64 = 5000;
 
     /// A box of a search: inflating, sorting and sweeping. If larger: few full searches. If smaller: many.
     pub(crate) const SEARCHED: u64 = 450;

@@ -71,16 +71,16 @@ pub(crate) enum VolumeKind {
     Cuboid,
     /// All points behind a plane, whose unit normal is the first half axis.
     HalfSpace,
-    /// One of very many colliders of a body. Like [`Self::Box`], and it stays so until the collider is read again: a new box does not need the
-    /// collider.
-    Part,
+    /// Like [`Self::Box`], and it stays so until the collider is read again. For one of very many colliders of a body, or a body with soft
+    /// CCD.
+    BoxUntilRead,
 }
 
 impl VolumeKind {
     /// The number of half axes.
     pub(crate) fn axes<const D: usize>(self) -> usize {
         match self {
-            Self::Box | Self::Ball | Self::Part => 0,
+            Self::Box | Self::Ball | Self::BoxUntilRead => 0,
             Self::Capsule | Self::HalfSpace => 1,
             Self::Cuboid => D,
         }
@@ -170,12 +170,6 @@ impl<R: Real, const D: usize> Volume<R, D> {
         half_axes: [[R::ZERO; D]; D],
     };
 
-    /// The volume of a part, which meets all others.
-    pub(crate) const PART: Self = Self {
-        kind: VolumeKind::Part,
-        ..Self::BOX
-    };
-
     /// A negative radius counts as 0.
     #[inline(always)]
     pub(crate) fn new(kind: VolumeKind, center: [R; D], radius: R, half_axes: &[[R; D]]) -> Self {
@@ -228,7 +222,7 @@ impl<R: Real, const D: usize> Volume<R, D> {
             let half_axes = volume.half_axes[..kind.axes::<D>()].as_flattened_mut();
             (half_axes.len() == rest.len()).then(|| half_axes.copy_from_slice(rest))?;
         }
-        let is_boundless = matches!(kind, VolumeKind::Box | VolumeKind::Part);
+        let is_boundless = matches!(kind, VolumeKind::Box | VolumeKind::BoxUntilRead);
         let are_of_kind = !is_boundless || numbers == [R::ZERO];
         let are_valid = radius >= R::ZERO && numbers.iter().all(|x| x.is_finite());
         (are_of_kind && are_valid).then_some(volume)
@@ -271,10 +265,10 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
     /// Whether two volumes may meet, each loosened by half of `slack`: whether none of their axes separates them.
     #[inline(always)]
     pub(crate) fn meets(self, other: Self, slack: R) -> bool {
-        use VolumeKind::{Ball, Box, Capsule, HalfSpace, Part};
+        use VolumeKind::{Ball, Box, BoxUntilRead, Capsule, HalfSpace};
         let both = Pair::of(self, other, slack);
         match (self.kind, other.kind) {
-            (Box | Part, _) | (_, Box | Part) | (HalfSpace, HalfSpace) => true,
+            (Box | BoxUntilRead, _) | (_, Box | BoxUntilRead) | (HalfSpace, HalfSpace) => true,
             (Ball, Ball) => self.ball.meets(other.ball, slack),
             (HalfSpace, _) => !both.is_in_front([self, other]),
             (_, HalfSpace) => !both.is_in_front([other, self]),
@@ -296,12 +290,6 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
             VolumeKind::Ball => self.ball.loosened(&[]),
             _ => self.ball.radius,
         }
-    }
-
-    /// The first half axis; zero if there is none.
-    #[inline(always)]
-    fn first_half_axis(self) -> [R; D] {
-        self.half_axes.first().copied().unwrap_or([R::ZERO; D])
     }
 
     /// The reach of the segments from the center along an axis, times the length of the axis.

@@ -1,19 +1,22 @@
 //! The broad phase: takes Rapier's lists of colliders and returns Rapier's pair events.
 
-use super::collider_box::ColliderBoxes;
 use super::collider_key::ColliderKey;
 use super::outline::Outline;
 use super::query_tree::QueryTree;
-use super::rapier::dynamics::IntegrationParameters;
+use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, ColliderHandle, ColliderPair, ColliderSet,
 };
 use super::rapier::math::{DIM, Real};
+use super::rapier::parry::partitioning::Bvh;
+use super::rapier::parry::query::QueryDispatcher;
+use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use super::{Input, Settings, version};
 use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
+use crate::pair_tracker::Changes;
 use crate::parallel;
-use crate::proxy_table::{BoxSource, Changes, ProxyTable};
+use crate::proxy_table::{ColliderSource, ProxyTable};
 use crate::stats::Stats;
 
 /// An exact broad phase for Rapier, fast where many colliders are of about the same size.
@@ -35,9 +38,9 @@ use crate::stats::Stats;
 ///
 /// # Complexity
 ///
-/// An update with empty lists takes **O(1)** time, unless boxes were set, or the prediction distance or the length unit is larger than
-/// ever, which takes **O(colliders)**. For each listed collider an update compares one box. If colliders have left their margins, it also
-/// compares the boxes of the pairs that are near each other, which an earlier search found. A search looks some updates ahead. A
+/// An update with empty lists takes **O(1)** time, unless boxes were set. It takes **O(colliders)** if the prediction distance or the length
+/// unit is larger than ever. For each listed collider an update compares one box. If colliders have left their margins, it also
+/// compares the boxes of the pairs that an earlier search found. A search looks some updates ahead. A
 /// collider that moves otherwise than predicted is looked up among the others in about **O(log n)** time. If there are many, the
 /// [kernel](crate::GridSweep) searches all boxes, in about **O(n + pairs)** time. Memory is **O(n + pairs)**.
 ///
@@ -85,7 +88,7 @@ impl UnisizeBroadPhase {
     /// Creates a broad phase without colliders.
     pub fn with_settings(settings: Settings) -> Self {
         Self {
-            table: ProxyTable::new(&Self::resolved(settings)),
+            table: ProxyTable::new(Self::filter(&settings) == PairFilter::Shapes),
             settings,
             changes: Changes::new(version::RUNS),
             query_tree: QueryTree::default(),
@@ -96,7 +99,7 @@ impl UnisizeBroadPhase {
     /// Marks all colliders as modified, so that the next step lists them as if they had just been inserted. Computes in **O(colliders)** time.
     ///
     /// Call this whenever you replace the broad phase of a running world, but not on a patched copy of Rapier 0.36, which lists all colliders
-    /// itself: to change its settings, after loading an old save, or to switch to another kind of broad phase. A broad phase only receives
+    /// itself. For example, its settings change, an old save was loaded, or another kind of broad phase takes its place. A broad phase only receives
     /// changes, so a new one does not know the colliders at rest, and bodies fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
     ///
     /// ```text
@@ -122,6 +125,51 @@ impl UnisizeBroadPhase {
     /// Returns the current counts, and what the last update did. Computes in **O(1)** time.
     pub fn stats(&self) -> Stats {
         self.table.stats()
+    }
+
+    /// Returns the scene at the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
+    ///
+    /// The first call builds a tree in **O(n log n)** time. The tree is kept while the program queries it. The first call after an update
+    /// refreshes the tree, in about a tenth of the time of building it, or builds it again if it has become too loose. Other calls take
+    /// **O(1)** time.
+    ///
+    /// The boxes in the tree are those of Rapier's own broad phase. If several colliders are at exactly the same distance, a query may find
+    /// another one of them.
+    pub fn as_query_pipeline<'a>(
+        &'a self,
+        dispatcher: &'a dyn QueryDispatcher,
+        bodies: &'a RigidBodySet,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryPipeline<'a> {
+        QueryPipeline {
+            dispatcher,
+            bvh: self.tree(),
+            bodies,
+            colliders,
+            filter,
+        }
+    }
+
+    /// Returns the same scene with the sets borrowed mutably. The counterpart of `BroadPhaseBvh::as_query_pipeline_mut`.
+    pub fn as_query_pipeline_mut<'a>(
+        &'a self,
+        dispatcher: &'a dyn QueryDispatcher,
+        bodies: &'a mut RigidBodySet,
+        colliders: &'a mut ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryPipelineMut<'a> {
+        QueryPipelineMut {
+            dispatcher,
+            bvh: self.tree(),
+            bodies,
+            colliders,
+            filter,
+        }
+    }
+
+    pub(crate) fn tree(&self) -> &Bvh {
+        self.query_tree.of(self.table.boxes())
     }
 
     /// Counters for tests and studies. **O(1)**.
@@ -160,9 +208,9 @@ impl UnisizeBroadPhase {
         self.query_tree.validate(self.table.boxes());
     }
 
-    /// The settings with the default filter of this version of Rapier if they have none.
-    pub(super) fn resolved(settings: Settings) -> Settings {
-        settings.with_filter(filter_of(&settings))
+    /// The filter in the settings, or the default of this version of Rapier.
+    pub(super) fn filter(settings: &Settings) -> PairFilter {
+        settings.filter.unwrap_or(version::PAIR_FILTER)
     }
 
     /// The distance by which a renewed box extends beyond its collider.
@@ -181,7 +229,7 @@ impl UnisizeBroadPhase {
         self.unreported.clear();
         for (listed, are_removed) in [(input.felt, false), (input.lists.removed, true)] {
             self.table.visit_unreported(listed, |collider, neighbor| {
-                // Removing a collider wakes its body only if it has a pair.
+                // Removing a collider wakes its body only if it has a pair, or would have one without volumes.
                 if neighbor.is_some() || !are_removed {
                     self.unreported.push((collider, neighbor));
                 }
@@ -211,7 +259,7 @@ impl UnisizeBroadPhase {
             return;
         }
         let extents = [self.margin(params), params.prediction_distance() / 2.0];
-        parallel::enter(self.table.reading(aabbs.len()), || {
+        parallel::enter(self.table.reading_work(aabbs.len()), || {
             let written = self.table.set_boxes(aabbs, extents);
             self.query_tree.note(written);
         });
@@ -220,11 +268,11 @@ impl UnisizeBroadPhase {
     /// Updates the boxes and the pairs, and appends the events.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
         let margin = self.margin(input.params);
-        let boxes = ColliderBoxes {
-            input: *input,
-            filter: filter_of(&self.settings),
+        let input = &Input {
+            filter: Self::filter(&self.settings),
+            ..*input
         };
-        if input.lists.are_empty() && !self.table.is_due(margin, boxes.reach()) {
+        if input.lists.are_empty() && !self.table.is_due(margin, input.reach()) {
             return;
         }
         let push = |is_added, [first, second]: [_; 2]| {
@@ -235,17 +283,12 @@ impl UnisizeBroadPhase {
             });
         };
         parallel::enter(self.table.work_ahead(&input.lists), || {
-            let written = self.table.update(&input.lists, &boxes, margin);
+            let written = self.table.update(&input.lists, input, margin);
             self.query_tree.note(written);
             self.query_tree.grow_older();
             let (slack, changes) = (2.0 * margin, &mut self.changes);
             self.table
-                .finish(&boxes, slack, input.is_active, changes, push);
+                .finish(input, slack, input.is_active, changes, push);
         });
     }
-}
-
-/// The filter in the settings, or the default of this version of Rapier.
-fn filter_of(settings: &Settings) -> PairFilter {
-    settings.filter.unwrap_or(version::PAIR_FILTER)
 }

@@ -8,8 +8,7 @@ use super::rapier::geometry::{Aabb as RapierAabb, Collider, ColliderHandle};
 use super::rapier::math::{DIM, Real};
 use super::version;
 use crate::aabb::Aabb;
-use crate::pair_filter::PairFilter;
-use crate::proxy_table::{BoxSource, Handle, Reading};
+use crate::proxy_table::{ColliderSource, Handle, Reading};
 use crate::volume::{Volume, VolumeKind};
 
 impl From<RapierAabb> for Aabb<Real, DIM> {
@@ -34,12 +33,6 @@ impl Handle for ColliderHandle {
     }
 }
 
-/// The colliders of an update as a source of boxes and volumes.
-pub(super) struct ColliderBoxes<'a> {
-    pub(super) input: Input<'a>,
-    pub(super) filter: PairFilter,
-}
-
 /// The body of a collider, if it has one.
 #[inline(always)]
 pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
@@ -47,7 +40,7 @@ pub(super) fn body_of<'a>(collider: &Collider, bodies: &'a RigidBodySet) -> Opti
 }
 
 /// The maximum number of colliders of a body for which they have volumes. Most colliders of a larger body lie in its interior, so the volumes of
-/// the few near other bodies do not pay for the rest: with volumes, steps of three ships of 1,728 cubes take half as long again. Events depend
+/// the few near other bodies do not pay for the rest: with volumes, steps of three ships of 1,728 cubes take 1.5 times as long. Events depend
 /// on this number.
 const MOST_WITH_VOLUMES: usize = 32;
 
@@ -57,48 +50,31 @@ fn distance(collider: &Collider, half_distance: Real) -> Real {
     (collider.contact_skin() + half_distance).max(0.0)
 }
 
-/// How the pairs of a collider are told apart.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Bounds {
-    /// By the volume of its shape.
-    Volume,
-    /// By its box.
-    Box,
-    /// By its box, until it is read again.
-    Part,
-}
-
-impl Bounds {
-    #[inline(always)]
-    fn of(collider: &Collider, body: Option<&RigidBody>) -> Self {
-        // With soft CCD, contacts reach as far as the body will move, and a change of its velocity is not reported.
-        let is_part = |body: &RigidBody| {
-            body.colliders().len() > MOST_WITH_VOLUMES || body.soft_ccd_prediction() > 0.0
-        };
-        // A kinematic body takes any rotation as it is.
-        let is_off_unit = |body: &RigidBody| {
-            body.is_kinematic() && off_unit(version::norm_squared(body.next_position())).is_none()
-        };
-        // A hook may count the pairs that it is asked about, or keep state for them.
-        let has_hooks = !collider.active_hooks().is_empty();
-        match body {
-            Some(body) if is_part(body) => Self::Part,
-            Some(body) if is_off_unit(body) => Self::Box,
-            _ if has_hooks => Self::Box,
-            _ => Self::Volume,
-        }
+/// The kind of the volume of a collider, if it is a box whatever the shape is. `None`: that of its shape.
+#[inline(always)]
+fn without_volume(collider: &Collider, body: Option<&RigidBody>) -> Option<VolumeKind> {
+    // With soft CCD, contacts reach as far as the body will move, and a change of its velocity is not reported.
+    let has_none = |body: &RigidBody| {
+        body.colliders().len() > MOST_WITH_VOLUMES || body.soft_ccd_prediction() > 0.0
+    };
+    // A kinematic body takes any rotation as it is.
+    let is_off_unit = |body: &RigidBody| {
+        body.is_kinematic() && off_unit(version::norm_squared(body.next_position())).is_none()
+    };
+    // A hook may count the pairs that it is asked about, or keep state for them.
+    let has_hooks = !collider.active_hooks().is_empty();
+    match body {
+        Some(body) if has_none(body) => Some(VolumeKind::BoxUntilRead),
+        Some(body) if is_off_unit(body) => Some(VolumeKind::Box),
+        _ => has_hooks.then_some(VolumeKind::Box),
     }
 }
 
-impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
+/// The colliders of an update as a source of boxes and volumes.
+impl ColliderSource<Real, DIM> for Input<'_> {
     type Handle = ColliderHandle;
     type Memo = Outline;
     type Key = ColliderKey;
-
-    #[inline(always)]
-    fn skips_unbounded(&self) -> bool {
-        self.input.skips_unbounded
-    }
 
     fn has_keys(&self) -> bool {
         ColliderKey::differ(self.filter)
@@ -111,16 +87,15 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         outline: &Outline,
         extension: Real,
     ) -> Volume<Real, DIM> {
-        let Some(collider) = self.input.colliders.get(handle) else {
+        let Some(collider) = self.colliders.get(handle) else {
             return Volume::BOX;
         };
-        let bounds = outline.bounds;
-        let bounds =
-            bounds.unwrap_or_else(|| Bounds::of(collider, body_of(collider, self.input.bodies)));
-        match bounds {
-            Bounds::Volume => {}
-            Bounds::Box => return Volume::BOX,
-            Bounds::Part => return Volume::PART,
+        let of_now = || without_volume(collider, body_of(collider, self.bodies));
+        if let Some(kind) = outline.without_volume.unwrap_or_else(of_now) {
+            return Volume {
+                kind,
+                ..Volume::BOX
+            };
         }
         let volume = outline.volume(collider, distance(collider, extension));
         let aabb = outline.aabb(collider);
@@ -139,7 +114,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
     }
 
     fn reach(&self) -> Real {
-        self.input.params.prediction_distance() / 2.0
+        self.params.prediction_distance() / 2.0
     }
 
     #[inline(always)]
@@ -149,7 +124,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         outline: &Outline,
         key: &ColliderKey,
     ) -> bool {
-        let collider = self.input.colliders.get(handle);
+        let collider = self.colliders.get(handle);
         collider.is_some_and(|collider| {
             outline.has_changed(collider) || !key.may_be_of(self.filter, collider)
         })
@@ -169,7 +144,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
             colliders,
             bodies,
             ..
-        } = self.input;
+        } = *self;
         let collider = colliders.get(handle)?;
         if !collider.is_enabled() {
             return None;
@@ -178,7 +153,7 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
         let has_changed = outline.note(collider);
         let outlined = outline.aabb(collider);
         let body = body_of(collider, bodies);
-        outline.bounds = Some(Bounds::of(collider, body));
+        outline.without_volume = Some(without_volume(collider, body));
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
         // The compiler vectorizes the common branch only if both join before the box is loosened.
         let aabb = match outlined {
@@ -190,11 +165,13 @@ impl BoxSource<Real, DIM> for ColliderBoxes<'_> {
             }
         };
         let is_off_unit = off_unit(version::norm_squared(collider.position())).is_none();
-        let is_another = outline.bounds != Some(Bounds::Volume);
+        let has_no_volume = outline.without_volume != Some(None);
+        let aabb = aabb.loosened(distance);
         Some(Reading {
-            aabb: aabb.loosened(distance),
+            aabb,
             key: ColliderKey::new(self.filter, collider, body),
-            has_only_moved: !(has_changed | is_off_unit | is_another),
+            has_only_moved: !(has_changed | is_off_unit | has_no_volume),
+            is_skipped: self.skips_unbounded && aabb.is_unbounded(),
         })
     }
 }

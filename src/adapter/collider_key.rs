@@ -115,7 +115,7 @@ impl ColliderKey {
         }
     }
 
-    /// False if the key is one of another body or of other groups.
+    /// False if the key belongs to another body or to other groups.
     #[inline(always)]
     pub(super) fn may_be_of(&self, filter: PairFilter, collider: &Collider) -> bool {
         let (body, groups) = body_and_groups(filter, collider);

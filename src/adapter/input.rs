@@ -2,6 +2,7 @@
 
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
 use super::rapier::geometry::{ColliderHandle, ColliderSet};
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::{IsActive, Lists};
 
 /// The input of an update.
@@ -11,6 +12,8 @@ pub(crate) struct Input<'a> {
     pub(crate) colliders: &'a ColliderSet,
     pub(crate) bodies: &'a RigidBodySet,
     pub(crate) lists: Lists<'a, ColliderHandle>,
+    /// The filter of the broad phase, which sets it.
+    pub(crate) filter: PairFilter,
     /// Whether a collider whose box is infinite is skipped, as Rapier's own broad phase does.
     pub(crate) skips_unbounded: bool,
     /// The listed colliders whose changes wake bodies.
@@ -33,6 +36,7 @@ impl<'a> Input<'a> {
             colliders,
             bodies,
             lists: Lists::new(modified, removed),
+            filter: PairFilter::Off,
             skips_unbounded: false,
             felt: &[],
             is_active: None,

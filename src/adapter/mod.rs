@@ -1,7 +1,7 @@
 //! The adapter to Rapier: one source for all flavours, compiled once for each.
 //!
-//! It turns colliders into boxes, and changes of the pair set into Rapier's events. The proxy table decides which boxes are kept and how pairs are
-//! found. The module that includes this one names the engine `rapier`, and names `version` the code for its version: `rapier_027` or
+//! It turns colliders into boxes, and changes of the pair set into Rapier's events. The proxy table keeps boxes, and the pair tracker finds
+//! pairs. The module that includes this one names the engine `rapier`, and names `version` the code for its version: `rapier_027` or
 //! `rapier_036`.
 
 use super::{rapier, version};

@@ -7,7 +7,6 @@
 
 use std::sync::Arc;
 
-use super::collider_box::Bounds;
 use super::rapier::geometry::{ActiveCollisionTypes, Collider, ShapeType, SharedShape};
 use super::rapier::math::{DIM, Real};
 use super::version::{self, Vector};
@@ -16,34 +15,26 @@ use crate::volume::{MOST_OFF_UNIT, Volume, VolumeKind};
 
 /// The cache of one collider; empty until it is first read.
 #[derive(Clone, Default)]
-pub(super) struct Outline {
+pub(crate) struct Outline {
     known: Option<(SharedShape, Profile)>,
     /// The properties at the last reading.
-    silent: Option<Silent>,
-    /// As of the last reading, because bodies are scattered in memory.
-    pub(super) bounds: Option<Bounds>,
+    unrecorded: Option<UnrecordedProperties>,
+    /// The kind of the volume, if it is a box whatever the shape is: as of the last reading, because bodies are scattered in memory.
+    pub(super) without_volume: Option<Option<VolumeKind>>,
 }
 
 /// The properties of a collider that affect its pairs, and that a program can change without Rapier recording what has changed; and
 /// whether it is a sensor. The shape and the [key](super::collider_key::ColliderKey) have the others.
-#[derive(Clone, Copy, PartialEq)]
-struct Silent {
-    contact_skin: Real,
-    types: ActiveCollisionTypes,
-    has_hooks: bool,
-    is_sensor: bool,
-}
+type UnrecordedProperties = (Real, ActiveCollisionTypes, bool, bool);
 
-impl Silent {
-    #[inline(always)]
-    fn of(collider: &Collider) -> Self {
-        Self {
-            contact_skin: collider.contact_skin(),
-            types: collider.active_collision_types(),
-            has_hooks: !collider.active_hooks().is_empty(),
-            is_sensor: collider.is_sensor(),
-        }
-    }
+#[inline(always)]
+fn unrecorded(collider: &Collider) -> UnrecordedProperties {
+    (
+        collider.contact_skin(),
+        collider.active_collision_types(),
+        !collider.active_hooks().is_empty(),
+        collider.is_sensor(),
+    )
 }
 
 /// The numbers of a simple shape: a ball, a cuboid, or a capsule centered at its origin.
@@ -132,16 +123,16 @@ impl Outline {
     pub(super) fn has_changed(&self, collider: &Collider) -> bool {
         let shape = collider.shared_shape();
         let is_another = |(known, _): &(SharedShape, _)| !Arc::ptr_eq(&known.0, &shape.0);
-        self.silent != Some(Silent::of(collider)) || self.known.as_ref().is_some_and(is_another)
+        self.unrecorded != Some(unrecorded(collider)) || self.known.as_ref().is_some_and(is_another)
     }
 
     /// Notes the properties of a collider. Returns whether anything but its pose and its key may have changed.
     #[inline(always)]
     pub(super) fn note(&mut self, collider: &Collider) -> bool {
-        let silent = self.silent.replace(Silent::of(collider));
+        let former = self.unrecorded.replace(unrecorded(collider));
         let shape = collider.shared_shape();
         let is_known = self.known(shape).is_some() || self.learn(shape);
-        silent != self.silent || !is_known
+        former != self.unrecorded || !is_known
     }
 
     /// The profile of a shape, if it is simple.

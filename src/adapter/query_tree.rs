@@ -6,13 +6,9 @@
 
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
-use super::UnisizeBroadPhase;
-use super::rapier::dynamics::RigidBodySet;
-use super::rapier::geometry::{Aabb as RapierAabb, ColliderSet};
+use super::rapier::geometry::Aabb as RapierAabb;
 use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
-use super::rapier::parry::query::QueryDispatcher;
-use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use crate::slot_set::SlotSet;
 use crate::tuning::queries::{
     BUILD_FROM_GIRTH, FEW_UP_TO_ONE_IN, JUDGE_FROM_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
@@ -23,53 +19,6 @@ type Aabb = crate::aabb::Aabb<Real, DIM>;
 
 /// The boxes by slot; invalid where there is no proxy.
 type Boxes<'a> = &'a [Aabb];
-
-impl UnisizeBroadPhase {
-    /// Returns the scene at the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
-    ///
-    /// The first call builds a tree in **O(n log n)** time. The tree is kept while the program queries it. The first call after an update
-    /// refreshes the tree, in about a tenth of the time of building it, or builds it again if it has become too loose. Other calls take
-    /// **O(1)** time.
-    ///
-    /// The boxes in the tree are those of Rapier's own broad phase. If several colliders are at exactly the same distance, a query may find
-    /// another one of them.
-    pub fn as_query_pipeline<'a>(
-        &'a self,
-        dispatcher: &'a dyn QueryDispatcher,
-        bodies: &'a RigidBodySet,
-        colliders: &'a ColliderSet,
-        filter: QueryFilter<'a>,
-    ) -> QueryPipeline<'a> {
-        QueryPipeline {
-            dispatcher,
-            bvh: self.tree(),
-            bodies,
-            colliders,
-            filter,
-        }
-    }
-
-    /// Returns the same scene with the sets borrowed mutably. The counterpart of `BroadPhaseBvh::as_query_pipeline_mut`.
-    pub fn as_query_pipeline_mut<'a>(
-        &'a self,
-        dispatcher: &'a dyn QueryDispatcher,
-        bodies: &'a mut RigidBodySet,
-        colliders: &'a mut ColliderSet,
-        filter: QueryFilter<'a>,
-    ) -> QueryPipelineMut<'a> {
-        QueryPipelineMut {
-            dispatcher,
-            bvh: self.tree(),
-            bodies,
-            colliders,
-            filter,
-        }
-    }
-
-    pub(crate) fn tree(&self) -> &Bvh {
-        self.query_tree.of(self.table.boxes())
-    }
-}
 
 /// The tree, if there were queries recently.
 #[derive(Default)]
@@ -124,9 +73,7 @@ impl QueryTree {
         if outdated.is_some() {
             let highest = written.iter().fold(0, |highest, &slot| highest.max(slot));
             self.written.make_room(highest as usize + 1);
-            for &slot in written {
-                self.written.insert(slot);
-            }
+            self.written.extend(written);
         }
     }
 

@@ -9,10 +9,11 @@ use serde::ser::{Serialize, Serializer};
 use super::collider_key::ColliderKey;
 use super::rapier::math::{DIM, Real};
 use super::{Settings, UnisizeBroadPhase};
+use crate::pair_filter::PairFilter;
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
 /// The version of the format. It changes whenever a field or its meaning changes.
-const FORMAT: u32 = 13;
+const FORMAT: u32 = 14;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -56,8 +57,8 @@ impl<'de> Deserialize<'de> for UnisizeBroadPhase {
         let Snapshot {
             settings, table, ..
         } = Snapshot::deserialize(deserializer)?;
-        let table =
-            ProxyTable::restored(&Self::resolved(settings), table).map_err(D::Error::custom)?;
+        let volumes = Self::filter(&settings) == PairFilter::Shapes;
+        let table = ProxyTable::restored(volumes, table).map_err(D::Error::custom)?;
         Ok(Self {
             table,
             ..Self::with_settings(settings)

@@ -1,9 +1,8 @@
 //! A trial of unisize next to Rapier's own broad phase, in a program of the user's.
 
 mod report;
-#[cfg(test)]
-mod tests;
 
+use report::LEVELS;
 pub use report::{Difference, Measured, TrialReport};
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -18,14 +17,6 @@ use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
 use crate::proxy_table::Lists;
 use crate::stats::Stats;
-
-/// The levels of the filter, in ascending order.
-const LEVELS: [PairFilter; 4] = [
-    PairFilter::Off,
-    PairFilter::Bodies,
-    PairFilter::Groups,
-    PairFilter::Shapes,
-];
 
 /// A broad phase that compares unisize with Rapier's own in your program, before you replace anything.
 ///
@@ -55,18 +46,18 @@ const LEVELS: [PairFilter; 4] = [
 /// [`TrialReport::first_difference`] names the first one.
 #[derive(Clone)]
 pub struct Trial {
-    own: DefaultBroadPhase,
+    pub(crate) own: DefaultBroadPhase,
     own_pairs: HeldPairs,
     /// unisize at each of the [`LEVELS`].
-    tried: [UnisizeBroadPhase; LEVELS.len()],
+    pub(crate) tried: [UnisizeBroadPhase; LEVELS.len()],
     /// The pairs of unisize at the level of Rapier's own broad phase.
     pairs: HeldPairs,
     /// Of Rapier's own broad phase, and of unisize at each level.
-    own_measured: Measured,
-    measured: [Measured; LEVELS.len()],
+    pub(crate) own_measured: Measured,
+    pub(crate) measured: [Measured; LEVELS.len()],
     first_difference: Option<Difference>,
     /// See [`with_allocated`](Self::with_allocated).
-    allocated: Option<fn() -> usize>,
+    pub(crate) allocated: Option<fn() -> usize>,
     /// The colliders of the last call of `observe`.
     #[allow(dead_code, reason = "only Rapier 0.36 has Trial::observe")]
     pub(crate) observed: HashMap<ColliderHandle, ColliderKey>,
@@ -134,21 +125,6 @@ impl Trial {
     /// The counts at level `Shapes`.
     pub(crate) fn stats(&self) -> Stats {
         self.tried[PairFilter::Shapes as usize].stats()
-    }
-
-    /// Calls `own` with Rapier's own broad phase, and `tried` with unisize at each level, as a part of the next update.
-    #[allow(dead_code, reason = "only Rapier 0.36 passes boxes")]
-    pub(crate) fn prepare(
-        &mut self,
-        own: impl FnOnce(&mut DefaultBroadPhase),
-        mut tried: impl FnMut(&mut UnisizeBroadPhase),
-    ) {
-        let (allocated, no_events) = (self.allocated, &mut Vec::new());
-        self.own_measured
-            .run(allocated, no_events, |_| own(&mut self.own));
-        for (broad_phase, measured) in self.tried.iter_mut().zip(&mut self.measured) {
-            measured.run(allocated, no_events, |_| tried(broad_phase));
-        }
     }
 
     /// Removes all colliders.

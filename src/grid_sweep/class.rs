@@ -10,7 +10,6 @@ use super::slab::Slab;
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
-use crate::stopwatch::{Phase, PhaseTimes, Stopwatch};
 use crate::tuning::kernel::{
     COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_ROOM, CROWD_TRIES, EFFORT_SAMPLE,
     GRID_SIZE_QUANTILES, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
@@ -38,28 +37,19 @@ impl<R: Real, const D: usize> Class<R, D> {
         search: &mut Search<R, D>,
     ) -> Result<(), InvalidInput> {
         self.row = None;
-        search.stopwatch.enter(Phase::Read);
         let room = self.assign(members, oversized, assignment, search)?;
-        search.stopwatch.enter(Phase::Sort);
         assignment.place(members);
-        search.stopwatch.leave();
         search.keeps |= !oversized.is_empty();
         let ranges = assignment.split();
         self.slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in self.slabs.iter_mut().zip(ranges) {
-            slab.reset(range, search.keeps, search.stopwatch.reset());
+            slab.reset(range, search.keeps);
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
         let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
             slab.sweep(members.boxes, assignment, room, emitter);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
-        // Slabs work at the same time.
-        for slab in &self.slabs {
-            let PhaseTimes { sort, sweep, .. } = slab.stopwatch.times;
-            search.stopwatch.times.sort += sort / self.slabs.len() as u32;
-            search.stopwatch.times.sweep += sweep / self.slabs.len() as u32;
-        }
         Ok(())
     }
 
@@ -88,7 +78,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             self.grid = Grid::choose(members, cut_axes::<D>(), aim, is_crowd);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
-            // Of so many boxes with so many comparisons, if those that do not overlap along the first axis are left out.
+            // Whether a sweep takes few comparisons for each box, since it compares only boxes that overlap along the first axis.
             let are_few = |comparisons: f64, boxes: usize, are_taken| {
                 let share = share_along_first_axis(members, &self.grid, are_taken);
                 comparisons * share <= COMPARED_AN_ENTRY as f64 * boxes as f64
@@ -145,7 +135,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             owner: Owner(i),
         });
         let mut slab = Slab::default();
-        slab.reset(0..1, true, Stopwatch::default());
+        slab.reset(0..1, true);
         slab.push(0, &entries.collect::<Vec<_>>());
         slab.free_scratch();
         let mut row = Self {

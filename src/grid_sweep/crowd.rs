@@ -10,7 +10,6 @@ use super::entry::Entry;
 use super::search::Search;
 use crate::aabb::Aabb;
 use crate::real::Real;
-use crate::stopwatch::Stopwatch;
 
 /// The entries of a tube, and the kernel that has searched them.
 #[derive(Clone, Debug)]
@@ -29,7 +28,7 @@ impl<R: Real, const D: usize> Crowd<R, D> {
     ) -> Self {
         let boxes: Vec<_> = entries.iter().map(|entry| entry.aabb).collect();
         let owners = entries.iter().map(|entry| entry.owner).collect();
-        let (mut kernel, stopwatch) = (GridSweep::default(), &mut Stopwatch::default());
+        let mut kernel = GridSweep::default();
         emitter.nest(owners, |names, pairs, tally, most| {
             let mut search = Search {
                 room: Some(room),
@@ -37,7 +36,7 @@ impl<R: Real, const D: usize> Crowd<R, D> {
                 names: Some(names),
                 most,
                 tally,
-                ..Search::new(&boxes, pairs, stopwatch)
+                ..Search::new(&boxes, pairs)
             };
             // Invalid boxes do not reach a tube.
             let _ = kernel.search(None, &mut search);

@@ -19,7 +19,7 @@ pub(crate) struct Tally {
     pub(crate) compared: usize,
 }
 
-/// The owners by whose positions a crowd calls its boxes.
+/// By index in a crowd, the owners in the enclosing search.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a> {
     owners: &'a [Owner],

@@ -6,7 +6,6 @@ use super::emitter::{Emitter, Names, Tally};
 use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
-use crate::stopwatch::Stopwatch;
 use crate::tuning::prices::LOOKED_UP;
 
 /// Some of the boxes, or all.
@@ -69,7 +68,6 @@ pub(super) struct Search<'a, R, const D: usize> {
     /// How many pairs may overlap, wanted or not. If there are more, the search stops with some of them.
     pub(super) most: usize,
     pub(super) tally: Tally,
-    pub(super) stopwatch: &'a mut Stopwatch,
 }
 
 /// The pairs that a part of a search has found.
@@ -81,11 +79,7 @@ pub(super) struct Found {
 
 impl<'a, R, const D: usize> Search<'a, R, D> {
     /// A search for all pairs, after which nothing is looked up.
-    pub(super) fn new(
-        boxes: &'a [Aabb<R, D>],
-        pairs: &'a mut Vec<[u32; 2]>,
-        stopwatch: &'a mut Stopwatch,
-    ) -> Self {
+    pub(super) fn new(boxes: &'a [Aabb<R, D>], pairs: &'a mut Vec<[u32; 2]>) -> Self {
         Self {
             boxes,
             room: None,
@@ -96,7 +90,6 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
             filter: None,
             most: usize::MAX,
             tally: Tally::default(),
-            stopwatch,
         }
     }
 

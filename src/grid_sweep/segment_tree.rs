@@ -19,7 +19,7 @@ use super::search::{Found, Search};
 use crate::parallel::{Section, join};
 use crate::real::Real;
 use crate::tuning::kernel::{EFFORT_SAMPLE, LEAF_UP_TO};
-use crate::tuning::prices::MATCHED;
+use crate::tuning::prices::LOOKED_UP;
 
 impl<R: Real, const D: usize> Search<'_, R, D> {
     /// Appends the pairs between two lists of members, in order. **O(n logᴰ n + pairs log pairs)**.
@@ -32,7 +32,7 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
         let lists = [left, right].map(|members| members.iter().map(entry).collect::<Vec<_>>());
         let axes = axes_by_overlap::<R, D>(&lists[0], &lists[1]);
         let [mut left, mut right] = lists.clone();
-        let section = Section::of(left.len() + right.len(), MATCHED);
+        let section = Section::of(left.len() + right.len(), LOOKED_UP);
         let part_count = section.parts();
         let sort = |list: &mut [Entry<R, D>]| list.sort_unstable_by(|a, b| order(a, b, axes[0]));
         if part_count == 1 {

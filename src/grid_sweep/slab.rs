@@ -19,7 +19,6 @@ use crate::aabb::Aabb;
 use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
 use crate::real::Real;
-use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::kernel::{COMPARED_AN_ENTRY, NO_CROWD_UP_TO};
 
 /// How many entries past the last sentinel may be read: the sweep reads 64 past the last of eight.
@@ -62,7 +61,6 @@ pub(super) struct Slab<R, const D: usize> {
     entries: Vec<Entry<R, D>>,
     sorter: BucketSort<R>,
     pub(super) found: Found,
-    pub(super) stopwatch: Stopwatch,
 }
 
 /// The position of a tube without entries.
@@ -83,15 +81,14 @@ impl<R: Real, const D: usize> Default for Slab<R, D> {
             entries: Vec::new(),
             sorter: BucketSort::default(),
             found: Found::default(),
-            stopwatch: Stopwatch::default(),
         }
     }
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
     /// Removes all tubes. Those to come have numbers of this range.
-    pub(super) fn reset(&mut self, range: Range<u32>, keeps: bool, stopwatch: Stopwatch) {
-        (self.range, self.keeps, self.stopwatch) = (range, keeps, stopwatch);
+    pub(super) fn reset(&mut self, range: Range<u32>, keeps: bool) {
+        (self.range, self.keeps) = (range, keeps);
         self.tubes.clear();
         self.table.clear();
     }
@@ -117,7 +114,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
         emitter: &mut Emitter,
     ) {
         let range = self.range.clone();
-        self.stopwatch.enter(Phase::Sort);
         if self.keeps {
             let before = |tube| assignment.entries_before(tube);
             let is_occupied = |tube: &u32| before(*tube) < before(tube + 1);
@@ -133,7 +129,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 continue;
             }
             let sorted = self.push(tube, &entries);
-            self.stopwatch.enter(Phase::Sweep);
             emitter.begin_task(match entries.len() {
                 ..=NO_CROWD_UP_TO => usize::MAX,
                 many => COMPARED_AN_ENTRY.saturating_mul(many),
@@ -153,9 +148,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
                     match_all(&mut entries, emitter);
                 }
             }
-            self.stopwatch.enter(Phase::Sort);
         }
-        self.stopwatch.leave();
         self.entries = entries;
     }
 
@@ -189,17 +182,10 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
     #[cold]
     fn grow(&mut self, len: usize) {
-        fn grow<T: Copy>(array: &mut Vec<T>, len: usize, filler: T) {
-            if array.is_empty() {
-                // Arrays of tubes that are kept seldom grow.
-                array.reserve_exact(len);
-            }
-            array.resize(len, filler);
-        }
         for array in self.mins.iter_mut().chain(&mut self.maxs) {
-            grow(array, len, R::NAN);
+            array.resize(len, R::NAN);
         }
-        grow(&mut self.owners, len, Owner::NOBODY);
+        self.owners.resize(len, Owner::NOBODY);
     }
 
     /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.

@@ -1,6 +1,6 @@
 //! The candidates: pairs of proxies whose fat boxes overlap.
 //!
-//! When most proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each
+//! When many proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each
 //! slot. Candidates of slots that nobody has asked about since the last full search are *cold*: they stand behind the others, and are not
 //! looked at.
 
@@ -10,12 +10,11 @@ mod retired;
 use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
-use crate::bit_set::{BitSet, gather, ones};
-use crate::parallel::Section;
+use crate::bit_set::{BitSet, gather};
 use crate::real::Real;
-use crate::tuning::prices::{HELD, PICKED};
+use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
-use comparing::Turn;
+use comparing::RowChange;
 use retired::RetiredPairs;
 
 /// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a bit is
@@ -36,9 +35,9 @@ pub(super) struct Candidates {
     pub(super) first_cold: usize,
     /// The slots that have no cold rows.
     warm: BitSet,
-    /// In an update, held pairs that were retired.
+    /// In an update, held pairs that were retired and whose boxes overlap.
     retired: RetiredPairs,
-    /// In an update, pairs that were retired, were not held, and that their keys have come to forbid.
+    /// In an update, pairs that were retired, whose boxes overlap, and that their keys have come to forbid.
     forbidden: Vec<[u32; 2]>,
     /// The slots of proxies whose box has ever overlapped that of another one that they might meet. Has room only if volumes are in use.
     pub(super) acquainted: BitSet,
@@ -51,7 +50,7 @@ pub(super) struct Candidates {
     /// In an update, the rows that cannot be answered before volumes are read.
     unread: Vec<usize>,
     /// Scratch: the changes of rows, by parts of the rows.
-    turns: Vec<Vec<Turn>>,
+    row_changes: Vec<Vec<RowChange>>,
     /// In an update, the rows whose candidates are retired, ascending.
     gone: Vec<usize>,
 }
@@ -120,14 +119,8 @@ impl Candidates {
         all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
 
-    #[inline(always)]
-    fn note_overlap(&mut self, pair: [u32; 2]) {
-        for slot in pair {
-            self.acquainted.insert_if_room(slot as usize);
-        }
-    }
-
-    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first.
+    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first. The rows
+    /// of these slots become warm.
     pub(super) fn visit_near(
         &mut self,
         listed: &[u32],
@@ -157,17 +150,17 @@ impl Candidates {
         if new.is_empty() {
             return;
         }
-        let (first, warm) = (self.first_cold, self.warm.lookup());
+        let (first, warm) = (self.first_cold, &self.warm);
         let cold = &self.pairs[first..];
         // Without a branch, so that the compiler compares many slots at once.
         let has = |rows: &[[u32; 2]], new: u32| {
             let slots = rows.as_flattened().iter();
             slots.fold(false, |has, &slot| has | (slot == new))
         };
-        self.answers.ask(cold.len(), PICKED, |rows| {
+        self.answers.fill_from(cold.len(), PICKED, |rows| {
             let rows = &cold[rows];
             match new.len() > FEW_NEW || new.iter().any(|&new| has(rows, new)) {
-                true => gather(rows, |&pair| warm.has_one(pair)),
+                true => gather(rows, |&pair| warm.has_any(pair)),
                 false => 0,
             }
         });
@@ -183,63 +176,24 @@ impl Candidates {
     #[inline(always)]
     fn set_state(&mut self, row: usize, state: PairState) -> PairState {
         let former = std::mem::replace(&mut self.states[row], state);
-        if state.overlaps() && !former.overlaps() {
-            self.note_overlap(self.pairs[row]);
-        }
-        self.overlapping_count += usize::from(state.overlaps());
-        self.overlapping_count -= usize::from(former.overlaps());
-        self.held_count += usize::from(state.is_held());
-        self.held_count -= usize::from(former.is_held());
-        former
-    }
-
-    /// Adds the states of the rows from `first` on: those that were retired are held, until they are asked, and the others are apart.
-    /// `overlapping` says which of up to 64 pairs may be held at all.
-    fn restore_held(
-        &mut self,
-        first: usize,
-        overlapping: impl Fn(&[[u32; 2]]) -> u64 + Send + Sync,
-    ) {
-        let pairs = &self.pairs[first..];
-        self.states.resize(first + pairs.len(), PairState::Apart);
-        self.retired.index();
-        if self.retired.is_empty() {
-            return;
-        }
-        let section = Section::of(pairs.len(), HELD);
-        let pairs_a_part = pairs.len().div_ceil(section.parts()).max(1);
-        let states = self.states[first..].chunks_mut(pairs_a_part);
-        let parts = pairs.chunks(pairs_a_part).zip(states);
-        let mut parts: Vec<_> = parts.map(|part| (part, Vec::new())).collect();
-        let retired = &self.retired;
-        section.for_each(&mut parts, |((pairs, states), taken)| {
-            for (pairs, states) in pairs.chunks(64).zip(states.chunks_mut(64)) {
-                for i in ones(overlapping(pairs)) {
-                    if let Some(place) = retired.place(pairs[i]) {
-                        states[i] = PairState::Held;
-                        taken.push(place);
-                    }
-                }
+        let [overlapped, overlaps] = [former, state].map(|state| state != PairState::Apart);
+        let [was_held, is_held] = [former, state].map(|state| state == PairState::Held);
+        if overlaps && !overlapped {
+            for slot in self.pairs[row] {
+                self.acquainted.insert_if_room(slot as usize);
             }
-        });
-        let taken: Vec<_> = parts.into_iter().map(|(_, taken)| taken).collect();
-        for place in taken.into_iter().flatten() {
-            self.retired.take(place);
-            self.held_count += 1;
-            self.overlapping_count += 1;
         }
-    }
-
-    /// Makes all rows cold.
-    fn cool(&mut self) {
-        self.first_cold = 0;
-        self.warm.clear();
+        self.overlapping_count += usize::from(overlaps);
+        self.overlapping_count -= usize::from(overlapped);
+        self.held_count += usize::from(is_held);
+        self.held_count -= usize::from(was_held);
+        former
     }
 
     /// Moves the rows from `first` on that have a warm slot before those that are cold.
     fn warm_from(&mut self, first: usize) {
         for row in first..self.pairs.len() {
-            if self.warm.lookup().has_one(self.pairs[row]) {
+            if self.warm.has_any(self.pairs[row]) {
                 self.swap_with_first_cold(row);
                 self.first_cold += 1;
             }
@@ -276,15 +230,19 @@ impl Candidates {
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
         assert_eq!(self.held().count(), self.held_count);
-        let overlapping = self.states.iter().filter(|state| state.overlaps());
+        let overlapping = self
+            .states
+            .iter()
+            .filter(|state| **state != PairState::Apart);
         assert_eq!(overlapping.count(), self.overlapping_count);
         let mut cold = self.pairs[self.first_cold..].as_flattened().iter();
         assert!(!cold.any(|&slot| self.warm.contains(slot as usize)));
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {
             let overlaps = overlap(now, pair);
             assert_eq!(state != PairState::Apart, overlaps, "{pair:?} overlaps");
-            let is_held = overlaps && should_be_held(pair, state.is_held());
-            assert_eq!(state.is_held(), is_held, "{pair:?} is held, or is not");
+            let is_held = state == PairState::Held;
+            let should_be_held = overlaps && should_be_held(pair, is_held);
+            assert_eq!(is_held, should_be_held, "{pair:?} is held, or is not");
         }
     }
 }

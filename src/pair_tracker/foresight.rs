@@ -37,7 +37,7 @@ const CUT: u16 = 4;
 
 /// Full searches after a cut until the limit is doubled. If larger: foresight that would pay is lost. If smaller: too many candidates are
 /// found, and dropped, again and again.
-const CUT_RUNS: u32 = 16;
+const CUT_SEARCHES: u32 = 16;
 
 /// For how many moves ahead fat boxes are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ impl Foresight {
 
     fn limit_to(&mut self, limit: u16) {
         self.limit = limit.min(LONGEST);
-        self.until_doubled = CUT_RUNS;
+        self.until_doubled = CUT_SEARCHES;
     }
 
     /// The fat box of a proxy whose box was `before` and is `now`. It contains `now`, for any numbers.
@@ -172,27 +172,6 @@ mod tests {
     }
 
     #[test]
-    fn it_contains_the_box_whatever_the_numbers_are() {
-        let numbers = [
-            -f32::INFINITY,
-            -1e30,
-            0.0,
-            1e-45,
-            1.0,
-            f32::MAX,
-            f32::INFINITY,
-        ];
-        let boxes = numbers.map(|a| numbers.map(|b| Aabb::new([a, a], [b, b])));
-        let boxes = boxes.as_flattened();
-        for now in boxes.iter().filter(|b| b.is_valid()) {
-            for (before, moves) in boxes.iter().flat_map(|b| [(b, 1), (b, u16::MAX)]) {
-                let fat = Foresight::new(Some(moves)).fat_box(now, before);
-                assert!(fat.contains(now) && fat.is_valid(), "{now:?} {before:?}");
-            }
-        }
-    }
-
-    #[test]
     fn a_new_or_resting_box_has_no_speed() {
         let now = [at(0.0, 0.0)];
         assert_eq!(mean_speed(&[0], &now, &[Aabb::ABSENT]), None);
@@ -217,7 +196,7 @@ mod tests {
         }
         let mut expected = 0;
         while expected < LONGEST {
-            for _ in 0..CUT_RUNS {
+            for _ in 0..CUT_SEARCHES {
                 foresight = slow(foresight);
                 assert_eq!(foresight.moves, expected);
             }

@@ -8,16 +8,14 @@
 
 use super::policy::Work;
 use crate::aabb::Aabb;
-use crate::diagnostics::Diagnostics;
 use crate::grid_sweep::GridSweep;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::stopwatch::{Phase, Stopwatch};
 use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
 /// Slots. Worlds of no more compare each box with each in a full search, and look nothing up. If larger: the number of comparisons is
 /// quadratic. If smaller: choosing a grid and sorting into it takes longer than comparing, and so do look-ups.
-const COMPARE_ALL_UP_TO: usize = 16;
+const BRUTE_FORCE_UP_TO: usize = 16;
 
 /// One slot in this many. If no more are not of one clique, the others need not all be searched. If larger: bodies with others around them are
 /// searched. If smaller: where a body is most of a world, the others are all searched whenever one has left its fat box.
@@ -29,14 +27,14 @@ pub(super) struct Layers<R: Real, const D: usize> {
     /// In the order of the last full search.
     base: GridSweep<R, D>,
     is_base_sorted: bool,
-    /// The slots that have left their fat boxes since then.
+    /// The slots that have left their fat boxes since then: the recent layer.
     outdated: SlotSet,
     recent: GridSweep<R, D>,
     /// How many pairs of fat boxes overlapped in the last full search, whether they may meet or not.
     overlapping: usize,
     /// The pairs that the last search found.
     pub(super) found: Vec<[u32; 2]>,
-    /// Scratch: the boxes of a search.
+    /// Scratch: the slots of a search.
     members: Vec<u32>,
 }
 
@@ -54,18 +52,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.is_base_sorted = false;
     }
 
-    /// The size of the recent layer, and the size classes of the last full search if its order is still kept.
-    pub(super) fn diagnostics(&self) -> Diagnostics {
-        Diagnostics {
-            above_base: self.outdated.len(),
-            classes: match self.is_base_sorted {
-                true => self.base.class_count(),
-                false => 0,
-            },
-            ..Diagnostics::default()
-        }
-    }
-
     /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
     /// [clique](super::FilterKey::clique) of a slot. The list of [pairs](Self::found) must be empty. Returns how many overlap, whether they may
     /// meet or not, except within a clique that is [left out](leave_out).
@@ -78,12 +64,10 @@ impl<R: Real, const D: usize> Layers<R, D> {
         may_meet: Option<impl Fn([u32; 2]) -> bool + Sync>,
         clique: impl Fn(u32) -> Option<u32>,
         most: usize,
-        stopwatch: &mut Stopwatch,
     ) -> Result<usize, TooMany> {
         self.forget();
         self.outdated.clear();
-        if boxes.len() <= COMPARE_ALL_UP_TO {
-            stopwatch.enter(Phase::Sweep);
+        if boxes.len() <= BRUTE_FORCE_UP_TO {
             compare_all(boxes, &mut self.found);
             let overlapping = self.found.len();
             if let Some(may_meet) = may_meet {
@@ -100,7 +84,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         }
         let most = self.overlapping.saturating_add(most);
         let (base, members, found) = (&mut self.base, &self.members, &mut self.found);
-        let overlapping = base.find_among(boxes, members, may_meet, most, found, stopwatch);
+        let overlapping = base.find_among(boxes, members, may_meet, most, found);
         if overlapping > most {
             return Err(TooMany);
         }
@@ -119,13 +103,12 @@ impl<R: Real, const D: usize> Layers<R, D> {
     ///
     /// # Errors
     /// If so many more overlap than in the last full search as `most` says. Then only some were found.
-    pub(super) fn find_leavers(
+    pub(super) fn find_pairs_of_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &SlotSet,
         may_meet: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
-        stopwatch: &mut Stopwatch,
     ) -> Result<Work, TooMany> {
         let is_new = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| leavers.contains(slot));
@@ -138,10 +121,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let (found, members) = (&mut self.found, &mut self.members);
         found.clear();
         outdated.make_room(boxes.len());
-        for &slot in leavers.slots() {
-            outdated.insert(slot);
-        }
-        stopwatch.enter(Phase::Sweep);
+        outdated.extend(leavers.slots());
         base.prepare_lookup();
         let is_current = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
@@ -156,7 +136,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         members.clear();
         members.extend_from_slice(outdated.slots());
         members.retain(is_valid);
-        if recent.find_among(boxes, members, Some(is_new), most, found, stopwatch) > most {
+        if recent.find_among(boxes, members, Some(is_new), most, found) > most {
             return Err(TooMany);
         }
         Ok(Work {
@@ -178,8 +158,9 @@ fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u
     }
 }
 
-/// If nearly all of these slots are of one clique, leaves out those of them whose boxes overlap no box of another slot. So a body of thousands
-/// of colliders that all overlap each other need not be searched. **O(slots)**.
+/// If nearly all of these slots are of one clique, leaves out those of them that cannot meet another slot: whose boxes do not overlap the box
+/// around all others. So a body of thousands of colliders that all overlap each other need not be searched. Leaves out none if few would be
+/// left out. **O(slots)**.
 fn leave_out<R: Real, const D: usize>(
     members: &mut Vec<u32>,
     boxes: &[Aabb<R, D>],
@@ -189,7 +170,7 @@ fn leave_out<R: Real, const D: usize>(
     let sample = members.iter().step_by(few.max(1));
     let mut cliques: Vec<_> = sample.map(|&slot| clique(slot)).collect();
     cliques.sort_unstable();
-    // Whatever nearly all have is in the middle.
+    // If nearly all have one clique, it is in the middle.
     let middle = cliques.len() / 2;
     let Some(Some(most)) = cliques.get(middle) else {
         return;

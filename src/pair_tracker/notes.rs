@@ -4,11 +4,12 @@
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Notes {
     /// Slots whose boxes or keys were written.
-    pub(super) touched: Vec<u32>,
-    /// Those of them whose boxes have left their fat boxes, or that must be searched for all the same.
-    pub(super) leavers: Vec<u32>,
+    pub(crate) touched: Vec<u32>,
+    /// Those of them that the update searches for again: their boxes have left their fat boxes at some time since, are new or gone, or their
+    /// keys have changed.
+    pub(crate) leavers: Vec<u32>,
     /// Slots whose volumes have changed, or are stale and must be read.
-    pub(super) revolumed: Vec<u32>,
+    pub(crate) revolumed: Vec<u32>,
 }
 
 impl Notes {
@@ -21,7 +22,7 @@ impl Notes {
     }
 
     /// Moves the notes of a thread to the end of these.
-    pub(super) fn append(&mut self, other: &mut Self) {
+    pub(crate) fn append(&mut self, other: &mut Self) {
         for (all, more) in self.lists().into_iter().zip(other.lists()) {
             all.append(more);
         }

@@ -12,18 +12,6 @@ pub(super) enum PairState {
     Held = 0b10,
 }
 
-impl PairState {
-    #[inline(always)]
-    pub(super) fn overlaps(self) -> bool {
-        self != Self::Apart
-    }
-
-    #[inline(always)]
-    pub(super) fn is_held(self) -> bool {
-        self == Self::Held
-    }
-}
-
 /// Which of up to 64 candidates are near, and which are held. The first candidate is the lowest bit.
 #[inline(always)]
 pub(super) fn near_and_held(states: &[PairState]) -> [u64; 2] {

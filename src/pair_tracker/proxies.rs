@@ -9,9 +9,9 @@ mod pair_rules;
 
 use super::foresight::Foresight;
 use super::notes::Notes;
-use super::policy::are_most_touched;
+use super::policy::are_many_touched;
 use super::volumes::Volumes;
-use super::{FilterKey, VolumeSource};
+use super::{Colliders, FilterKey};
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather};
 use crate::parallel::Section;
@@ -34,12 +34,12 @@ pub(crate) struct Proxies<R, const D: usize, K> {
     pub(super) keys: Vec<K>,
     /// Whether any slot has had another key than the default one, with which all may meet.
     pub(super) are_filtered: bool,
-    /// Whether pairs may be held that their keys forbid: the key of a proxy with a box has changed.
+    /// Whether pairs may be held that their keys forbid, because the key of a proxy with a box has changed at some time.
     pub(super) are_rekeyed: bool,
     /// The volume of each slot, if volumes are in use.
-    pub(super) volumes: Volumes<R, D>,
-    pub(super) notes: Notes,
-    /// In an update, the slots whose boxes have left their fat boxes, are new, or are gone.
+    pub(crate) volumes: Volumes<R, D>,
+    pub(crate) notes: Notes,
+    /// In an update, the set of the noted leavers.
     pub(super) leavers: SlotSet,
     /// In an update, the slots whose boxes differ from those at the end of the last one, if volumes are in use.
     pub(super) renewed: BitSet,
@@ -76,16 +76,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.keys[slot as usize]
     }
 
-    /// The volumes; there are none unless they are in use.
-    pub(crate) fn volumes(&self) -> &Volumes<R, D> {
-        &self.volumes
-    }
-
-    /// The slots whose boxes or keys were written since the last update; may repeat.
-    pub(crate) fn touched(&self) -> &[u32] {
-        &self.notes.touched
-    }
-
     /// Makes room for this number of slots, if there is less.
     #[cold]
     pub(crate) fn make_room(&mut self, slots: usize) {
@@ -107,12 +97,16 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             boxes: &mut self.boxes,
             fat_boxes: &self.fat_boxes,
             keys: &self.keys,
-            volumes: self.volumes.all(),
+            volumes: self
+                .volumes
+                .chunks(usize::MAX)
+                .next()
+                .expect("chunks never end"),
             notes: &mut self.notes,
         }
     }
 
-    /// Chunks of this many slots, to be written by several threads. The caller passes their notes to [`note`](Self::note) afterwards.
+    /// Chunks of this many slots, to be written by several threads. The caller [appends](Notes::append) their notes afterwards.
     pub(crate) fn chunks<'a>(
         &'a mut self,
         slots: usize,
@@ -133,17 +127,12 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         )
     }
 
-    /// Takes the notes of a chunk.
-    pub(crate) fn note(&mut self, notes: &mut Notes) {
-        self.notes.append(notes);
-    }
-
     /// Places or moves the proxy of a slot, for which there must be room. `aabb` must be valid.
     pub(crate) fn place(&mut self, slot: u32, aabb: Aabb<R, D>) {
         self.all().place(slot as usize, aabb);
     }
 
-    /// Removes the box of a slot; its pairs end with an event each. Its fat box and its candidates stay until then.
+    /// Removes the box of a slot; its pairs end in the next update, with an event each. Its fat box and its candidates stay until then.
     pub(crate) fn clear_box(&mut self, slot: u32) {
         if let Some(aabb) = self.boxes.get_mut(slot as usize) {
             *aabb = Aabb::ABSENT;
@@ -187,11 +176,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.volumes.note_reach_of_boxes(reach);
     }
 
-    /// Notes the distance by which the next boxes are extended.
-    pub(crate) fn note_reach_of_boxes(&mut self, reach: R) {
-        self.volumes.note_reach_of_boxes(reach);
-    }
-
     /// Removes repeated notes if they take much memory. **O(log n)** per note, amortized.
     pub(crate) fn forget_repeats(&mut self) {
         self.notes
@@ -199,17 +183,16 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     }
 
     /// Begins an update: reads the volumes that the notes name, and makes sets of the notes.
-    pub(super) fn begin_update(&mut self, slack: R, source: &impl VolumeSource<R, D>) {
+    pub(super) fn begin_update(&mut self, slack: R, colliders: &impl Colliders<R, D>) {
         self.slack = slack;
-        self.volumes.pull(&mut self.notes.revolumed, source);
-        for &slot in &self.notes.leavers {
-            self.leavers.insert(slot);
-        }
+        // Pairs of volumes without half axes are tested without a look at whether they are stale, so these are read here in any case.
+        self.volumes.pull(&mut self.notes.revolumed, colliders);
+        self.leavers.extend(&self.notes.leavers);
         if self.volumes.are_used() {
             let (boxes, previous) = (&self.boxes, &self.previous);
             let slots = boxes.len();
-            if are_most_touched(self.notes.touched.len(), slots) {
-                return self.renewed.ask(slots, SLOT, |slots| {
+            if are_many_touched(self.notes.touched.len(), slots) {
+                return self.renewed.fill_from(slots, SLOT, |slots| {
                     let boxes = boxes[slots.clone()].iter().zip(&previous[slots]);
                     // An absent box does not equal itself.
                     gather(boxes, |(now, before)| (now != before) & now.is_valid())
@@ -235,16 +218,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Makes new fat boxes for the touched proxies.
     pub(super) fn inflate_touched(&mut self, foresight: Foresight) {
-        if are_most_touched(self.notes.touched.len(), self.boxes.len()) {
-            // The other boxes have not moved, or are back inside their fat boxes.
-            return self.inflate(foresight, |fat, now, before| {
-                now != before || !fat.contains(now)
-            });
-        }
-        for &slot in &self.notes.touched {
-            let i = slot as usize;
-            self.fat_boxes[i] = foresight.fat_box(&self.boxes[i], &self.previous[i]);
-        }
+        // The other boxes have not moved, or are back inside their fat boxes.
+        self.inflate(foresight, |fat, now, before| {
+            now != before || !fat.contains(now)
+        });
     }
 
     /// Makes new fat boxes for all proxies.
@@ -273,7 +250,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// Ends an update: makes the present boxes the previous ones, and clears the notes.
     pub(super) fn end_update(&mut self) {
         let touched = &self.notes.touched;
-        if are_most_touched(touched.len(), self.boxes.len()) {
+        if are_many_touched(touched.len(), self.boxes.len()) {
             let (section, slots) = self.section();
             let boxes = self.boxes.chunks(slots);
             let mut parts: Vec<_> = self.previous.chunks_mut(slots).zip(boxes).collect();

@@ -1,7 +1,7 @@
 //! The serialized form of a tracker.
 //!
 //! Later changes, and the order of their events, depend on boxes, filter keys and volumes, and on which pairs of overlapping boxes are
-//! held. Only these are serialized. Fat boxes, candidates, layers and the foresight decide how long it takes to find the changes; a
+//! held. These are serialized, with the acquainted slots and a count. Fat boxes, candidates, layers and the foresight decide how long it takes to find the changes; a
 //! restored tracker makes them again. Boxes may be written between two updates, so the slots touched since the last update are serialized
 //! too. Restoring checks everything, so a restored tracker is always consistent.
 
@@ -22,10 +22,10 @@ use crate::real::Real;
     deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
 ))]
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
-    /// By slot, at the end of the last update.
-    proxies: Vec<Option<Proxy<R, D, K>>>,
-    /// The keys of slots without a proxy, except default ones. Such a slot may get a box without a new key.
-    other_keys: Vec<(u32, K)>,
+    /// By slot, the boxes at the end of the last update.
+    boxes: Vec<Option<Aabb<R, D>>>,
+    /// By slot. One without a box may get one without a new key.
+    keys: Vec<K>,
     /// The slots touched since the last update, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,
     volumes: VolumesSnapshot<R>,
@@ -40,31 +40,14 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     full_searches: u64,
 }
 
-/// A box and its filter key.
-#[derive(Serialize, Deserialize)]
-#[serde(bound(
-    serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
-    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
-))]
-struct Proxy<R, const D: usize, K> {
-    aabb: Aabb<R, D>,
-    key: K,
-}
-
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// The serialized form of a tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
         let proxies = &self.proxies;
-        let by_slot = || proxies.previous.iter().zip(&proxies.keys);
-        let proxy =
-            |(&aabb, &key): (&Aabb<R, D>, _)| aabb.is_valid().then_some(Proxy { aabb, key });
-        let other_keys = (0..)
-            .zip(by_slot())
-            .filter(|(_, (before, key))| !before.is_valid() && **key != K::default())
-            .map(|(slot, (_, &key))| (slot, key));
+        let boxes = proxies.previous.iter().copied();
         // In the order of slots, so that equal states have equal snapshots with any number of threads.
         let [mut touched, mut revolumed] =
-            [proxies.touched(), &proxies.notes.revolumed].map(<[u32]>::to_vec);
+            [&proxies.notes.touched, &proxies.notes.revolumed].map(Vec::clone);
         touched.sort_unstable();
         revolumed.sort_unstable();
         let mut near: Vec<_> = self.candidates.near().collect();
@@ -78,8 +61,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         forbidden.sort_unstable();
         let acquainted = self.candidates.acquainted.iter();
         TrackerSnapshot {
-            proxies: by_slot().map(proxy).collect(),
-            other_keys: other_keys.collect(),
+            boxes: boxes.map(|b| b.is_valid().then_some(b)).collect(),
+            keys: proxies.keys.clone(),
             touched: touched
                 .into_iter()
                 .map(|slot| (slot, proxies.get(slot).copied()))
@@ -101,30 +84,21 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         &mut self,
         snapshot: TrackerSnapshot<R, D, K>,
     ) -> Result<(), &'static str> {
-        let slots = snapshot.proxies.len();
+        let slots = snapshot.boxes.len();
         if slots > MOST_SLOTS {
             return Err("snapshot: there are more slots than a kernel takes boxes");
+        }
+        if slots != snapshot.keys.len() {
+            return Err("snapshot: there is not one filter key for each slot");
         }
         self.full_searches = snapshot.full_searches;
         self.make_room(slots);
         let proxies = &mut self.proxies;
-        for (slot, proxy) in snapshot.proxies.into_iter().enumerate() {
-            if let Some(Proxy { aabb, key }) = proxy {
-                if !aabb.is_valid() {
-                    return Err("snapshot: a box is not valid");
-                }
-                proxies.previous[slot] = aabb;
-                proxies.keys[slot] = key;
-            }
-        }
-        for (slot, key) in snapshot.other_keys {
-            match proxies.previous.get(slot as usize) {
-                Some(before) if !before.is_valid() => proxies.keys[slot as usize] = key,
-                _ => {
-                    return Err(
-                        "snapshot: a spare filter key names a slot that is out of range or has a proxy",
-                    );
-                }
+        proxies.keys = snapshot.keys;
+        for (previous, aabb) in proxies.previous.iter_mut().zip(snapshot.boxes) {
+            *previous = aabb.unwrap_or(Aabb::ABSENT);
+            if aabb.is_some_and(|aabb| !aabb.is_valid()) {
+                return Err("snapshot: a box is not valid");
             }
         }
         proxies.are_filtered = proxies.keys.iter().any(|&key| key != K::default());

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use oorandom::Rand32;
 
-use super::{FilterKey, PairChange, PairTracker, VolumeSource};
+use super::{Changes, Colliders, FilterKey, PairTracker};
 use crate::aabb::Aabb;
 use crate::brute_force::BruteForce;
 use crate::volume::{Volume, VolumeKind};
@@ -27,9 +27,13 @@ impl FilterKey for Side {
 /// How far the volumes of a held pair may be apart.
 const SLACK: f32 = 0.25;
 
-impl VolumeSource<f32, 2> for Vec<Volume<f32, 2>> {
+impl Colliders<f32, 2> for Vec<Volume<f32, 2>> {
     fn volume(&self, slot: u32) -> Volume<f32, 2> {
         self[slot as usize]
+    }
+
+    fn is_active(&self, _: [u32; 2]) -> bool {
+        false
     }
 }
 
@@ -71,7 +75,7 @@ impl World {
         let former = std::mem::replace(&mut self.volumes[slot as usize], volume);
         let has_only_moved = former.kind == volume.kind && volume.kind.axes::<2>() > 0;
         let mut all = self.tracker.proxies.all();
-        all.follow_with_volume(slot as usize, aabb, has_only_moved);
+        all.follow_volume(slot as usize, aabb, has_only_moved);
     }
 
     fn remove(&mut self, slot: u32) {
@@ -84,18 +88,19 @@ impl World {
     /// renewed, or if the volumes are near enough.
     fn update(&mut self) {
         let before = self.held.clone();
-        let mut observer = |change| {
-            let is_due = match change {
-                PairChange::Added(pair) => self.held.insert(pair),
-                PairChange::Deleted(pair) => self.held.remove(&pair),
+        let mut changes = Changes::new(1);
+        self.tracker.update(SLACK, &mut changes, &self.volumes);
+        changes.drain(|is_added, pair| {
+            let is_due = match is_added {
+                true => self.held.insert(pair),
+                false => self.held.remove(&pair),
             };
-            assert!(is_due, "{change:?} is repeated");
-        };
-        self.tracker.commit(SLACK, &mut observer, &self.volumes);
+            assert!(is_due, "{pair:?} is repeated");
+        });
         assert!(self.tracker.pairs().collect::<BTreeSet<_>>() == self.held);
         self.tracker.validate(&mut BruteForce);
         let proxies = &self.tracker.proxies;
-        let are_used = proxies.volumes().are_used();
+        let are_used = proxies.volumes.are_used();
         let is_renewed = |slot: u32| {
             let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
             now != before && now.is_valid()

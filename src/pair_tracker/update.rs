@@ -1,26 +1,26 @@
 //! The update cycle: from one set of pairs to the next.
 //!
-//! 1. **Note.** Between two updates, placing, clearing and removing proxies only writes boxes and takes notes: which slots were *touched*,
-//!    and which of those have *left* their fat boxes.
-//! 2. **Plan.** [`Plan::of`] looks at a few numbers (slots, leavers, candidates, costs so far) and chooses one of three: compare, look up,
-//!    or a full search. The same numbers give the same plan on every machine.
+//! 1. **Note.** Between two updates, placing, clearing and removing proxies only writes boxes and keys, and takes notes: which slots were
+//!    *touched*, which of those must be searched for again, and which have another volume, or a stale one that a pair asks for. The update
+//!    begins by reading these volumes.
+//! 2. **Plan.** Without leavers, it compares. Otherwise [`Cost::is_full_search_due`] looks at a few numbers (slots, leavers, candidates,
+//!    costs so far) and chooses between a look-up and a full search. The same numbers give the same plan on every machine.
 //! 3. **Inflate.** New fat boxes are made ahead of the motion from the previous box to the present one: for the leavers before a look-up,
 //!    for all touched proxies before a full search. A comparison needs none.
 //! 4. **Search.** A look-up finds the new candidates of the leavers, in the layers. A full search finds all candidates; if it finds too
 //!    many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
 //! 5. **Compare.** The candidates of the leavers are retired, those of the other touched proxies are compared, and those that were found
 //!    are added; after a full search, those that were found replace all. Each pair that begins or ends is reported.
-//! 6. **Commit.** The present boxes become the previous ones, and the notes are cleared.
+//! 6. **End.** The present boxes become the previous ones, and the notes are cleared.
 //!
 //! All other fat boxes stay, and with them their candidates. The next updates live on these.
 
 use super::candidates::Comparing;
 use super::foresight::{Foresight, mean_speed};
 use super::layers::TooMany;
-use super::policy::{Cost, Plan, PlanInputs, Work, are_most_touched};
-use super::{FilterKey, PairObserver, PairTracker, VolumeSource};
+use super::policy::{Cost, Work, are_many_touched};
+use super::{Changes, Colliders, FilterKey, PairTracker};
 use crate::real::Real;
-use crate::stopwatch::Phase;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
 use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
@@ -43,40 +43,39 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// most proxies were touched. Each proxy that has left its fat box is looked up in about **O(log n)**; if there are many, the kernel
     /// searches among all proxies instead.
     ///
-    /// If volumes are in use, a held pair ends when one of its boxes is renewed and its volumes are farther apart than `slack`, unless the
-    /// observer says that it is active. Volumes are read from the source.
-    pub(crate) fn commit(
+    /// If volumes are in use, a held pair ends when one of its boxes is renewed and its volumes are farther apart than `slack`, unless its
+    /// contact is active.
+    pub(crate) fn update(
         &mut self,
         slack: R,
-        observer: &mut impl PairObserver,
-        source: &impl VolumeSource<R, D>,
+        changes: &mut Changes,
+        colliders: &impl Colliders<R, D>,
     ) {
         if self.proxies.notes.are_empty() {
             return;
         }
-        self.stopwatch.enter(Phase::Difference);
-        self.proxies.begin_update(slack, source);
+        self.proxies.begin_update(slack, colliders);
+        self.work = Work::default();
         let proxies = &self.proxies;
-        let plan = Plan::of(&self.plan_inputs(), || {
-            mean_speed(proxies.touched(), &proxies.boxes, &proxies.previous)
-        });
-        match plan {
-            Plan::Compare => {
-                self.work = Work::default();
-                self.compare(observer, source);
-            }
-            Plan::LookUp => match self.look_up_leavers() {
-                Ok(()) => self.compare(observer, source),
-                Err(TooMany) => {
-                    self.foresight.shorten();
-                    self.search_in_full(self.foresight, observer, source);
-                }
-            },
-            Plan::FullSearch(foresight) => self.search_in_full(foresight, observer, source),
+        let recent = match self.overrides.full_searches_only {
+            true => None,
+            false => self.layers.recent(),
+        };
+        let counts = [proxies.leavers.len(), proxies.len(), self.candidates.len()];
+        if counts[0] == 0 {
+            self.compare(changes, colliders);
+        } else if recent.is_none_or(|recent| self.cost.is_full_search_due(recent, counts)) {
+            let speed = || mean_speed(&proxies.notes.touched, &proxies.boxes, &proxies.previous);
+            let foresight = self.foresight.renewed(speed);
+            self.search_in_full(foresight, changes, colliders);
+        } else if self.look_up_leavers().is_ok() {
+            self.compare(changes, colliders);
+        } else {
+            self.foresight.shorten();
+            self.search_in_full(self.foresight, changes, colliders);
         }
         self.cost.add(&self.work);
         self.proxies.end_update();
-        self.stopwatch.leave();
     }
 
     /// An estimate of the work of the next update if so many slots are touched, from the mean of the updates since the last full search.
@@ -84,7 +83,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         if touched == 0 {
             return 0;
         }
-        let comparing = match are_most_touched(touched, self.proxies.len()) {
+        let comparing = match are_many_touched(touched, self.proxies.len()) {
             true => COMPARED * self.candidates.len() as u64 + SLOT * self.proxies.len() as u64,
             false => PICKED * self.candidates.first_cold as u64,
         };
@@ -92,42 +91,26 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.cost.mean().saturating_add(comparing)
     }
 
-    fn plan_inputs(&self) -> PlanInputs {
-        PlanInputs {
-            slots: self.proxies.len(),
-            leavers: self.proxies.leavers.len(),
-            candidates: self.candidates.len(),
-            recent: match self.overrides.full_searches_only {
-                true => None,
-                false => self.layers.recent(),
-            },
-            foresight: self.foresight,
-            cost: self.cost,
-        }
-    }
-
     /// Makes new fat boxes for the leavers and looks them up among all others.
     fn look_up_leavers(&mut self) -> Result<(), TooMany> {
         self.proxies.inflate_leavers(self.foresight);
         let (proxies, most) = (&self.proxies, self.most_found());
-        self.work = self.layers.find_leavers(
+        self.work = self.layers.find_pairs_of_leavers(
             &proxies.fat_boxes,
             &proxies.leavers,
             |pair| !proxies.are_filtered || proxies.may_meet(pair),
             most,
-            &mut self.stopwatch,
         )?;
-        self.stopwatch.enter(Phase::Difference);
         Ok(())
     }
 
     /// Compares candidates, retires those of the leavers, and adds those that were found.
-    fn compare(&mut self, observer: &mut impl PairObserver, source: &impl VolumeSource<R, D>) {
+    fn compare(&mut self, changes: &mut Changes, colliders: &impl Colliders<R, D>) {
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &mut self.proxies,
-            observer,
-            source,
+            changes,
+            colliders,
         };
         comparing.compare();
         comparing.extend(&mut self.layers.found);
@@ -142,8 +125,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     fn search_in_full(
         &mut self,
         foresight: Foresight,
-        observer: &mut impl PairObserver,
-        source: &impl VolumeSource<R, D>,
+        changes: &mut Changes,
+        colliders: &impl Colliders<R, D>,
     ) {
         // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
@@ -168,8 +151,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &mut self.proxies,
-            observer,
-            source,
+            changes,
+            colliders,
         };
         comparing.replace(&mut self.layers.found);
         if self.layers.found.capacity() > KEEP_SCRATCH_UP_TO {
@@ -189,9 +172,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             proxies.are_filtered.then_some(may_meet),
             |slot| proxies.keys[slot as usize].clique(),
             most,
-            &mut self.stopwatch,
         );
-        self.stopwatch.enter(Phase::Difference);
         self.work.searched += proxies.len();
         self.work.found += overlapping?;
         Ok(())

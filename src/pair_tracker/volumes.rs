@@ -1,8 +1,8 @@
 //! The bounding volumes of all slots, if volumes are in use.
 //!
 //! Boxes are pushed, volumes are pulled. A ball follows from its box. Any other volume becomes *stale* when its collider has moved, and an update
-//! reads it once a pair asks for it: a pair whose boxes overlap and that is not held, or one that is held, whose box was renewed and whose
-//! contact is not active. So the volumes of *near* pairs, whose boxes overlap and that are not held, are always those of the colliders.
+//! reads it once a pair asks for it: a pair whose boxes overlap and that is not held, or one that is held and whose box was renewed. So the
+//! volumes of *near* pairs, whose boxes overlap and that are not held, are always those of the colliders.
 //!
 //! Each volume has a skin: it is loosened by a small distance, and stays while the collider's volume differs by no more than that. So the pairs
 //! of colliders that hardly move are not asked again.
@@ -11,14 +11,13 @@
 
 mod chunk;
 
-use super::VolumeSource;
+use super::Colliders;
 use crate::aabb::max;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{BEYOND_BALLS, READ};
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
 pub(crate) use chunk::VolumesChunk;
-use chunk::volume_of;
 
 /// The skin of a volume, in margins of a box. If larger: more pairs begin that are near and do not touch. If smaller: more pairs of proxies
 /// that come to rest are asked in each update. Events depend on it.
@@ -45,7 +44,7 @@ pub(crate) struct Volumes<R, const D: usize> {
     /// The largest distance so far by which all shapes are extended, without the skin. Volumes are read with it even while the parameters ask
     /// for less, so that parameters may alternate, and any two volumes are right for the larger ones.
     reach: R,
-    /// The distance by which boxes are extended less than volumes.
+    /// How much farther volumes are extended than boxes.
     shortfall: R,
 }
 
@@ -86,7 +85,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     }
 
     /// Notes the distance by which the next boxes are extended.
-    pub(super) fn note_reach_of_boxes(&mut self, reach: R) {
+    pub(crate) fn note_reach_of_boxes(&mut self, reach: R) {
         // A NaN counts as 0.
         self.shortfall = max(self.extension() - reach, R::ZERO);
     }
@@ -143,7 +142,16 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     /// The volume of a slot, for which there must be room.
     #[inline(always)]
     pub(crate) fn get(&self, slot: u32) -> VolumeRef<'_, R, D> {
-        volume_of(&self.kinds, &self.balls, &self.half_axes, slot as usize)
+        let i = slot as usize;
+        let kind = self.kinds[i];
+        VolumeRef {
+            kind,
+            ball: &self.balls[i],
+            half_axes: match kind.axes::<D>() {
+                0 => &[],
+                axes => &self.half_axes[i][..axes],
+            },
+        }
     }
 
     /// Whether one of a pair has a stale volume.
@@ -154,18 +162,11 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     }
 
     /// Reads the stale volumes of these slots, in the order of slots. Keeps only the slots whose volumes have changed.
-    pub(super) fn pull(&mut self, slots: &mut Vec<u32>, source: &impl VolumeSource<R, D>) {
+    pub(super) fn pull(&mut self, slots: &mut Vec<u32>, colliders: &impl Colliders<R, D>) {
         slots.sort_unstable();
         slots.dedup();
         let section = Section::of(slots.len(), BEYOND_BALLS * READ);
-        if section.parts() == 1 {
-            return slots.retain(|&slot| {
-                // A ball that has followed its box is not stale.
-                let is_stale = std::mem::take(&mut self.are_stale[slot as usize]);
-                !is_stale || self.set(slot, &source.volume(slot))
-            });
-        }
-        let slots_a_part = slots.len().div_ceil(section.parts());
+        let slots_a_part = slots.len().div_ceil(section.parts()).max(1);
         let parts = slots.chunks(slots_a_part).map(|slots| (slots, Vec::new()));
         let mut parts: Vec<_> = parts.collect();
         let volumes = &*self;
@@ -173,7 +174,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             let stale = slots
                 .iter()
                 .filter(|&&slot| volumes.are_stale[slot as usize]);
-            read.extend(stale.map(|&slot| source.volume(slot)));
+            read.extend(stale.map(|&slot| colliders.volume(slot)));
         });
         let mut read = parts
             .into_iter()
@@ -194,7 +195,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let i = slot as usize;
         if volume.kind != self.kinds[i] {
             self.set_kind(i, volume.kind);
-        } else if matches!(volume.kind, VolumeKind::Box | VolumeKind::Part) {
+        } else if matches!(volume.kind, VolumeKind::Box | VolumeKind::BoxUntilRead) {
             return false;
         } else {
             let change = self.get(slot).change_to(volume.as_ref());
@@ -278,19 +279,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         Ok(())
     }
 
-    /// All volumes, to be written in place.
-    #[inline(always)]
-    pub(super) fn all(&mut self) -> VolumesChunk<'_, R, D> {
-        VolumesChunk {
-            kinds: &self.kinds,
-            balls: &mut self.balls,
-            are_stale: &mut self.are_stale,
-            near: &self.near,
-            skin: self.skin,
-            shortfall: self.shortfall,
-        }
-    }
-
     /// Chunks of this many slots, followed by empty ones without end. If volumes are not in use, all are empty.
     pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
         let mut kinds = self.kinds.chunks(slots);
@@ -308,27 +296,18 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         })
     }
 
-    /// Whether two volumes may meet, each loosened by half of `slack`.
+    /// Whether two volumes may meet, each loosened by half of `slack`, if neither has half axes; `None` if one may have some.
     #[inline(always)]
-    pub(super) fn meet(&self, pair: [u32; 2], slack: R) -> bool {
-        match self.meet_as_balls(pair, slack) {
-            Some(meet) => meet,
-            None => self.meet_beyond_balls(pair, slack),
-        }
-    }
-
-    /// The same for two balls, if most proxies are balls.
-    #[inline(always)]
-    pub(super) fn meet_as_balls(&self, [a, b]: [u32; 2], slack: R) -> Option<bool> {
+    pub(super) fn meet_without_half_axes(&self, [a, b]: [u32; 2], slack: R) -> Option<bool> {
         // A box is a ball that meets all. The first slot is the smaller one.
         let (i, j) = (a as usize, b as usize);
-        let are_balls = i >= self.half_axes.len();
-        are_balls.then(|| self.balls[i].meets(&self.balls[j], slack))
+        let have_none = i >= self.half_axes.len();
+        have_none.then(|| self.balls[i].meets(&self.balls[j], slack))
     }
 
-    /// Whether two volumes may meet, each loosened by half of `slack`, unless they are [both balls](Self::meet_as_balls).
+    /// The same for any two volumes.
     #[inline(never)]
-    pub(super) fn meet_beyond_balls(&self, [a, b]: [u32; 2], slack: R) -> bool {
+    pub(super) fn meet(&self, [a, b]: [u32; 2], slack: R) -> bool {
         self.get(a).meets(self.get(b), slack)
     }
 }
@@ -344,6 +323,30 @@ fn at_least<R: Real>(noted: R, wanted: R) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// At which of these margins and reaches, noted one after the other, all volumes become stale.
+    fn grown_at(extents: impl IntoIterator<Item = [f32; 2]>) -> Vec<usize> {
+        let mut volumes = Volumes::<f32, 2>::new(true);
+        let extents = extents.into_iter().enumerate();
+        let grown = extents.filter(|&(_, [margin, reach])| volumes.note_extents(margin, reach));
+        grown.map(|(i, _)| i).collect()
+    }
+
+    #[test]
+    fn extents_grow_only_beyond_all_earlier_ones() {
+        // Each of the two has the larger margin or the larger reach.
+        let [first, second] = [[0.25, 2.0], [0.5, 1.0]];
+        assert_eq!(grown_at([first, second].repeat(3)), [0, 1]);
+        let [nan, infinite] = [[f32::NAN; 2], [f32::INFINITY; 2]];
+        assert_eq!(grown_at([nan, infinite, first, infinite, nan, second]), [1]);
+    }
+
+    #[test]
+    fn extents_that_grow_a_little_each_time_seldom_count_as_grown() {
+        let growing = (0..64).map(|i| [1.0 + i as f32 / 16.0; 2]);
+        // From 0, and beyond 1, 2 and 4.
+        assert_eq!(grown_at(growing), [0, 1, 17, 49]);
+    }
 
     #[test]
     fn a_ball_stays_within_its_skin_unless_its_radius_changes() {

@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use super::slot_chunk::{SlotChunk, slot_chunks};
-use super::{BoxSource, Handle, ProxyTable, Reading};
+use super::{ColliderSource, Handle, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
 use crate::parallel::Section;
@@ -31,15 +31,13 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         boxes: &[(H, B)],
         [margin, reach]: [R; 2],
     ) -> &[u32] {
-        self.begin();
-        self.tracker.proxies.note_reach_of_boxes(reach);
+        self.is_begun = true;
+        self.tracker.proxies.volumes.note_reach_of_boxes(reach);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
-        let section = self.section(boxes.len());
-        self.gathered.listed += boxes.len();
+        let section = self.reading_section(boxes.len());
         if section.parts() > 1 {
             let unusual = self.follow_in_parts(section, boxes, margin);
-            self.gathered.moved += self.touched().len() - first_touched;
             for (handle, aabb) in unusual.into_iter().map(|place| boxes[place]) {
                 self.set_box(handle, aabb.into(), margin);
             }
@@ -49,7 +47,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
                 self.set_box(handle, aabb.into(), margin);
             }
         }
-        self.tracker.stopwatch.leave();
         &self.touched()[first_touched..]
     }
 
@@ -59,15 +56,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         boxes: &mut impl Iterator<Item = &'a (H, B)>,
         margin: R,
     ) -> Option<&'a (H, B)> {
-        let touched = self.touched().len();
         let mut all = SlotChunk {
             proxies: self.tracker.proxies.all(),
             generations: &self.generations,
             memos: &mut self.memos,
         };
-        let unusual = boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin));
-        self.gathered.moved += self.touched().len() - touched;
-        unusual
+        boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin))
     }
 
     /// Moves proxies on several threads, each of which has a chunk of slots. Returns the ascending indices of the boxes that it has not
@@ -128,7 +122,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         let mut unusual: Vec<_> = unusual.chain(places(parts)).collect();
         unusual.sort_unstable();
         for notes in notes {
-            self.tracker.proxies.note(notes);
+            self.tracker.proxies.notes.append(notes);
         }
         unusual
     }
@@ -139,11 +133,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             return self.keep_pending(handle, aabb);
         };
         let key = self.tracker.proxies.key(slot);
-        self.admit(handle, margin, false, |_| {
+        self.admit(handle, margin, |_| {
             Some(Reading {
                 aabb,
                 key,
                 has_only_moved: true,
+                is_skipped: false,
             })
         });
     }
@@ -177,7 +172,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// Reads the pending colliders, except those that have been removed since.
     pub(super) fn admit_pending<S>(&mut self, removed: &[S::Handle], source: &S, margin: R)
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         let mut pending = std::mem::take(&mut self.pending);
         for &(slot, _) in &pending {

@@ -8,7 +8,7 @@
 //! others have been read.
 
 use super::slot_chunk::{SlotChunk, slot_chunks};
-use super::{BoxSource, Handle, ProxyTable, Reading, is_known};
+use super::{ColliderSource, Handle, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes};
 use crate::parallel::Section;
@@ -64,14 +64,12 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// Reads the boxes and filter keys of listed colliders.
     pub(super) fn read<S>(&mut self, handles: &[S::Handle], source: &S, margin: R)
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        let touched = self.touched().len();
-        let section = self.section(handles.len());
+        let section = self.reading_section(handles.len());
         self.visit(handles, section, |chunk, i, handle| {
             chunk.read(i, handle, source, margin)
         });
-        self.gathered.moved += self.touched().len() - touched;
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
     }
 
@@ -83,9 +81,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         source: &S,
         has_changed: impl Fn(S::Handle, &M, &K) -> bool + Send + Sync,
     ) where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        let section = self.section(handles.len());
+        let section = self.reading_section(handles.len());
         self.visit(handles, section, |chunk, i, handle| {
             chunk.read_in_place(i, handle, source, &has_changed)
         });
@@ -100,8 +98,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     }
 
     /// The work of reading this many colliders, or of setting their boxes.
-    pub(super) fn section(&self, colliders: usize) -> Section {
-        Section::of(colliders, self.tracker.proxies.volumes().price(READ))
+    pub(super) fn reading_section(&self, colliders: usize) -> Section {
+        Section::of(colliders, self.tracker.proxies.volumes.price(READ))
     }
 
     /// Calls `visit` with each known collider: with the chunk of slots, the index in it, and the handle. Defers the colliders for which it
@@ -179,7 +177,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         drop(parts);
         listed.clear();
         for notes in notes {
-            self.tracker.proxies.note(notes);
+            self.tracker.proxies.notes.append(notes);
         }
     }
 
@@ -195,17 +193,15 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// Reads one collider, whatever has changed.
     pub(super) fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        self.admit(handle, margin, source.skips_unbounded(), |memo| {
-            source.read(handle, memo)
-        });
+        self.admit(handle, margin, |memo| source.read(handle, memo));
     }
 
     /// Replaces the boxes of known colliders by new ones without a margin.
     pub(super) fn reinsert<S>(&mut self, handles: &[S::Handle], source: &S)
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         for &handle in handles {
             let Some(slot) = self.slot_of(handle) else {
@@ -213,11 +209,10 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             };
             let reading = source.read(handle, &mut self.memos[slot as usize]);
             let proxies = &mut self.tracker.proxies;
-            if let (Some(Reading { aabb, .. }), Some(held)) = (reading, proxies.get(slot)) {
-                let is_skipped = source.skips_unbounded() && aabb.is_unbounded();
-                if aabb != *held && aabb.is_valid() && !is_skipped {
+            if let (Some(reading), Some(held)) = (reading, proxies.get(slot)) {
+                let aabb = reading.aabb;
+                if aabb != *held && aabb.is_valid() && !reading.is_skipped {
                     proxies.place(slot, aabb);
-                    self.gathered.moved += 1;
                 }
             }
         }

@@ -13,18 +13,17 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.known - self.stats.proxies + self.beyond.len()
     }
 
-    /// Leaves out a collider whose box is invalid.
+    /// Leaves out a collider whose box is invalid, or infinite where such boxes are skipped.
     #[cold]
     pub(super) fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;
         if self.tracker.proxies.get(slot).is_some() {
             self.tracker.proxies.clear_box(slot);
-            self.gathered.moved += 1;
             self.stats.proxies -= 1;
         }
         self.warn(
             handle,
-            format_args!("until its box is valid again: {aabb:?}"),
+            format_args!("until its box is finite and valid: {aabb:?}"),
         );
     }
 

@@ -1,6 +1,6 @@
 //! A chunk of consecutive slots: all of them, or those of one thread.
 
-use super::{BoxSource, Handle, Reading, is_known};
+use super::{ColliderSource, Handle, Reading, is_known};
 use crate::aabb::Aabb;
 use crate::pair_tracker::{FilterKey, Notes, Proxies, ProxyChunk};
 use crate::real::Real;
@@ -42,18 +42,21 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
     #[inline(always)]
     pub(super) fn read<S>(&mut self, i: usize, handle: S::Handle, source: &S, margin: R) -> bool
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         let Self { proxies, memos, .. } = self;
         let Some(reading) = source.read(handle, &mut memos[i]) else {
             return false;
         };
         let Reading { aabb, key, .. } = reading;
-        // In any case, because the memo no longer tells the next reading.
-        proxies.follow_with_volume(i, &aabb, reading.has_only_moved && !proxies.is_part(i));
-        let is_skipped = source.skips_unbounded() && aabb.is_unbounded();
+        // Even if this returns false: the memo is up to date now, so a second reading could not tell that more than the pose has changed.
+        proxies.follow_volume(
+            i,
+            &aabb,
+            reading.has_only_moved && !proxies.is_box_until_read(i),
+        );
         let is_rekeyed = source.has_keys() && key != *proxies.key(i);
-        !(is_skipped || is_rekeyed) && proxies.follow(i, &aabb, margin)
+        !(reading.is_skipped || is_rekeyed) && proxies.follow(i, &aabb, margin)
     }
 
     /// Has the volume of the known collider at `i` read if it `has_changed`; its box stays. Returns false if its filter key
@@ -67,14 +70,14 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
         has_changed: &impl Fn(S::Handle, &M, &K) -> bool,
     ) -> bool
     where
-        S: BoxSource<R, D, Memo = M, Key = K>,
+        S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         let Self { proxies, memos, .. } = self;
         if !has_changed(handle, &memos[i], proxies.key(i)) {
             return true;
         }
         source.read(handle, &mut memos[i]).is_none_or(|reading| {
-            proxies.follow_with_volume(i, &reading.aabb, false);
+            proxies.follow_volume(i, &reading.aabb, false);
             reading.key == *proxies.key(i)
         })
     }
@@ -86,7 +89,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
         let (slot, generation) = handle.into_raw_parts();
         let place = slot.wrapping_sub(self.proxies.slot(0));
         is_known(self.generations, place, generation) && {
-            self.proxies.follow_with_volume(place as usize, aabb, true);
+            self.proxies.follow_volume(place as usize, aabb, true);
             self.proxies.follow(place as usize, aabb, margin)
         }
     }

@@ -4,13 +4,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::ProxyTable;
 use super::passing::Pending;
-use super::{Gathered, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::real::Real;
-use crate::settings::Settings;
 use crate::stats::Stats;
-use crate::stopwatch::PhaseTimes;
 
 /// The part of a table that decides future events, and counts.
 #[derive(Serialize, Deserialize)]
@@ -20,10 +18,9 @@ use crate::stopwatch::PhaseTimes;
 ))]
 pub(crate) struct TableSnapshot<R, const D: usize, K> {
     stats: Stats,
-    has_warned: bool,
     /// Up to the highest slot that ever had a known collider.
     generations: Vec<Option<u32>>,
-    gathered: Gathered,
+    is_begun: bool,
     pending: Pending,
     tracker: TrackerSnapshot<R, D, K>,
 }
@@ -36,27 +33,25 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         TableSnapshot {
             // Counts of the last update; reading counts the proxies again.
             stats: Stats {
-                times: PhaseTimes::default(),
                 refused: self.refused(),
                 ..self.stats
             },
-            has_warned: self.has_warned,
             generations: self.generations[..self.known_slots].to_vec(),
-            gathered: self.gathered,
+            is_begun: self.is_begun,
             pending: self.pending.clone(),
             tracker: self.tracker.snapshot(),
         }
     }
 
-    /// The table that continues from a snapshot, with the settings that it had.
+    /// The table that continues from a snapshot. `volumes` says whether volumes are in use.
     ///
     /// # Errors
     /// A description of the first inconsistency, if no table can have written the snapshot.
     pub(crate) fn restored(
-        settings: &Settings<R>,
+        volumes: bool,
         snapshot: TableSnapshot<R, D, K>,
     ) -> Result<Self, &'static str> {
-        let mut table = Self::new(settings);
+        let mut table = Self::new(volumes);
         table.tracker.restore(snapshot.tracker)?;
         let slots = table.tracker.proxies.len();
         table.generations = snapshot.generations;
@@ -71,24 +66,11 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         table.memos.resize(slots, M::default());
         table.known = table.generations.iter().flatten().count();
         table.pending = snapshot.pending;
-        table.gathered = snapshot.gathered;
-        let Gathered {
-            is_begun,
-            listed,
-            moved,
-        } = table.gathered;
-        if !(is_begun || table.pending.is_empty() && table.touched().is_empty()) {
+        table.is_begun = snapshot.is_begun;
+        if !(table.is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were set for no update");
         }
-        // Later additions must not overflow a word of 32 bits.
-        if listed.max(moved) > (u32::MAX / 2) as usize {
-            return Err("snapshot: more boxes were set than can be counted");
-        }
-        table.has_warned = snapshot.has_warned;
-        table.stats = Stats {
-            times: PhaseTimes::default(),
-            ..snapshot.stats
-        };
+        table.stats = snapshot.stats;
         let proxies = table.count_proxies();
         table.stats.proxies = proxies.ok_or("snapshot: a box has no collider")?;
         let has_collider = |slot: u32| table.generations[slot as usize].is_some();

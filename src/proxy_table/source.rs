@@ -2,8 +2,9 @@
 
 use std::fmt::Debug;
 
+use super::handles;
 use crate::aabb::Aabb;
-use crate::pair_tracker::{FilterKey, VolumeSource};
+use crate::pair_tracker::{Colliders, FilterKey};
 use crate::real::Real;
 use crate::volume::Volume;
 
@@ -18,7 +19,8 @@ pub(crate) trait Handle: Copy + Debug + Send + Sync {
 pub(crate) struct Lists<'a, H> {
     /// New colliders, and those whose box or filter key may have changed.
     pub(crate) modified: &'a [H],
-    /// The modified colliders whose boxes are renewed without a margin, even if they have not left them.
+    /// The modified colliders whose boxes are renewed without a margin, even if they have not left them: those that a pipeline has listed again.
+    /// A change of their key that [renews the box](FilterKey::renews_box) does the same elsewhere.
     pub(crate) reinserted: &'a [H],
     /// Colliders whose filter key may have changed, or whose volume may have changed in the same pose. Their boxes stay.
     pub(crate) unmoved: &'a [H],
@@ -51,7 +53,7 @@ impl<'a, H> Lists<'a, H> {
 }
 
 /// The source of the boxes of listed colliders.
-pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
+pub(crate) trait ColliderSource<R: Real, const D: usize>: Sync {
     type Handle: Handle;
     /// What the source remembers about a collider from one reading to the next.
     type Memo: Clone + Default + Send + Sync;
@@ -69,11 +71,6 @@ pub(crate) trait BoxSource<R: Real, const D: usize>: Sync {
     /// The distance by which boxes are extended.
     fn reach(&self) -> R;
 
-    /// Whether a collider whose box is infinite is skipped: it keeps the box that it had, or has none. If not, it is like any other.
-    fn skips_unbounded(&self) -> bool {
-        false
-    }
-
     /// Whether filter keys differ at all; if not, they are not compared.
     fn has_keys(&self) -> bool;
 
@@ -88,19 +85,25 @@ pub(crate) struct Reading<R, const D: usize, K> {
     pub(crate) key: K,
     /// Whether nothing but its pose can have changed its volume since the last reading.
     pub(crate) has_only_moved: bool,
+    /// Whether the collider keeps the box that it had, or has none, because this one is infinite.
+    pub(crate) is_skipped: bool,
 }
 
-/// The volumes of known colliders.
-pub(super) struct KnownVolumes<'a, S, M, R> {
+/// Tells whether the contact of two colliders is active.
+pub(crate) type IsActive<'a, H> = &'a (dyn Fn(H, H) -> bool + Sync);
+
+/// The known colliders, by slot.
+pub(super) struct Known<'a, S, H, M, R> {
     pub(super) source: &'a S,
+    pub(super) is_active: Option<IsActive<'a, H>>,
     pub(super) generations: &'a [Option<u32>],
     pub(super) memos: &'a [M],
     pub(super) extension: R,
 }
 
-impl<R: Real, const D: usize, S, M: Sync> VolumeSource<R, D> for KnownVolumes<'_, S, M, R>
+impl<R: Real, const D: usize, S, M: Sync> Colliders<R, D> for Known<'_, S, S::Handle, M, R>
 where
-    S: BoxSource<R, D, Memo = M>,
+    S: ColliderSource<R, D, Memo = M>,
 {
     #[inline(always)]
     fn volume(&self, slot: u32) -> Volume<R, D> {
@@ -108,6 +111,13 @@ where
         self.generations[i].map_or(Volume::BOX, |generation| {
             let handle = S::Handle::from_raw_parts(slot, generation);
             self.source.volume(handle, &self.memos[i], self.extension)
+        })
+    }
+
+    fn is_active(&self, pair: [u32; 2]) -> bool {
+        self.is_active.is_some_and(|is_active| {
+            let [first, second] = handles(self.generations, pair);
+            is_active(first, second)
         })
     }
 }

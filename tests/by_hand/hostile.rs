@@ -54,10 +54,9 @@ fn denormals_and_negative_zeros_compare_as_numbers() {
     met.sort_by_key(|event| event.1.map(|handle| handle.into_raw_parts()));
     let expected = [0, 1, 2, 3].map(|i| (true, [points[i], ball]));
     assert_eq!(met, expected);
-    // A change from -0 to 0 is no motion.
+    // A change from -0 to 0 ends no pair.
     desk.place(points[0], [0.0, 0.0]);
     assert_eq!(desk.update(&[points[0]], &[]), []);
-    assert_eq!(desk.broad_phase.diagnostics().moved, 0);
 }
 
 #[test]

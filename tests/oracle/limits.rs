@@ -5,7 +5,7 @@ use core::array::from_fn;
 
 use crate::boxes::Side::{Above, AtNegative, AtPositive, Below, Everywhere, Finite};
 use crate::boxes::{self, Side, uniform};
-use crate::inputs::{Family, each, input};
+use crate::inputs::{Family, Input, each, input};
 use crate::numbers::Number;
 
 /// Scenes of all magnitudes, without a margin, and with a wide, a narrow and a negligible one.
@@ -80,5 +80,25 @@ pub(crate) fn infinite<R: Number, const D: usize>() -> Family<R, D> {
         });
         family.push(input(format!("{count} slabs among {n} unit boxes"), boxes));
     }
+    family.push(far_reaching_plates());
     family
+}
+
+/// One box is so far away that infinite plates reach 2⁶¹ tubes of a `GridSweep` in 3D.
+fn far_reaching_plates<R: Number, const D: usize>() -> Input<R, D> {
+    let cell = |i: usize, k: usize| [0, i % 32, i / 32][k.min(2)] as f64 / 2.0;
+    let near = (0..1000).map(|i| boxes::sized(from_fn(|k| cell(i, k)), [1.0; D]));
+    let far = boxes::sized(from_fn(|k| if k == 0 { 0.0 } else { 3e9 }), [1.0; D]);
+    let plates = (0..100).map(|i: u32| {
+        let x = f64::from(i) / 100.0;
+        boxes::between(from_fn(|k| {
+            let [low, high] = match k {
+                0 => [x, x + 0.005],
+                _ => [f64::NEG_INFINITY, f64::INFINITY],
+            };
+            (R::from_f64(low), R::from_f64(high))
+        }))
+    });
+    let boxes = near.chain([far]).chain(plates).collect();
+    input("infinite plates, and one unit box at 3e9", boxes)
 }

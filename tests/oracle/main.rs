@@ -15,7 +15,6 @@ mod numbers;
 mod random;
 mod replay;
 mod slabs;
-mod timed;
 
 #[allow(dead_code, unreachable_pub)] // The laboratory uses all of it.
 #[path = "../common/boxes/mod.rs"]

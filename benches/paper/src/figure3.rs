@@ -5,7 +5,7 @@ use crate::race::{Times, drift};
 use crate::run::Run;
 use crate::table1::row;
 use anyhow::Result;
-use unisize::{GridSweep, PairFinder, RankSweep};
+use unisize::{PairFinder, RankSweep};
 use unisize_scenes::DriftingBoxes;
 
 /// Frames of which the median is taken.
@@ -20,18 +20,16 @@ fn measure_line(run: &mut Run, line: &Line) -> Result<()> {
     let n = run.squares(size);
     let frames = run.choose(3, FRAMES);
     let mut drifting = DriftingBoxes::<2>::new(n, density, 7);
-    let mut rank_sweep = RankSweep::<f32, 2>::default().timed();
-    let mut grid_sweep = GridSweep::<f32, 2>::default().timed();
+    let mut rank_sweep = RankSweep::<f32, 2>::default();
     let (mut boxes, mut pairs) = (Vec::new(), Vec::new());
-    let [mut pairing, mut all, mut sweep] = [const { Times(Vec::new()) }; 3];
+    let [mut pairing, mut all] = [const { Times(Vec::new()) }; 2];
     let mut collisions = 0;
     for _ in 0..frames {
         drift(&mut drifting, &mut boxes);
         rank_sweep.find_pairs(&boxes, &mut pairs)?;
-        pairing.push(rank_sweep.phase_times().sweep);
-        all.push(rank_sweep.phase_times().total());
-        grid_sweep.find_pairs(&boxes, &mut pairs)?;
-        sweep.push(grid_sweep.phase_times().sweep);
+        let [sorted, swept] = rank_sweep.phase_times();
+        pairing.push(swept);
+        all.push(sorted + swept);
         collisions += pairs.len();
     }
     let collisions = collisions as f64 / frames as f64;
@@ -50,7 +48,6 @@ fn measure_line(run: &mut Run, line: &Line) -> Result<()> {
             each(their_pairing, their_collisions * 1e3).into(),
         ),
         ("rank_sweep_ns", each(pairing.median(), collisions).into()),
-        ("grid_sweep_ns", each(sweep.median(), collisions).into()),
     ];
     Ok(run.row("figure3", &row(density, n), &columns)?)
 }

@@ -194,19 +194,22 @@ impl Trial {
         self.run(&input, &mut Vec::new());
     }
 
-    /// Sets boxes in all broad phases.
+    /// Sets boxes in all broad phases, as a part of the next update.
     pub(crate) fn set_boxes(
         &mut self,
         params: &IntegrationParameters,
         aabbs: &[(ColliderHandle, RapierAabb)],
     ) {
-        self.prepare(
-            |own| {
-                for (handle, aabb) in aabbs {
-                    own.set_aabb(params, *handle, *aabb);
-                }
-            },
-            |tried| tried.set_boxes(params, aabbs),
-        );
+        let (allocated, no_events) = (self.allocated, &mut Vec::new());
+        self.own_measured.run(allocated, no_events, |_| {
+            for (handle, aabb) in aabbs {
+                self.own.set_aabb(params, *handle, *aabb);
+            }
+        });
+        for (broad_phase, measured) in self.tried.iter_mut().zip(&mut self.measured) {
+            measured.run(allocated, no_events, |_| {
+                broad_phase.set_boxes(params, aabbs);
+            });
+        }
     }
 }

@@ -81,9 +81,6 @@ fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_
         .as_ref()
         .map(|contacts| |a, b| contacts.is_active(a, b));
     run(&Input {
-        params: input.params,
-        colliders: input.colliders,
-        bodies: input.bodies,
         lists: Lists {
             modified: input.modified,
             reinserted: input.reinserted,
@@ -94,6 +91,7 @@ fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_
         skips_unbounded: true,
         felt: input.felt,
         is_active: is_active.as_ref().map(|is_active| is_active as _),
+        ..Input::new(input.params, input.colliders, input.bodies, &[], &[])
     });
 }
 

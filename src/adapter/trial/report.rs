@@ -5,9 +5,16 @@ use std::time::Duration;
 
 use super::super::rapier::geometry::{BroadPhasePairEvent, ColliderHandle};
 use super::super::version;
-use super::LEVELS;
+use crate::clock;
 use crate::pair_filter::PairFilter;
-use crate::stopwatch;
+
+/// The levels of the filter, in ascending order.
+pub(super) const LEVELS: [PairFilter; 4] = [
+    PairFilter::Off,
+    PairFilter::Bodies,
+    PairFilter::Groups,
+    PairFilter::Shapes,
+];
 
 /// The results of a [`Trial`](super::Trial). `Display` prints them as a table.
 #[derive(Clone, Debug)]
@@ -26,7 +33,7 @@ pub struct TrialReport {
 }
 
 /// The measurements of one broad phase.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct Measured {
     /// The level of the filter; `None` for Rapier's own broad phase.
@@ -51,18 +58,12 @@ impl Measured {
     pub(super) fn of(level: Option<PairFilter>) -> Self {
         Self {
             level,
-            total: Duration::ZERO,
-            mean: Duration::ZERO,
-            longest: Duration::ZERO,
-            pairs: 0.0,
-            bytes: None,
-            current: Duration::ZERO,
-            all_pairs: 0,
+            ..Self::default()
         }
     }
 
     /// Runs a part of the current update, and adds its time and memory. The memory of events does not count.
-    pub(super) fn run(
+    pub(crate) fn run(
         &mut self,
         allocated: Option<fn() -> usize>,
         events: &mut Vec<BroadPhasePairEvent>,
@@ -73,9 +74,9 @@ impl Measured {
             allocated.map(|allocated| allocated() as i64 - of_events as i64)
         };
         let before = bytes(events);
-        let began = stopwatch::now();
+        let began = clock::now();
         run(events);
-        self.current += stopwatch::since(began);
+        self.current += clock::since(began);
         if let (Some(before), Some(after)) = (before, bytes(events)) {
             *self.bytes.get_or_insert(0) += after - before;
         }

@@ -1,11 +1,11 @@
-//! Held pairs whose candidates are retired, until the search has found them again or not.
+//! Held pairs whose candidates are retired and whose boxes overlap, until the search has found them again.
 
 use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
 
-/// A set of pairs. In each update it is filled, indexed, searched, and emptied, in this order.
+/// A set of pairs. In each update it is filled, indexed, asked, and emptied, in this order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RetiredPairs {
     /// By hash, the first entry of a list. Their number is a power of two, and at least the number of entries.
@@ -19,9 +19,6 @@ struct Entry {
     next: u32,
 }
 
-/// In place of a pair that was removed.
-const TAKEN: [u32; 2] = [u32::MAX; 2];
-
 impl RetiredPairs {
     /// Makes room for this number of pairs in an empty set.
     pub(super) fn reserve(&mut self, pairs: usize) {
@@ -33,16 +30,7 @@ impl RetiredPairs {
         self.entries.push(Entry { pair, next: END });
     }
 
-    /// The pairs, before any is removed.
-    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.entries.iter().map(|entry| entry.pair)
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.entries.is_empty()
-    }
-
-    /// Prepares for [`place`](Self::place).
+    /// Prepares for [`contains`](Self::contains).
     pub(super) fn index(&mut self) {
         let count = self.entries.len().next_power_of_two().max(2);
         self.heads.clear();
@@ -53,28 +41,21 @@ impl RetiredPairs {
         }
     }
 
-    /// The place of a pair, if it is in the set, which must be indexed.
-    pub(super) fn place(&self, pair: [u32; 2]) -> Option<u32> {
+    /// Whether a pair is in the set, which must be indexed.
+    pub(super) fn contains(&self, pair: [u32; 2]) -> bool {
         let mut link = self.heads[hash(pair, self.heads.len())];
         while link != END {
             let entry = &self.entries[link as usize];
             if entry.pair == pair {
-                return Some(link);
+                return true;
             }
             link = entry.next;
         }
-        None
+        false
     }
 
-    /// Removes the pair at a place.
-    pub(super) fn take(&mut self, place: u32) {
-        self.entries[place as usize].pair = TAKEN;
-    }
-
-    /// Empties the set, and calls `visit` with each pair that was not removed.
-    pub(super) fn drain(&mut self, visit: impl FnMut([u32; 2])) {
-        let pairs = self.entries.drain(..).map(|entry| entry.pair);
-        pairs.filter(|&pair| pair != TAKEN).for_each(visit);
+    pub(super) fn clear(&mut self) {
+        self.entries.clear();
     }
 
     /// Frees the memory of an empty set if it is large.

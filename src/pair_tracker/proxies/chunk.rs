@@ -29,10 +29,10 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         &self.keys[i]
     }
 
-    /// Whether the volume of the slot at `i` is a [part](VolumeKind::Part).
+    /// Whether the volume of the slot at `i` is a [box until it is read](VolumeKind::BoxUntilRead).
     #[inline(always)]
-    pub(crate) fn is_part(&self, i: usize) -> bool {
-        self.volumes.is_part(i)
+    pub(crate) fn is_box_until_read(&self, i: usize) -> bool {
+        self.volumes.is_box_until_read(i)
     }
 
     /// Places or moves the proxy at `i`. `aabb` must be valid.
@@ -60,7 +60,7 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
 
     /// Brings the volume of the proxy at `i`, if volumes are in use, up to date with the box of its collider: see [`VolumesChunk::follow`].
     #[inline(always)]
-    pub(crate) fn follow_with_volume(&mut self, i: usize, aabb: &Aabb<R, D>, has_only_moved: bool) {
+    pub(crate) fn follow_volume(&mut self, i: usize, aabb: &Aabb<R, D>, has_only_moved: bool) {
         if self.volumes.are_used() && self.volumes.follow(i, aabb, has_only_moved) {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);

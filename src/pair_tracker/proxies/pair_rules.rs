@@ -67,14 +67,14 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
         let slack = if was_held { self.slack } else { R::ZERO };
         // Which balls meet is practically random, so there is no branch on it.
-        if let Some(meet) = volumes.meet_as_balls(pair, slack) {
+        if let Some(meet) = volumes.meet_without_half_axes(pair, slack) {
             return Some(meet | (was_held & !self.is_renewed(pair)));
         }
         if was_held && !self.is_renewed(pair) {
             return Some(true);
         }
         let are_read = !volumes.are_stale(pair);
-        are_read.then(|| volumes.meet_beyond_balls(pair, slack))
+        are_read.then(|| volumes.meet(pair, slack))
     }
 
     /// Of up to 64 pairs those whose boxes overlap.
@@ -97,9 +97,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         toggled | self.changed(overlap & !toggled, held, pairs)
     }
 
-    /// Of up to 64 candidates those that are near, that are `wanted`, and that are held now.
+    /// Of up to 64 candidates those that were near, that are `wanted`, and that begin now or whose stale volumes decide.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn met_of_near(
+    pub(in crate::pair_tracker) fn changed_of_near(
         &self,
         Rows { pairs, states }: Rows<'_>,
         wanted: impl Fn([u32; 2]) -> bool,

@@ -2,7 +2,7 @@
 
 use crate::aabb::Aabb;
 use crate::real::Real;
-use crate::volume::{Ball, VolumeKind, VolumeRef};
+use crate::volume::{Ball, VolumeKind};
 
 /// The volumes of a range of slots, numbered from its first one.
 pub(crate) struct VolumesChunk<'a, R, const D: usize> {
@@ -21,10 +21,10 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         !self.kinds.is_empty()
     }
 
-    /// Whether the volume of the slot `i` is a part, which stays so until the collider is read again.
+    /// Whether the volume of the slot `i` is a box until the collider is read again.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn is_part(&self, i: usize) -> bool {
-        self.kinds.get(i) == Some(&VolumeKind::Part)
+    pub(in crate::pair_tracker) fn is_box_until_read(&self, i: usize) -> bool {
+        self.kinds.get(i) == Some(&VolumeKind::BoxUntilRead)
     }
 
     /// Notes that the collider of the slot `i` is in this box now. A ball follows its box, and other volumes become stale. `has_only_moved` is
@@ -45,31 +45,12 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
                 self.balls[i] = ball;
                 self.near[i] > 0
             }
-            VolumeKind::Part if has_only_moved => false,
+            VolumeKind::BoxUntilRead if has_only_moved => false,
             kind => {
                 self.are_stale[i] = true;
                 // The pairs of other volumes ask for them.
                 kind.axes::<D>() == 0 || self.near[i] > 0
             }
         }
-    }
-}
-
-/// The volume at `i` of a range of slots.
-#[inline(always)]
-pub(super) fn volume_of<'a, R: Real, const D: usize>(
-    kinds: &[VolumeKind],
-    balls: &'a [Ball<R, D>],
-    half_axes: &'a [[[R; D]; D]],
-    i: usize,
-) -> VolumeRef<'a, R, D> {
-    let kind = kinds[i];
-    VolumeRef {
-        kind,
-        ball: &balls[i],
-        half_axes: match kind.axes::<D>() {
-            0 => &[],
-            axes => &half_axes[i][..axes],
-        },
     }
 }

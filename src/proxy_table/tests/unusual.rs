@@ -16,7 +16,7 @@ fn the_boxes_after_an_unusual_one_are_set_in_parts_as_well() {
     boxes[7].0.1 = 1;
     boxes.push(((7, 0), aabb(7)));
     with_threads(2, || {
-        let section = table.section(boxes.len());
+        let section = table.reading_section(boxes.len());
         assert!(section.parts() > 1);
         let unusual = table.follow_in_parts(section, &boxes, MARGIN);
         assert!(unusual == [7, 20_000], "{}", unusual.len());

@@ -11,8 +11,6 @@
 //! slots do. For such a solver, the new pairs are split into two runs, which are interleaved. Within each run an impulse still travels from
 //! body to body in one iteration. If all pairs of the first run came before those of the second, high stacks would collapse sooner.
 
-use crate::pair_tracker::PairChange;
-
 /// The changes of an update. Updates reuse its memory.
 #[derive(Clone, Debug)]
 pub(crate) struct Changes {
@@ -31,18 +29,21 @@ impl Changes {
         }
     }
 
-    /// Adds a change.
+    /// Adds a pair that begins, by slots, smaller first.
     #[inline]
-    pub(super) fn note(&mut self, change: PairChange) {
-        match change {
-            PairChange::Added(pair) => self.added.push(pack(pair)),
-            PairChange::Deleted(pair) => self.deleted.push(pack(pair)),
-        }
+    pub(super) fn add(&mut self, pair: [u32; 2]) {
+        self.added.push(pack(pair));
+    }
+
+    /// Adds a pair that ends.
+    #[inline]
+    pub(super) fn delete(&mut self, pair: [u32; 2]) {
+        self.deleted.push(pack(pair));
     }
 
     /// Calls `each` with every change in order, whether the pair begins and its slots, and removes them all. Returns the numbers of ended and
     /// of new pairs. Computes in **O(n log n)** time, and in **O(n)** if the changes were added in order.
-    pub(super) fn drain(&mut self, mut each: impl FnMut(bool, [u32; 2])) -> [usize; 2] {
+    pub(crate) fn drain(&mut self, mut each: impl FnMut(bool, [u32; 2])) -> [usize; 2] {
         let counts = [self.deleted.len(), self.added.len()];
         // Packed pairs compare as single numbers, not slot by slot.
         self.deleted.sort_unstable();
