@@ -308,15 +308,19 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 }
 
-/// Removes the pairs from the given one on that are not wanted, without a branch.
+/// Removes the pairs from the given one on that are not wanted.
 fn filter(wanted: impl Fn([u32; 2]) -> bool + Sync) -> impl Fn(&mut Vec<[u32; 2]>, usize) + Sync {
-    move |pairs, first| {
-        let mut kept = first;
-        for i in first..pairs.len() {
-            let pair = pairs[i];
-            pairs[kept] = pair;
-            kept += usize::from(wanted(pair));
-        }
-        pairs.truncate(kept);
+    move |pairs, first| retain_from(pairs, first, &wanted)
+}
+
+/// Without a branch. In a function of its own, it compiles to half as many instructions.
+#[inline(always)]
+fn retain_from(pairs: &mut Vec<[u32; 2]>, first: usize, keep: impl Fn([u32; 2]) -> bool) {
+    let mut kept = first;
+    for i in first..pairs.len() {
+        let pair = pairs[i];
+        pairs[kept] = pair;
+        kept += usize::from(keep(pair));
     }
+    pairs.truncate(kept);
 }

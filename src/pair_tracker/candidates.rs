@@ -33,6 +33,8 @@ pub(super) struct Candidates {
     pub(super) overlapping_count: usize,
     /// The first cold row.
     pub(super) first_cold: usize,
+    /// Whether any slot is warm.
+    are_some_warm: bool,
     /// The slots that have no cold rows.
     warm: BitSet,
     /// In an update, held pairs that were retired and whose boxes overlap.
@@ -150,6 +152,7 @@ impl Candidates {
         if new.is_empty() {
             return;
         }
+        self.are_some_warm = true;
         let (first, warm) = (self.first_cold, &self.warm);
         let cold = &self.pairs[first..];
         // Without a branch, so that the compiler compares many slots at once.
@@ -190,10 +193,10 @@ impl Candidates {
         former
     }
 
-    /// Moves the rows from `first` on that have a warm slot before those that are cold.
+    /// Moves the rows from `first` on before those that are cold, if any slot is warm.
     fn warm_from(&mut self, first: usize) {
-        for row in first..self.pairs.len() {
-            if self.warm.has_any(self.pairs[row]) {
+        if self.are_some_warm {
+            for row in first..self.pairs.len() {
                 self.swap_with_first_cold(row);
                 self.first_cold += 1;
             }

@@ -166,6 +166,13 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         slots.sort_unstable();
         slots.dedup();
         let section = Section::of(slots.len(), BEYOND_BALLS * READ);
+        if section.parts() == 1 {
+            return slots.retain(|&slot| {
+                // A ball that has followed its box is not stale.
+                let is_stale = std::mem::take(&mut self.are_stale[slot as usize]);
+                !is_stale || self.set(slot, &colliders.volume(slot))
+            });
+        }
         let slots_a_part = slots.len().div_ceil(section.parts()).max(1);
         let parts = slots.chunks(slots_a_part).map(|slots| (slots, Vec::new()));
         let mut parts: Vec<_> = parts.collect();

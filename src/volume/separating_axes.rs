@@ -87,19 +87,13 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     /// and the segment of a ball is its center. Both tests share their products.
     #[inline(always)]
     pub(super) fn cores_are_apart(&self) -> bool {
-        let first = |it: VolumeRef<'a, R, D>| it.half_axes.first().map_or([R::ZERO; D], |&u| u);
-        let [u, v] = self.volumes.map(first);
+        let [u, v] = self.volumes.map(VolumeRef::first_half_axis);
         let between = self.between;
         let (dd, [ud, vd]) = (dot(between, between), [u, v].map(|half| dot(half, between)));
         if self.are_beyond_reach(dd, between, ud.abs() + vd.abs()) {
             return true;
         }
-        // See Ericson, Real-Time Collision Detection, 5.1.9.
-        let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
-        let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
-        let t = clamped(s * uv - vd, vv);
-        let s = clamped(t * uv + ud, uu);
-        let axis = core::array::from_fn(|k| between[k] + t * v[k] - s * u[k]);
+        let axis = nearest_points(between, [u, v], [ud, vd]);
         self.is_apart(axis, dot(u, axis).abs() + dot(v, axis).abs())
     }
 }
@@ -109,6 +103,23 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
 #[inline(always)]
 fn is_beyond<R: Real>(distance: R, reach: R) -> bool {
     (distance > at_least_exact(reach)) & distance.is_finite()
+}
+
+/// The vector between the approximate closest points of two segments with the half axes `u` and `v`. `between` is the vector between their
+/// centers, and `ud` and `vd` are its products with the half axes.
+///
+/// See Ericson, Real-Time Collision Detection, 5.1.9.
+#[inline(always)]
+pub(super) fn nearest_points<R: Real, const D: usize>(
+    between: [R; D],
+    [u, v]: [[R; D]; 2],
+    [ud, vd]: [R; 2],
+) -> [R; D] {
+    let [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
+    let s = clamped(ud * vv - vd * uv, uu * vv - uv * uv);
+    let t = clamped(s * uv - vd, vv);
+    let s = clamped(t * uv + ud, uu);
+    core::array::from_fn(|k| between[k] + t * v[k] - s * u[k])
 }
 
 /// A quotient, clamped to -1 to 1; 0 if the denominator is not positive.

@@ -68,7 +68,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         let candidates = &mut *self.candidates;
         (candidates.pairs, candidates.states, candidates.answers) = (pairs, states, answers);
         (candidates.held_count, candidates.overlapping_count) = (0, 0);
-        candidates.first_cold = 0;
+        (candidates.first_cold, candidates.are_some_warm) = (0, false);
         candidates.warm.clear();
         self.extend(found);
         self.candidates.retired.free_if_large();
