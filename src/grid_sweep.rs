@@ -5,8 +5,8 @@
 //! Samples decide only the speed, and some order of the boxes misleads every one of them. Whatever they say, n boxes with k pairs take
 //! **O(n logᴰ n + k log k)** time and **O(n + k)** memory:
 //!
-//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most three
-//!    times, or five in a crowd: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), and for a single tube. Outside of crowds
+//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most five
+//!    times: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), and for the best of them or a single tube. Outside of crowds
 //!    a class takes an eighth of the boxes that are left at least. If no grid does, the single tube does, because it takes three quarters
 //!    of its sample, which has a quarter of the boxes.
 //! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
@@ -15,8 +15,7 @@
 //! 4. A crowd takes a grid only if its boxes have no more entries there than its [room](crate::tuning::kernel::CROWD_ROOM) says. Crowds
 //!    within get half of the room that is left, and where no room is left the tree takes over. So crowds are at most two deep, and together
 //!    they have at most 18 entries for each box. They append their pairs to the list of the whole search, so each pair is listed once.
-//! 5. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a budget,
-//!    twice if there are rows. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. Each
+//! 5. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. Each
 //!    round of look-ups has half of the budget of the last round and at most half of its queries. If more queries spend their budget, or if
 //!    the sample says that they will, the tree takes them. The last [`FEW_QUERIES`] have no budget.
 //! 6. A look-up without a budget visits each tube and each entry of the other class at most once.
@@ -47,7 +46,7 @@ use crate::invalid_input::InvalidInput;
 use crate::pair_finder::{PairFinder, check_count};
 use crate::parallel;
 use crate::real::Real;
-use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, ROW_FROM, TREE_FROM};
+use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
@@ -62,9 +61,7 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
 /// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
 /// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
-/// the direction that takes less time for a sample; a box that reaches very many tubes is looked up in a copy of the
-/// class that is sorted along the first axis only. Where
-/// look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
+/// the direction that takes less time for a sample. Where look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
 /// than most or lie where few others do, they get a grid of their own.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
@@ -224,13 +221,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let (mut class, mut queries, mut members) = (fine, coarser, finer);
         let mut effort = 0.0;
         if queries.len() > FEW_QUERIES {
-            let most = [&queries, &members].map(|list| ROW_FROM * list.len() as f64);
-            let mut efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
-            if efforts[0] > most[0] && efforts[1] > most[1] {
-                class.add_row(members, boxes);
-                coarse.add_row(queries, boxes);
-                efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
-            }
+            let efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
             effort = efforts[0].min(efforts[1]);
             if efforts[1] < efforts[0] {
                 (class, queries, members) = (coarse, members, queries);

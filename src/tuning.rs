@@ -12,7 +12,7 @@ pub(crate) mod kernel {
     pub(crate) const ONE_TUBE_UP_TO: usize = 24;
 
     /// The size of a sample: one box in so many, at least and at most so many, or all if there are fewer.
-    #[derive(Clone, Copy)]
+    #[derive(Clone, Copy, PartialEq)]
     pub(crate) struct Sample {
         pub(crate) one_in: usize,
         pub(crate) range: [usize; 2],
@@ -35,21 +35,58 @@ pub(crate) mod kernel {
     /// large boxes make the strips too wide. If smaller: more boxes are on a border, or too large for the grid.
     pub(crate) const GRID_SIZE_QUANTILES: [f64; 2] = [0.75, 0.75];
 
-    /// Samples and quantiles, tried in turn.
-    pub(crate) const GRID_TRIES: [(Sample, [f64; 2]); 2] = [
-        (GRID_SAMPLE, GRID_SIZE_QUANTILES),
-        (SECOND_SAMPLE, GRID_SIZE_QUANTILES),
+    /// How a grid is chosen.
+    #[derive(Clone, Copy)]
+    pub(crate) struct Aim {
+        pub(crate) sample: Sample,
+        /// As [`GRID_SIZE_QUANTILES`].
+        pub(crate) sizes: [f64; 2],
+        /// Whether strips may be as narrow as boxes. The places of boxes that are too large for them do not count.
+        pub(crate) is_narrow: bool,
+    }
+
+    const fn narrow(cut_axes: f64, first: f64) -> Aim {
+        Aim {
+            sample: GRID_SAMPLE,
+            sizes: [cut_axes, first],
+            is_narrow: true,
+        }
+    }
+
+    /// The grids that are tried in turn until one [fits](FITTING). If more: each try is a pass over the boxes. If fewer: plates in several
+    /// directions share tubes.
+    pub(crate) const GRID_TRIES: [Aim; 4] = [
+        usual(GRID_SAMPLE),
+        narrow(0.375, 0.75),
+        narrow(0.125, 0.75),
+        usual(SECOND_SAMPLE),
     ];
 
-    /// The same for the boxes of a crowded tube, tried in turn. If more: each try is a pass over the boxes. If fewer: boxes that crowd among
-    /// others crowd in the next grid as well. If the second of a pair is smaller: too few boxes are left for a class. If larger: needles take
-    /// a third more comparisons.
-    pub(crate) const CROWD_TRIES: [(Sample, [f64; 2]); 4] = [
-        (GRID_SAMPLE, [0.375, 0.375]),
-        (GRID_SAMPLE, [0.125, 0.75]),
-        (GRID_SAMPLE, [0.75, 0.75]),
-        (GRID_SAMPLE, [0.03125, 0.75]),
+    const fn usual(sample: Sample) -> Aim {
+        Aim {
+            sample,
+            sizes: GRID_SIZE_QUANTILES,
+            is_narrow: false,
+        }
+    }
+
+    /// The same for the boxes of a crowded tube. If more: each try is a pass over the boxes. If fewer: boxes that crowd among others crowd in
+    /// the next grid as well. If the second of a pair is smaller: too few boxes are left for a class. If larger: needles take a third more
+    /// comparisons.
+    pub(crate) const CROWD_TRIES: [Aim; 4] = [
+        narrow(0.375, 0.375),
+        narrow(0.125, 0.75),
+        narrow(0.75, 0.75),
+        narrow(0.03125, 0.75),
     ];
+
+    /// Comparisons for each box. A grid with more, besides some for each pair, does not fit. If larger: boxes that crowd get no grid of their
+    /// own. If smaller: good grids are rejected, and searching takes longer with more classes.
+    pub(crate) const FITTING: f64 = 96.0;
+
+    /// A factor. If no grid fits, a later one must take so many times fewer comparisons than the first. If larger: boxes share tubes that
+    /// would not with another grid. If smaller: more classes, which gain less than their look-ups cost.
+    pub(crate) const FAR_FEWER: f64 = 4.0;
 
     /// Classes. The last one takes all boxes that are left, in one tube. If larger: look-ups between more pairs of classes. If smaller: boxes
     /// of very different sizes share a class.
@@ -73,14 +110,10 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
-    /// Comparisons for each query, [`QUERY`] included, in the cheaper direction. From so many on, the boxes of both classes are sorted into a
-    /// single tube as well. If larger: needles are compared with needles of another direction in tube after tube. If smaller: sorting costs more than it saves.
-    pub(crate) const ROW_FROM: f64 = 500.0;
-
     /// Comparisons for each box of two classes, besides some for each pair, in the cheaper direction. From so many on, a segment tree finds the
     /// pairs instead of look-ups. If larger: needles are compared with needles of another direction in tube after tube. If smaller: the tree
     /// takes longer than look-ups.
-    pub(crate) const TREE_FROM: f64 = 500.0;
+    pub(crate) const TREE_FROM: f64 = 1000.0;
 
     /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf. If larger: boxes are compared that a further node
     /// would separate. If smaller: nodes of a few boxes, each of which costs more than it saves.

@@ -6,22 +6,18 @@ use crate::aabb::Aabb;
 use crate::parallel::start_of_part;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    BOXES_A_TUBE, BOXES_PER_STRIP, CANDIDATES_A_BOX, GRID_PLACE_QUANTILES, GRID_SAMPLE, GRID_SPARE,
-    LONG_FROM, NARROWED_UP_TO, POINTS_A_TUBE, Sample,
+    Aim, BOXES_A_TUBE, BOXES_PER_STRIP, CANDIDATES_A_BOX, COMPARED_A_PAIR, FITTING,
+    GRID_PLACE_QUANTILES, GRID_SAMPLE, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, POINTS_A_TUBE,
+    Sample,
 };
 
 impl<R: Real> Grid<R> {
     /// A grid for boxes up to some size, with so many axes cut into strips. The quantiles are the shares of the members that do not
-    /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips. For a crowd, strips may
-    /// be as narrow as boxes.
-    pub(super) fn choose<const D: usize>(
-        members: Members<R, D>,
-        cuts: usize,
-        (sample, [cut_quantile, first_quantile]): (Sample, [f64; 2]),
-        is_crowd: bool,
-    ) -> Self {
+    /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips.
+    pub(super) fn choose<const D: usize>(members: Members<R, D>, cuts: usize, aim: Aim) -> Self {
+        let [cut_quantile, first_quantile] = aim.sizes;
         let n = members.count() as f64;
-        let sample = sample_indices(members.count(), sample);
+        let sample = sample_indices(members.count(), aim.sample);
         let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
         let mut sample: Vec<_> = sample.collect();
         let mut cut_samples = [1, 2].map(|k| {
@@ -33,7 +29,7 @@ impl<R: Real> Grid<R> {
             }
             axis
         });
-        if is_crowd {
+        if aim.is_narrow {
             // Boxes that are too large along either axis may lie far away, and make the others look sparse. Only now is it known which they are.
             for (k, axis) in (1..=cuts).zip(&mut cut_samples) {
                 let size = axis.size;
@@ -53,7 +49,7 @@ impl<R: Real> Grid<R> {
         let density = shares.fold(n * first_share, |density, share| density * share);
         let affordable = root(CANDIDATES_A_BOX / density, cuts);
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
-        let narrowest = match is_crowd {
+        let narrowest = match aim.is_narrow {
             false => widest / NARROWED_UP_TO,
             true => 1.0,
         };
@@ -99,27 +95,36 @@ impl<R: Real> Grid<R> {
     }
 }
 
-/// An estimate of the share of pairs that overlap along the first axis, of the members that a grid takes, or of those that it leaves. It
-/// is at least that of a pair in the sample.
-pub(super) fn share_along_first_axis<R: Real, const D: usize>(
+/// How many times more comparisons than it may a sweep takes, by a sample, of so many boxes that a grid takes or that it leaves. `comparisons` is
+/// the number of their ordered pairs in all tubes. The sweep compares those that overlap along the first axis. It may take
+/// [some](FITTING) for each box, and some for each pair.
+pub(super) fn excess<R: Real, const D: usize>(
     members: Members<R, D>,
     grid: &Grid<R>,
     are_taken: bool,
+    boxes: usize,
+    comparisons: f64,
 ) -> f64 {
+    let boxes = boxes as f64;
+    if comparisons <= FITTING * boxes {
+        return 0.0;
+    }
     let sample = sample_indices(members.count(), GRID_SAMPLE);
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
     let is_one = |aabb: &&_| are_taken != grid.is_oversized(aabb, &grid.tube_span(aabb));
-    let intervals = sample
-        .filter(is_one)
-        .map(|aabb| (aabb.mins[0], aabb.maxs[0]));
-    let mut intervals: Vec<_> = intervals.collect();
-    intervals.sort_unstable_by(|(a, _), (b, _)| a.to_f64().total_cmp(&b.to_f64()));
-    let mut count = 1;
-    for (i, &(_, max)) in intervals.iter().enumerate() {
-        let following = intervals[i + 1..].iter();
-        count += following.take_while(|&&(min, _)| min <= max).count();
+    let mut sample: Vec<_> = sample.filter(is_one).collect();
+    sample.sort_unstable_by(|a, b| a.mins[0].to_f64().total_cmp(&b.mins[0].to_f64()));
+    // At least one, for a sample cannot tell less.
+    let (mut overlaps, mut pairs) = (1, 0);
+    for (i, aabb) in sample.iter().enumerate() {
+        let following = sample[i + 1..].iter();
+        for other in following.take_while(|other| other.mins[0] <= aabb.maxs[0]) {
+            overlaps += 1;
+            pairs += usize::from(aabb.intersects(other));
+        }
     }
-    2.0 * count as f64 / (intervals.len() as f64).powi(2)
+    let [overlaps, pairs] = [overlaps, pairs].map(|n| n as f64 / (sample.len() as f64).powi(2));
+    overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
 }
 
 /// The positions of a sample of `n` items: the same each time, but at irregular distances, so that a pattern in the order of the

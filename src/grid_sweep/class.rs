@@ -1,9 +1,8 @@
 //! A size class: its boxes are assigned to the tubes of a grid, and each tube is sorted and swept.
 
 use super::assignment::Assignment;
-use super::choose::{sample_indices, share_along_first_axis};
+use super::choose::{excess, sample_indices};
 use super::emitter::{Emitter, Tally};
-use super::entry::{Entry, Owner};
 use super::grid::{Grid, cut_axes};
 use super::search::{Members, Search};
 use super::slab::Slab;
@@ -11,8 +10,8 @@ use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_ROOM, CROWD_TRIES, EFFORT_SAMPLE,
-    GRID_SIZE_QUANTILES, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
+    Aim, COMPARED_A_PAIR, CROWD_ROOM, CROWD_TRIES, EFFORT_SAMPLE, FAR_FEWER, GRID_SIZE_QUANTILES,
+    GRID_TRIES, ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -23,8 +22,6 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) slabs: Vec<Slab<R, D>>,
     /// A box around those of the class; for look-ups.
     pub(super) bounds: Option<Aabb<R, D>>,
-    /// The same boxes in a single tube, if some queries reach very many tubes.
-    pub(super) row: Option<Box<Self>>,
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
@@ -36,7 +33,6 @@ impl<R: Real, const D: usize> Class<R, D> {
         assignment: &mut Assignment,
         search: &mut Search<R, D>,
     ) -> Result<(), InvalidInput> {
-        self.row = None;
         let room = self.assign(members, oversized, assignment, search)?;
         assignment.place(members);
         search.keeps |= !oversized.is_empty();
@@ -53,13 +49,16 @@ impl<R: Real, const D: usize> Class<R, D> {
         Ok(())
     }
 
-    /// Chooses a grid and counts the entries of its tubes. If no grid suits the boxes, there is one tube. Returns the room of crowds in its
-    /// tubes: less than 1 if a further grid would not separate them.
+    /// Chooses a grid and counts the entries of its tubes. Returns the room of crowds in its tubes: less than 1 if a further grid would not
+    /// separate them.
     ///
-    /// Each class must take a fair share of the boxes, so that there are few classes, unless a plain sweep is fast for those that it leaves.
-    /// The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class all. A crowd comes from a
-    /// single tube. Its grid must leave at most three quarters of its comparisons, or few because short boxes stand in a row along the first
-    /// axis.
+    /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that fits is swept;
+    /// if none does, the first one, unless a later one takes far fewer comparisons. Each class must take a fair share of the boxes, so that
+    /// there are few classes. The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class
+    /// all.
+    ///
+    /// A crowd comes from a single tube. Its grid must leave at most three quarters of its comparisons, or fit because short boxes stand in a
+    /// row along the first axis. It may take few boxes if a plain sweep is fast for the others.
     fn assign(
         &mut self,
         members: Members<R, D>,
@@ -74,40 +73,53 @@ impl<R: Real, const D: usize> Class<R, D> {
             _ if is_crowd => &CROWD_TRIES,
             _ => &GRID_TRIES,
         };
-        for &aim in tries {
-            self.grid = Grid::choose(members, cut_axes::<D>(), aim, is_crowd);
+        let mut best = None;
+        for aim in tries {
+            if best.is_some() && aim.sample == SECOND_SAMPLE {
+                break;
+            }
+            self.grid = Grid::choose(members, cut_axes::<D>(), *aim);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
-            // Whether a sweep takes few comparisons for each box, since it compares only boxes that overlap along the first axis.
-            let are_few = |comparisons: f64, boxes: usize, are_taken| {
-                let share = share_along_first_axis(members, &self.grid, are_taken);
-                comparisons * share <= COMPARED_AN_ENTRY as f64 * boxes as f64
-            };
             if taken <= count / 8 {
                 let left = oversized.len();
                 let is_worth_it = is_crowd && taken > 0;
-                if !(is_worth_it && are_few((left as f64).powi(2), left, false)) {
+                let excess = || excess(members, &self.grid, false, left, (left as f64).powi(2));
+                if !(is_worth_it && excess() <= 1.0) {
                     continue;
                 }
             }
-            let Some(room) = search.room else {
-                return Ok(CROWD_ROOM);
-            };
             let [entries, comparisons] = assignment.comparisons().map(|count| count as f64);
-            let room = room * taken as f64 / entries;
-            if room < 1.0 {
+            let excess = || excess(members, &self.grid, true, taken, comparisons);
+            if let Some(room) = search.room {
+                let room = room * taken as f64 / entries;
+                if room >= 1.0 && comparisons <= 0.75 * (taken as f64).powi(2) {
+                    return Ok(room / 2.0);
+                }
+                if room >= 1.0 && excess() <= 1.0 {
+                    return Ok(0.0);
+                }
                 continue;
             }
-            if comparisons <= 0.75 * (taken as f64).powi(2) {
-                return Ok(room / 2.0);
+            let excess = excess();
+            if excess <= 1.0 {
+                return Ok(CROWD_ROOM);
             }
-            if are_few(comparisons, taken, true) {
-                return Ok(0.0);
+            if best.is_none_or(|(least, _)| excess < least / FAR_FEWER) {
+                best = Some((excess, aim));
             }
         }
-        self.grid = match tries {
-            [] => Grid::default(),
-            [.., (sample, _)] => Grid::choose(members, 0, (*sample, GRID_SIZE_QUANTILES), is_crowd),
+        self.grid = match (best, tries) {
+            (Some((_, aim)), _) => Grid::choose(members, cut_axes::<D>(), *aim),
+            (_, []) => Grid::default(),
+            (_, [.., last]) => Grid::choose(
+                members,
+                0,
+                Aim {
+                    sizes: GRID_SIZE_QUANTILES,
+                    ..*last
+                },
+            ),
         };
         assignment.count(members, &self.grid, oversized)?;
         Ok(if is_crowd { 0.0 } else { CROWD_ROOM })
@@ -123,27 +135,6 @@ impl<R: Real, const D: usize> Class<R, D> {
                 members.extend(at_home.map(|owner| owner.index()));
             }
         }
-    }
-
-    /// Sorts the members, whose boxes these are, into a single tube as well, unless that is done.
-    pub(super) fn add_row(&mut self, members: &[u32], boxes: &[Aabb<R, D>]) {
-        if self.row.is_some() {
-            return;
-        }
-        let entries = members.iter().map(|&i| Entry {
-            aabb: boxes[i as usize],
-            owner: Owner(i),
-        });
-        let mut slab = Slab::default();
-        slab.reset(0..1, true);
-        slab.push(0, &entries.collect::<Vec<_>>());
-        slab.free_scratch();
-        let mut row = Self {
-            slabs: vec![slab],
-            ..Self::default()
-        };
-        row.prepare_lookup();
-        self.row = Some(Box::new(row));
     }
 
     /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.

@@ -52,14 +52,6 @@ impl<R: Real, const D: usize> Class<R, D> {
             return;
         };
         let span = grid.tube_span(&near);
-        if let Some(row) = &self.row {
-            // A needle among needles of another direction reaches many tubes, and few boxes along the first axis.
-            if row.slabs[0].candidates(aabb) as u64
-                <= span.count().saturating_mul(PASSED_OVER as u64)
-            {
-                return row.look_up_box(aabb, index, emitter);
-            }
-        }
         let query = Query {
             aabb,
             index,
@@ -133,13 +125,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 crowd.kernel.prepare_lookup();
             }
         }
-    }
-
-    /// The number of comparisons for a box, if there is a single tube.
-    fn candidates(&self, aabb: &Aabb<R, D>) -> usize {
-        let maxs = &self.running_maxs[..];
-        let start = maxs.partition_point(|&max| max < aabb.mins[0]);
-        self.mins[0][start..maxs.len()].partition_point(|&min| min <= aabb.maxs[0])
     }
 
     /// Emits the pairs of the query with the entries of a tube: those that are at `strips`, or if that is `None`, those of all tubes
