@@ -7,8 +7,7 @@ use crate::parallel::start_of_part;
 use crate::real::Real;
 use crate::tuning::kernel::{
     Aim, BOXES_A_TUBE, BOXES_PER_STRIP, CANDIDATES_A_BOX, COMPARED_A_PAIR, FITTING,
-    GRID_PLACE_QUANTILES, GRID_SAMPLE, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, POINTS_A_TUBE,
-    Sample,
+    GRID_PLACE_QUANTILES, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, POINTS_A_TUBE, Sample,
 };
 
 impl<R: Real> Grid<R> {
@@ -109,7 +108,10 @@ pub(super) fn excess<R: Real, const D: usize>(
     if comparisons <= FITTING * boxes {
         return 0.0;
     }
-    let sample = sample_indices(members.count(), GRID_SAMPLE);
+    // A pair of the sample stands for a few comparisons of each box.
+    let size = (members.count() as f64).sqrt() as usize / 2;
+    let range = [size.max(16); 2];
+    let sample = sample_indices(members.count(), Sample { one_in: 1, range });
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
     let is_one = |aabb: &&_| are_taken != grid.is_oversized(aabb, &grid.tube_span(aabb));
     let mut sample: Vec<_> = sample.filter(is_one).collect();
