@@ -82,7 +82,7 @@ pub(crate) mod kernel {
 
     /// Comparisons for each box. A grid with more, besides some for each pair, does not fit. If larger: boxes that crowd get no grid of their
     /// own. If smaller: good grids are rejected, and searching takes longer with more classes.
-    pub(crate) const FITTING: f64 = 96.0;
+    pub(crate) const FITTING: f64 = 64.0;
 
     /// A factor. If no grid fits, a later one must take so many times fewer comparisons than the first. If larger: boxes share tubes that
     /// would not with another grid. If smaller: more classes, which gain less than their look-ups cost.
