@@ -52,8 +52,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// Chooses a grid and counts the entries of its tubes. Returns the room of crowds in its tubes: less than 1 if a further grid would not
     /// separate them.
     ///
-    /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that fits is swept;
-    /// if none does, the first one, unless a later one takes far fewer comparisons. Each class must take a fair share of the boxes, so that
+    /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that nearly fits is
+    /// swept, because its crowded tubes get grids of their own; if none does, the first one, unless a later one takes far fewer comparisons. Each class must take a fair share of the boxes, so that
     /// there are few classes. The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class
     /// all.
     ///
@@ -102,7 +102,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 continue;
             }
             let excess = excess();
-            if excess <= 1.0 {
+            if excess <= FAR_FEWER {
                 return Ok(CROWD_ROOM);
             }
             if best.is_none_or(|(least, _)| excess < least / FAR_FEWER) {
