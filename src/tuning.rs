@@ -84,9 +84,9 @@ pub(crate) mod kernel {
     /// own. If smaller: good grids are rejected, and searching takes longer with more classes.
     pub(crate) const FITTING: f64 = 64.0;
 
-    /// A factor. The grid of a class nearly fits if it takes no more than so many times the comparisons. If none does, a later one must take so
-    /// many times fewer than the first. If larger: boxes share tubes that would not with another grid. If smaller: more classes, which gain
-    /// less than their look-ups cost.
+    /// A factor. The grid of a class nearly fits up to so many times the comparisons. If none does, a later one must take so many times fewer
+    /// than the first. If larger: boxes share tubes that would not with another grid. If smaller: more classes, which gain less than their
+    /// look-ups cost.
     pub(crate) const FAR_FEWER: f64 = 4.0;
 
     /// Classes. The last one takes all boxes that are left, in one tube. If larger: look-ups between more pairs of classes. If smaller: boxes
