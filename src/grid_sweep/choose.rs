@@ -114,7 +114,8 @@ pub(super) fn excess<R: Real, const D: usize>(
     let sample = sample_indices(members.count(), Sample { one_in: 1, range });
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
     let is_one = |aabb: &&_| are_taken != grid.is_oversized(aabb, &grid.tube_span(aabb));
-    let mut sample: Vec<_> = sample.filter(is_one).collect();
+    let mut sample: Vec<_> = sample.collect();
+    sample.retain(is_one);
     sample.sort_unstable_by(|a, b| a.mins[0].to_f64().total_cmp(&b.mins[0].to_f64()));
     // At least one, for a sample cannot tell less.
     let (mut overlaps, mut pairs) = (1, 0);
