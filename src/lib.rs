@@ -69,8 +69,6 @@ mod brute_force;
 mod bucket_sort;
 mod clock;
 mod counting_sort;
-#[cfg(feature = "_adapter")]
-mod diagnostics;
 mod grid_sweep;
 mod invalid_input;
 mod lanes;
@@ -167,12 +165,7 @@ pub use pair_finder::PairFinder;
 pub use rank_sweep::RankSweep;
 pub use real::Real;
 #[cfg(feature = "_adapter")]
-pub use {
-    diagnostics::{Diagnostics, Overrides},
-    pair_filter::PairFilter,
-    settings::Settings,
-    stats::Stats,
-};
+pub use {pair_filter::PairFilter, settings::Settings, stats::Stats};
 
 /// The example of the README, compiled and run.
 #[cfg(all(doctest, feature = "rapier3d-027"))]

@@ -28,7 +28,6 @@ mod volumes;
 
 use std::fmt::Debug;
 
-use crate::diagnostics::{Diagnostics, Overrides};
 use crate::grid_sweep::MAX_BOXES;
 use crate::real::Real;
 use crate::stats::Stats;
@@ -84,7 +83,6 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
-    overrides: Overrides,
     /// The work of the last update's searches.
     work: Work,
     /// The cost of searching since the last full search, that one included.
@@ -99,20 +97,13 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn new(volumes: bool) -> Self {
         Self {
             proxies: Proxies::new(volumes),
-            foresight: Foresight::new(None),
-            overrides: Overrides::default(),
+            foresight: Foresight::default(),
             work: Work::default(),
             cost: Cost::default(),
             full_searches: 0,
             candidates: Candidates::default(),
             layers: Layers::default(),
         }
-    }
-
-    /// Fixes choices that the tracker otherwise makes for itself.
-    pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
-        self.foresight = Foresight::new(overrides.foresight);
-        self.overrides = overrides;
     }
 
     /// The held pairs, by slots, smaller first.
@@ -156,12 +147,5 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     pub(crate) fn describe(&self, stats: &mut Stats) {
         stats.pairs = self.candidates.held_count;
         stats.full_searches = self.full_searches;
-    }
-
-    pub(crate) fn diagnostics(&self) -> Diagnostics {
-        Diagnostics {
-            candidates: self.candidates.len(),
-            foresight: self.foresight.moves,
-        }
     }
 }

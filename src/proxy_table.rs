@@ -21,7 +21,6 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, MOST_SLOTS, PairTracker};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
@@ -89,15 +88,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         stats.refused = self.refused();
         self.tracker.describe(&mut stats);
         stats
-    }
-
-    /// What tests and studies ask beyond that. **O(1)**.
-    pub(crate) fn diagnostics(&self) -> Diagnostics {
-        self.tracker.diagnostics()
-    }
-
-    pub(crate) fn set_overrides(&mut self, overrides: Overrides) {
-        self.tracker.set_overrides(overrides);
     }
 
     /// The boxes by slot; invalid where there is no proxy.

@@ -197,14 +197,6 @@ pub(crate) mod kernel {
 
 /// Pairs over time: the tracker and the proxy table. Shown by `measure -- hard-motions`, and in whole worlds by the package `compare`.
 pub(crate) mod update {
-    /// Listed colliders. Up to this many are read in the order of the list, because they fit in the caches in any order; more are read by
-    /// index. If larger: islands make the reads jump around in memory, which takes twice the time. If smaller: a pass over the bits of all
-    /// slots for a handful.
-    pub(crate) const READ_AS_LISTED_UP_TO: usize = 256;
-
-    /// Listed colliders. From this many on they are read by index even if the list is in order, because they are most of a large world.
-    pub(crate) const READ_BY_INDEX_FROM: usize = 1 << 14;
-
     /// Slots. A program may pass a box for a collider that is not known, and that may not exist. Up to this far beyond all known slots,
     /// queries find it at once. Colliders with the last so many indices are refused. If larger: a wrong handle takes more memory. If smaller: queries before the first update miss some boxes
     /// of a world whose colliders are passed in any order.

@@ -12,7 +12,6 @@ use super::rapier::parry::partitioning::Bvh;
 use super::rapier::parry::query::QueryDispatcher;
 use super::rapier::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use super::{Input, Settings, version};
-use crate::diagnostics::{Diagnostics, Overrides};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::Changes;
 use crate::parallel;
@@ -170,19 +169,6 @@ impl UnisizeBroadPhase {
 
     pub(crate) fn tree(&self) -> &Bvh {
         self.query_tree.of(self.table.boxes())
-    }
-
-    /// Counters for tests and studies. **O(1)**.
-    #[doc(hidden)]
-    pub fn diagnostics(&self) -> Diagnostics {
-        self.table.diagnostics()
-    }
-
-    /// Fixes choices that updates otherwise make themselves. Clones have the same overrides; a broad phase that was read from a snapshot has
-    /// none.
-    #[doc(hidden)]
-    pub fn set_overrides(&mut self, overrides: Overrides) {
-        self.table.set_overrides(overrides);
     }
 
     /// Iterates over the current pairs in unspecified order, each once, with the smaller collider index first. Computes in **O(pairs)** time.

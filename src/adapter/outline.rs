@@ -292,19 +292,6 @@ mod tests {
         ]
     }
 
-    #[test]
-    fn boxes_are_those_of_parry_in_every_pose() {
-        for shape in shapes() {
-            let mut outline = Outline::default();
-            for i in (0..50).map(|i| i as Real) {
-                let collider = ColliderBuilder::new(shape.clone())
-                    .translation([0.7 * i - 9.3; DIM].into())
-                    .rotation(Turn::of([i * 0.37, i * 1.3 - 5.0, i * 0.11]));
-                check(&mut outline, &collider.build());
-            }
-        }
-    }
-
     /// Shapes of about this size in many rotations.
     fn turned_shapes(size: Real) -> Vec<Collider> {
         let vector = |numbers: [Real; 3]| {

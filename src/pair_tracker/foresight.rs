@@ -43,30 +43,25 @@ const CUT_SEARCHES: u32 = 16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Foresight {
     pub(super) moves: u16,
-    /// Whether it is [overridden](crate::Overrides::foresight).
-    pub(super) is_fixed: bool,
     /// The most moves, less than [`LONGEST`] after there were too many candidates.
     limit: u16,
     /// Full searches until the limit is doubled.
     until_doubled: u32,
 }
 
-impl Foresight {
-    /// A foresight that follows the mean speed, or is fixed at this number of moves.
-    pub(super) fn new(fixed: Option<u16>) -> Self {
+impl Default for Foresight {
+    fn default() -> Self {
         Self {
-            moves: fixed.unwrap_or(FIRST),
-            is_fixed: fixed.is_some(),
+            moves: FIRST,
             limit: LONGEST,
             until_doubled: 0,
         }
     }
+}
 
+impl Foresight {
     /// The foresight of a full search. `speed()` is the mean speed in box sizes per move, if anything moves.
     pub(super) fn renewed(mut self, speed: impl FnOnce() -> Option<f64>) -> Self {
-        if self.is_fixed {
-            return self;
-        }
         if self.limit < LONGEST {
             match self.until_doubled.checked_sub(1) {
                 Some(searches) => self.until_doubled = searches,
@@ -164,10 +159,10 @@ mod tests {
 
     #[test]
     fn it_lies_ahead() {
-        let fat = Foresight::new(Some(8)).fat_box(&at(0.0, 0.0), &at(-0.1, 0.0));
+        let fat = Foresight::default().fat_box(&at(0.0, 0.0), &at(-0.1, 0.0));
         assert!(fat.contains(&at(0.8, 0.0)) && !fat.contains(&at(-0.2, 0.0)));
         // Never by more than the size of the box and a quarter to each side.
-        let fat = Foresight::new(Some(8)).fat_box(&at(0.0, 0.0), &at(-100.0, 0.0));
+        let fat = Foresight::default().fat_box(&at(0.0, 0.0), &at(-100.0, 0.0));
         assert_eq!(fat, Aabb::new([-0.25, -0.25], [2.25, 1.25]));
     }
 
@@ -181,7 +176,7 @@ mod tests {
 
     #[test]
     fn it_reaches_half_a_size_ahead_and_no_farther_than_the_longest() {
-        let moves = |speed| Foresight::new(None).renewed(|| speed).moves;
+        let moves = |speed| Foresight::default().renewed(|| speed).moves;
         let speeds = [None, Some(1e-9), Some(0.1), Some(0.5), Some(0.51)];
         assert_eq!(speeds.map(moves), [FIRST, LONGEST, 5, 1, 0]);
     }
@@ -189,7 +184,7 @@ mod tests {
     #[test]
     fn a_shortened_foresight_grows_again_step_by_step() {
         let slow = |foresight: Foresight| foresight.renewed(|| Some(1e-9));
-        let mut foresight = slow(Foresight::new(None));
+        let mut foresight = slow(Foresight::default());
         // From none as well.
         while foresight.moves > 0 {
             foresight.shorten();

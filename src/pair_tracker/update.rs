@@ -57,10 +57,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.proxies.begin_update(slack, colliders);
         self.work = Work::default();
         let proxies = &self.proxies;
-        let recent = match self.overrides.full_searches_only {
-            true => None,
-            false => self.layers.recent(),
-        };
+        let recent = self.layers.recent();
         let counts = [proxies.leavers.len(), proxies.len(), self.candidates.len()];
         if counts[0] == 0 {
             self.compare(changes, colliders);
@@ -115,7 +112,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         comparing.compare();
         comparing.extend(&mut self.layers.found);
         let overlapping = self.candidates.overlapping_count;
-        if !self.foresight.is_fixed && self.are_too_many(self.candidates.len(), overlapping) {
+        if self.are_too_many(self.candidates.len(), overlapping) {
             self.foresight.shorten();
             self.layers.forget();
         }
@@ -180,10 +177,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// How many more pairs of fat boxes than in the last full search a search may find before it gives up.
     fn most_found(&self) -> usize {
-        match self.foresight.is_fixed {
-            true => usize::MAX,
-            false => MOST_FOUND * (self.proxies.len() + self.candidates.overlapping_count),
-        }
+        MOST_FOUND * (self.proxies.len() + self.candidates.overlapping_count)
     }
 
     /// Whether there are more candidates than foresight can be worth, given how many of their boxes overlap.

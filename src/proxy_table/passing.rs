@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use super::slot_chunk::{SlotChunk, slot_chunks};
+use super::slot_chunk::slot_chunks;
 use super::{ColliderSource, Handle, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
@@ -35,67 +35,30 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.tracker.proxies.volumes.note_reach_of_boxes(reach);
         self.tracker.proxies.forget_repeats();
         let first_touched = self.touched().len();
-        let section = self.reading_section(boxes.len());
-        if section.parts() > 1 {
-            let unusual = self.follow_in_parts(section, boxes, margin);
-            for (handle, aabb) in unusual.into_iter().map(|place| boxes[place]) {
-                self.set_box(handle, aabb.into(), margin);
-            }
+        if let &[(handle, aabb)] = boxes {
+            self.set_box(handle, aabb.into(), margin);
         } else {
-            let mut boxes = boxes.iter();
-            while let Some(&(handle, aabb)) = self.follow_up_to(&mut boxes, margin) {
+            let section = self.reading_section(boxes.len());
+            for place in self.follow(section, boxes, margin) {
+                let (handle, aabb) = boxes[place];
                 self.set_box(handle, aabb.into(), margin);
             }
         }
         &self.touched()[first_touched..]
     }
 
-    /// Moves proxies up to the first one that needs more than a move, and returns that.
-    fn follow_up_to<'a, H: Handle, B: Copy + Into<Aabb<R, D>>>(
-        &mut self,
-        boxes: &mut impl Iterator<Item = &'a (H, B)>,
-        margin: R,
-    ) -> Option<&'a (H, B)> {
-        let mut all = SlotChunk {
-            proxies: self.tracker.proxies.all(),
-            generations: &self.generations,
-            memos: &mut self.memos,
-        };
-        boxes.find(|&&(handle, aabb)| !all.follow(handle, &aabb.into(), margin))
-    }
-
-    /// Moves proxies on several threads, each of which has a chunk of slots. Returns the ascending indices of the boxes that it has not
-    /// applied: those that need more than a move, and later ones of the same slots, so that the boxes of a collider are applied in order.
-    pub(super) fn follow_in_parts<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
+    /// Moves proxies in parts, each of which goes through all boxes for those of its slots. Returns the ascending indices of the boxes that it
+    /// has not applied: those that need more than a move, and later ones of the same slots, so that the boxes of a collider are applied in order.
+    pub(super) fn follow<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         section: Section,
         boxes: &[(H, B)],
         margin: R,
     ) -> Vec<usize> {
-        let parts = section.parts();
-        let slots_a_part = self.generations.len().div_ceil(parts).max(1);
-        let boxes_a_part = boxes.len().div_ceil(parts).max(1);
-        // First, each thread sorts some of the boxes by the chunk that they belong to; in the last place are those of slots without room.
-        let part_of = |slot: usize| match slot < self.generations.len() {
-            true => slot / slots_a_part,
-            false => parts,
-        };
-        let starts = (0..).step_by(boxes_a_part).zip(boxes.chunks(boxes_a_part));
-        let mut dealt: Vec<_> = starts
-            .map(|(start, boxes)| (start, boxes, vec![Vec::new(); parts + 1]))
-            .collect();
-        section.for_each(&mut dealt, |(start, boxes, places)| {
-            for (place, (handle, _)) in (*start..).zip(*boxes) {
-                let (slot, _) = handle.into_raw_parts();
-                places[part_of(slot as usize)].push(place);
-            }
-        });
-        let places = |part: usize| {
-            let of_part = dealt.iter().map(move |(_, _, places)| &places[part]);
-            of_part.flatten().copied()
-        };
-        // Then each thread applies the boxes of one chunk.
+        // At least one, so that there is a part.
+        self.make_room(1);
         let (proxies, notes) = (&mut self.tracker.proxies, &mut self.reader.notes);
+        let slots_a_part = self.generations.len().div_ceil(section.parts());
         let chunks = slot_chunks(
             proxies,
             &self.generations,
@@ -103,23 +66,27 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             notes,
             slots_a_part,
         );
-        let chunks = chunks.enumerate();
-        let mut followed: Vec<_> = chunks
-            .map(|(part, chunk)| (part, chunk, Vec::new()))
-            .collect();
-        section.for_each(&mut followed, |(part, chunk, unusual)| {
+        let starts = (0..).step_by(slots_a_part).zip(chunks);
+        let parts = starts.map(|(start, chunk)| (start..start + slots_a_part, chunk, Vec::new()));
+        let mut parts: Vec<_> = parts.collect();
+        if let Some((range, ..)) = parts.last_mut() {
+            // Those of slots without room need more than a move.
+            range.end = usize::MAX;
+        }
+        section.for_each(&mut parts, |(range, chunk, unusual)| {
             let mut slots = BTreeSet::new();
-            for place in places(*part) {
-                let (handle, aabb) = boxes[place];
+            for (place, &(handle, aabb)) in boxes.iter().enumerate() {
                 let (slot, _) = handle.into_raw_parts();
-                if slots.contains(&slot) || !chunk.follow(handle, &aabb.into(), margin) {
+                if range.contains(&(slot as usize))
+                    && (slots.contains(&slot) || !chunk.follow(handle, &aabb.into(), margin))
+                {
                     slots.insert(slot);
                     unusual.push(place);
                 }
             }
         });
-        let unusual = followed.into_iter().flat_map(|(_, _, unusual)| unusual);
-        let mut unusual: Vec<_> = unusual.chain(places(parts)).collect();
+        let unusual = parts.into_iter().flat_map(|(.., unusual)| unusual);
+        let mut unusual: Vec<_> = unusual.collect();
         unusual.sort_unstable();
         for notes in notes {
             self.tracker.proxies.notes.append(notes);

@@ -1,4 +1,4 @@
-//! Reads listed colliders, in the order of the list or in the order of their slots.
+//! Reads listed colliders, in the order of their slots.
 //!
 //! Rapier lists colliders island by island. Once bodies have met, that order jumps around in memory. In the order of slots the processor
 //! prefetches the next collider, which halves the time to read a scene that does not fit in the caches. A long list is split into chunks
@@ -14,7 +14,6 @@ use crate::pair_tracker::{FilterKey, Notes};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::READ;
-use crate::tuning::update::{READ_AS_LISTED_UP_TO, READ_BY_INDEX_FROM};
 
 /// Buffers for reading, reused by every update.
 #[derive(Clone, Debug, Default)]
@@ -66,8 +65,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     where
         S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        let section = self.reading_section(handles.len());
-        self.visit(handles, section, |chunk, i, handle| {
+        self.visit(handles, |chunk, i, handle| {
             chunk.read(i, handle, source, margin)
         });
         self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
@@ -83,8 +81,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     ) where
         S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        let section = self.reading_section(handles.len());
-        self.visit(handles, section, |chunk, i, handle| {
+        self.visit(handles, |chunk, i, handle| {
             chunk.read_in_place(i, handle, source, &has_changed)
         });
         self.for_deferred(|table, handle| {
@@ -102,51 +99,17 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         Section::of(colliders, self.tracker.proxies.volumes.price(READ))
     }
 
-    /// Calls `visit` with each known collider: with the chunk of slots, the index in it, and the handle. Defers the colliders for which it
-    /// returns false, and unknown ones.
+    /// Calls `visit` with each known collider, in the order of slots, in one chunk of slots or in one for each thread: with the chunk, the index
+    /// in it, and the handle. Defers the colliders for which it returns false, and unknown ones.
     fn visit<H: Handle>(
         &mut self,
         handles: &[H],
-        section: Section,
         visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
     ) {
-        match is_read_as_listed(handles, section) {
-            true => self.visit_as_listed(handles, visit),
-            false => self.visit_by_slot(handles, section, visit),
+        if handles.is_empty() {
+            return;
         }
-    }
-
-    /// Does this in the order of the list.
-    fn visit_as_listed<H: Handle>(
-        &mut self,
-        handles: &[H],
-        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool,
-    ) {
-        if self.reader.deferred.is_empty() {
-            self.reader.deferred.push(Vec::new());
-        }
-        let deferred = &mut self.reader.deferred[0];
-        let mut all = SlotChunk {
-            proxies: self.tracker.proxies.all(),
-            generations: &self.generations,
-            memos: &mut self.memos,
-        };
-        for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            let is_known = is_known(all.generations, slot, generation);
-            if !(is_known && visit(&mut all, slot as usize, handle)) {
-                deferred.push((slot, generation));
-            }
-        }
-    }
-
-    /// Does the same in the order of slots, in one chunk of slots or in one for each thread.
-    fn visit_by_slot<H: Handle>(
-        &mut self,
-        handles: &[H],
-        section: Section,
-        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
-    ) {
+        let section = self.reading_section(handles.len());
         self.reader.list(handles, &self.generations, section);
         let Reader {
             listed,
@@ -217,12 +180,4 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             }
         }
     }
-}
-
-/// Whether colliders are read in the order of the list: on one thread, if they are few or already in the order of slots.
-fn is_read_as_listed<H: Handle>(handles: &[H], section: Section) -> bool {
-    let is_sorted = || handles.is_sorted_by_key(|handle| handle.into_raw_parts().0);
-    let count = handles.len();
-    section.parts() == 1
-        && (count <= READ_AS_LISTED_UP_TO || count < READ_BY_INDEX_FROM && is_sorted())
 }

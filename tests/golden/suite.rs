@@ -6,7 +6,6 @@ use crate::hashes::golden;
 use crowd::Crowd;
 use oorandom::Rand32;
 use rapier::prelude::*;
-use unisize::{Diagnostics, Overrides};
 
 #[path = "../common/crowd/mod.rs"]
 mod crowd;
@@ -54,7 +53,6 @@ const fn replay(
 /// What must not matter.
 #[derive(Clone, Default)]
 struct Way {
-    overrides: Overrides,
     /// Whether clones take each other's place.
     is_cloned: bool,
     /// Whether what was written and read takes its place, before one update in so many.
@@ -99,7 +97,7 @@ impl Crowd {
 
 impl Replay {
     /// Checks the hash of all events, and returns the statistics of each update.
-    fn check(&self, way: &Way) -> Vec<(Stats, Diagnostics)> {
+    fn check(&self, way: &Way) -> Vec<Stats> {
         // About two to five overlapping pairs per three colliders, without a root of the count.
         let side = match (DIM, self.count) {
             (2, 1000) => 36.0,
@@ -114,7 +112,6 @@ impl Replay {
             crowd.put_on_bodies();
         }
         let mut broad_phase = UnisizeBroadPhase::with_settings(Settings::default());
-        broad_phase.set_overrides(way.overrides);
         let mut random = Rand32::new(5);
         let mut hash = Hash::default();
         let (mut events, mut stats) = (0, Vec::new());
@@ -139,7 +136,7 @@ impl Replay {
                 let found = crowd.update(&mut broad_phase);
                 write(&mut hash, &found);
                 events += found.len();
-                stats.push((broad_phase.stats(), broad_phase.diagnostics()));
+                stats.push(broad_phase.stats());
                 crowd.advance(stride);
                 if self.is_to_and_fro {
                     (0..crowd.handles.len()).for_each(|i| crowd.turn_back(i));
@@ -164,7 +161,7 @@ fn saved(broad_phase: &UnisizeBroadPhase) -> UnisizeBroadPhase {
     broad_phase.clone()
 }
 
-fn check(way: &Way) -> Vec<Vec<(Stats, Diagnostics)>> {
+fn check(way: &Way) -> Vec<Vec<Stats>> {
     ALL.iter().map(|replay| replay.check(way)).collect()
 }
 
@@ -208,22 +205,4 @@ fn threads_do_not_matter() {
         pool.install(|| [check(&plain), check(&shuffled)])
     });
     assert!(stats.iter().all(|other| *other == stats[0]));
-}
-
-#[test]
-fn foresight_and_look_ups_do_not_matter() {
-    for (foresight, full_searches_only) in [
-        (Some(0), false),
-        (Some(3), false),
-        (Some(64), false),
-        (None, true),
-    ] {
-        check(&Way {
-            overrides: Overrides {
-                foresight,
-                full_searches_only,
-            },
-            ..Way::default()
-        });
-    }
 }

@@ -8,9 +8,9 @@ use arbitrary::Unstructured;
 
 use crate::flavours;
 use crate::ops::{
-    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, FORESIGHTS, GROUP_BITS, Groups, LARGE,
-    LENGTH_UNITS, LENGTHS, List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS,
-    SMALL, Sequence, Shape, Triple, Types,
+    ANGLES, BodyKind, FAR, FAR_INDICES, FILTERS, GROUP_BITS, Groups, LARGE, LENGTH_UNITS, LENGTHS,
+    List, MARGINS, NEAR, NORMALS, NewCollider, Op, Parent, Pick, SKINS, SMALL, Sequence, Shape,
+    Triple, Types,
 };
 
 /// How many colliders there may be; the model looks at every pair of them.
@@ -42,14 +42,15 @@ impl<'a> Bytes<'a> {
 
     /// A sequence without updates.
     pub(crate) fn sequence(&mut self) -> Sequence {
-        Sequence {
+        let sequence = Sequence {
             length_unit: self.one_of(&LENGTH_UNITS),
             margin: self.one_of(&MARGINS),
             filter: self.one_of(&FILTERS),
-            foresight: self.one_of(&FORESIGHTS),
-            full_searches_only: self.below(5) == 4,
             updates: Vec::new(),
-        }
+        };
+        // The inputs that are kept have two more bytes here.
+        _ = (self.below(6), self.below(5));
+        sequence
     }
 
     fn read_updates(&mut self, updates: &mut Vec<Vec<Op>>) {
@@ -209,7 +210,7 @@ impl<'a> Bytes<'a> {
     }
 
     fn types(&mut self) -> Types {
-        self.one_of(&[Types::Usual, Types::All, Types::None])
+        self.one_of(&[Types::Usual, Types::All, Types::None, Types::Fixed])
     }
 
     fn body_kind(&mut self) -> BodyKind {

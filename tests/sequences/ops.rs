@@ -40,10 +40,6 @@ pub(crate) const FILTERS: [PairFilter; 4] = [
     PairFilter::Shapes,
 ];
 
-/// How far to look ahead, in the settings.
-pub(crate) const FORESIGHTS: [Option<u16>; 6] =
-    [None, None, None, Some(0), Some(3), Some(u16::MAX)];
-
 pub(crate) const MARGINS: [f32; 4] = [0.01, 0.0, 0.1, -1.0];
 
 /// Memberships and filters of collision groups.
@@ -95,6 +91,8 @@ pub(crate) struct Groups {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Types {
     Usual,
+    /// Only pairs of fixed bodies, and of a fixed and a kinematic one.
+    Fixed,
     All,
     None,
 }
@@ -184,10 +182,6 @@ pub(crate) struct Sequence {
     pub(crate) length_unit: f32,
     /// The margin in the settings.
     pub(crate) margin: f32,
-    /// How far to look ahead, in the overrides.
-    pub(crate) foresight: Option<u16>,
-    /// Whether there are no look-ups, in the overrides.
-    pub(crate) full_searches_only: bool,
     /// Which pairs are left out, in the settings.
     pub(crate) filter: PairFilter,
     pub(crate) updates: Vec<Vec<Op>>,
@@ -197,8 +191,8 @@ impl fmt::Debug for Sequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "length unit {}, margin {}, foresight {:?}, full searches only {}, filter {:?}",
-            self.length_unit, self.margin, self.foresight, self.full_searches_only, self.filter
+            "length unit {}, margin {}, filter {:?}",
+            self.length_unit, self.margin, self.filter
         )?;
         for (i, ops) in self.updates.iter().enumerate() {
             writeln!(f, "update {i}")?;

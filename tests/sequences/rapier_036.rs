@@ -107,7 +107,11 @@ pub(super) fn half_space(normal: Triple) -> SharedShape {
 }
 
 pub(super) fn groups(memberships: Group, filter: Group) -> InteractionGroups {
-    InteractionGroups::new(memberships, filter, InteractionTestMode::And)
+    let mode = match filter == Group::GROUP_2 {
+        true => InteractionTestMode::Or,
+        false => InteractionTestMode::And,
+    };
+    InteractionGroups::new(memberships, filter, mode)
 }
 
 pub(super) fn remove_collider(world: &mut World, handle: ColliderHandle) {

@@ -153,8 +153,8 @@ function writeNumbers() {
 }
 
 function searches() {
-  const [ahead, runs, updates] = sides.unisize.searches().map((count) => integer.format(count));
-  return `So far ${runs} searches for all pairs in ${updates} updates, the last one ${ahead} moves ahead.`;
+  const [runs, updates] = sides.unisize.searches().map((count) => integer.format(count));
+  return `So far ${runs} searches for all pairs in ${updates} updates.`;
 }
 
 function agreement() {

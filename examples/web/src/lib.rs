@@ -179,15 +179,13 @@ impl Side {
         finite.flat_map(|aabb| drawing::edges(&aabb)).collect()
     }
 
-    /// The number of moves that unisize's boxes reach ahead, and the numbers of full searches and of updates so far. Zeros on Rapier's own
-    /// broad phase.
+    /// The numbers of full searches and of updates so far. Zeros on Rapier's own broad phase.
     pub fn searches(&self) -> Vec<f64> {
         let Some(unisize) = self.unisize() else {
-            return vec![0.0; 3];
+            return vec![0.0; 2];
         };
         let stats = unisize.stats();
-        let [searches, updates] = [stats.full_searches, stats.updates].map(|count| count as f64);
-        vec![unisize.diagnostics().foresight.into(), searches, updates]
+        [stats.full_searches, stats.updates].map(|count| count as f64).into()
     }
 
     /// The ends of a line for each pair of the narrow phase, of those with a contact or of those without.

@@ -4,11 +4,11 @@ use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{
     IntegrationParameters, RigidBody, RigidBodyPosition, RigidBodySet, RigidBodyVelocity,
 };
+#[cfg(test)]
+use super::rapier::geometry::SharedShape;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet, InteractionGroups,
 };
-#[cfg(test)]
-use super::rapier::geometry::{Group, SharedShape};
 use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::na::Normed;
 use super::rapier::parry::bounding_volume::BoundingVolume;
@@ -46,12 +46,6 @@ pub(super) const RUNS: usize = 2;
 /// Whether it is enough that one of two groups is in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
     false
-}
-
-/// The groups with these memberships and this filter.
-#[cfg(test)]
-pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
-    vec![InteractionGroups::new(memberships, filter)]
 }
 
 /// Whether the shapes of two colliders intersect.

@@ -2,12 +2,12 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
+#[cfg(test)]
+use super::rapier::geometry::SharedShape;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
     InteractionGroups, InteractionTestMode,
 };
-#[cfg(test)]
-use super::rapier::geometry::{Group, SharedShape};
 use super::rapier::math::{DIM, Real};
 #[cfg(test)]
 use super::rapier::parry::query::intersection_test;
@@ -43,14 +43,6 @@ pub(super) const RUNS: usize = 1;
 #[inline(always)]
 pub(super) fn is_either_enough(groups: &InteractionGroups) -> bool {
     groups.test_mode == InteractionTestMode::Or
-}
-
-/// The groups with these memberships and this filter.
-#[cfg(test)]
-pub(super) fn all_groups(memberships: Group, filter: Group) -> Vec<InteractionGroups> {
-    let modes = [InteractionTestMode::And, InteractionTestMode::Or];
-    let groups = modes.map(|mode| InteractionGroups::new(memberships, filter, mode));
-    groups.to_vec()
 }
 
 /// Whether the shapes of two colliders intersect.

@@ -7,11 +7,10 @@ use super::rapier::parry::query::DefaultQueryDispatcher;
 use super::rapier::prelude::*;
 use super::{HandedOver, Settings, UnisizeBroadPhase, version};
 use crate::ops::Sequence;
-use unisize::{Overrides, PairFilter};
+use unisize::PairFilter;
 
 pub(crate) struct CheckedBroadPhase {
     inner: UnisizeBroadPhase,
-    overrides: Overrides,
     model: Model,
     updates: u64,
     /// The least prediction distance so far.
@@ -27,15 +26,9 @@ impl CheckedBroadPhase {
         let settings = Settings::default()
             .with_margin(Real::from(sequence.margin))
             .with_filter(sequence.filter);
-        let mut inner = UnisizeBroadPhase::with_settings(settings);
-        let overrides = Overrides {
-            foresight: sequence.foresight,
-            full_searches_only: sequence.full_searches_only,
-        };
-        inner.set_overrides(overrides);
+        let inner = UnisizeBroadPhase::with_settings(settings);
         Self {
             inner,
-            overrides,
             model: Model::new(sequence.filter),
             updates: 0,
             prediction: Real::MAX,
@@ -121,8 +114,6 @@ impl CheckedBroadPhase {
         if is_written {
             let bytes = postcard::to_stdvec(&self.inner).expect("it can be written");
             self.inner = postcard::from_bytes(&bytes).expect("it can be read");
-            // They are not saved.
-            self.inner.set_overrides(self.overrides);
         }
         self.check_state();
     }

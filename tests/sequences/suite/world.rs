@@ -427,6 +427,7 @@ fn interaction_groups(groups: Groups) -> InteractionGroups {
 fn collision_types(types: Types) -> ActiveCollisionTypes {
     match types {
         Types::Usual => ActiveCollisionTypes::default(),
+        Types::Fixed => ActiveCollisionTypes::KINEMATIC_FIXED | ActiveCollisionTypes::FIXED_FIXED,
         Types::All => ActiveCollisionTypes::all(),
         Types::None => ActiveCollisionTypes::empty(),
     }

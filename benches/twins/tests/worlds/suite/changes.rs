@@ -189,9 +189,7 @@ fn what_is_left_out_is_not_held() {
         let ball = ColliderBuilder::ball(0.5);
         twins.insert(sleepless(0.5).translation(at(-0.9, -0.9)), ball);
         twins.steps(STEPS);
-        let stats = twins.unisize.stats();
-        assert!(twins.unisize.diagnostics().candidates >= stats.pairs);
-        stats.pairs
+        twins.unisize.stats().pairs
     };
     assert_eq!(pairs_with(PairFilter::Off), 6);
     assert_eq!(pairs_with(PairFilter::Bodies), 3);
