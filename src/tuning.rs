@@ -285,14 +285,10 @@ pub(crate) mod queries {
     /// the nodes of removed leaves. If smaller: rays visit more of the tree. If larger: time.
     pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 2;
 
-    /// One leaf in this many. When many leaves were written at once, and more than this share has left the boxes for which their places were
-    /// chosen, the tree is judged by its girth. If larger: time. If smaller: the tree degrades unnoticed.
-    pub(crate) const JUDGE_FROM_ONE_IN: usize = 4;
+    /// One leaf in this many. When many leaves were written at once, and more than this share has left the boxes for which they were inserted,
+    /// the tree is built again. If larger: time. If smaller: rays visit more of the tree.
+    pub(crate) const BUILD_FROM_ONE_IN: usize = 4;
 
     /// The sample of leaves for that. If larger: time. If smaller: chance decides.
     pub(crate) const STRAY_SAMPLE: usize = 64;
-
-    /// Units of 2^-20 octaves. If the girth has grown by more since the tree was built, it is built again. If larger: the tree degrades, and
-    /// rays visit more of it. If smaller: building takes longer than rays save.
-    pub(crate) const BUILD_FROM_GIRTH: u64 = 1 << 20;
 }

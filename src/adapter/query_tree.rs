@@ -8,10 +8,10 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::rapier::geometry::Aabb as RapierAabb;
 use super::rapier::math::{DIM, Real};
-use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace, TraversalAction};
+use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use crate::slot_set::SlotSet;
 use crate::tuning::queries::{
-    BUILD_FROM_GIRTH, FEW_UP_TO_ONE_IN, JUDGE_FROM_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
+    BUILD_FROM_ONE_IN, FEW_UP_TO_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
     TIGHTEN_FROM_ONE_IN,
 };
 
@@ -38,10 +38,8 @@ struct Tree {
     bvh: Bvh,
     /// Scratch memory of Parry's.
     workspace: BvhWorkspace,
-    /// By slot, the box when the tree was last judged, or for which its leaf was last inserted.
+    /// By slot, the box for which its leaf was inserted.
     placed: Vec<Aabb>,
-    /// The girth of the new tree.
-    girth: u64,
     /// The number of leaves that were written alone or removed since the last [refit](Bvh::refit).
     loose: usize,
 }
@@ -137,7 +135,6 @@ impl Tree {
             bvh
         };
         Self {
-            girth: girth(&bvh),
             bvh,
             workspace: BvhWorkspace::default(),
             placed: boxes.to_vec(),
@@ -148,12 +145,14 @@ impl Tree {
     /// Returns the tree with the leaves of these slots written again.
     ///
     /// A leaf that has moved far since it was inserted makes its ancestors large, and rays then visit more nodes. If few leaves have moved,
-    /// each such leaf is inserted again. If many have moved, they usually move far at about the same time. Then the tree is built again,
-    /// unless neighbors have moved together.
+    /// each such leaf is inserted again. If many have moved, they usually move far at about the same time. Then the tree is built again.
     fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
         let leaves = self.bvh.leaf_count() as usize;
-        let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
         self.placed.resize(boxes.len(), Aabb::ABSENT);
+        let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
+        if !are_few && self.have_strayed(boxes, renewed) {
+            return Self::new(boxes);
+        }
         for &slot in renewed {
             let aabb = boxes[slot as usize];
             if !aabb.is_valid() {
@@ -179,12 +178,6 @@ impl Tree {
         } else if !are_few {
             self.bvh.refit_without_opt();
         }
-        if !are_few && self.have_strayed(boxes, renewed) {
-            if girth(&self.bvh) > self.girth + BUILD_FROM_GIRTH {
-                return Self::new(boxes);
-            }
-            self.placed.copy_from_slice(boxes);
-        }
         self
     }
 
@@ -196,7 +189,7 @@ impl Tree {
             let i = slot as usize;
             boxes[i].is_valid() && !boxes[i].intersects(&self.placed[i])
         });
-        strays.count() * JUDGE_FROM_ONE_IN > count
+        strays.count() * BUILD_FROM_ONE_IN > count
     }
 
     /// Writes the leaf of a slot and its ancestors.
@@ -209,77 +202,5 @@ impl Tree {
         }
         self.bvh.insert(aabb.into(), slot);
         self.loose += 1;
-    }
-}
-
-/// The size of the inner nodes of a tree: the mean of the logarithms of their half areas, or perimeters in two dimensions, in units of 2^-20
-/// octaves. The mean of logarithms keeps a few nodes around a half-space from hiding the others.
-fn girth(bvh: &Bvh) -> u64 {
-    let (mut sum, mut nodes) = (0, 0);
-    bvh.traverse(|node| {
-        if node.is_leaf() {
-            return TraversalAction::Prune;
-        }
-        sum += octaves(f64::from(node.aabb().half_area_or_perimeter()));
-        nodes += 1;
-        TraversalAction::Continue
-    });
-    sum.checked_div(nodes).unwrap_or(0)
-}
-
-/// The base-2 logarithm of a nonnegative number plus a constant, in units of 2^-20, interpolated linearly between powers of two. These are the
-/// upper bits of the number.
-fn octaves(number: f64) -> u64 {
-    number.to_bits() >> 32
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Aabb, Boxes, DIM, Real, Tree};
-
-    const COUNT: usize = 1000;
-
-    /// Unit boxes in cells of size 2, each in its numbered cell, shifted along the first axis.
-    fn boxes(cell: impl Fn(usize) -> usize, shift: Real) -> Vec<Aabb> {
-        let columns = (COUNT as f64).powf(1.0 / DIM as f64).ceil() as usize;
-        let slots = 0..COUNT;
-        let boxes = slots.map(|slot| {
-            let mut rest = cell(slot);
-            let mut mins = [0.0; DIM];
-            for min in &mut mins {
-                *min = (rest % columns * 2) as Real;
-                rest /= columns;
-            }
-            mins[0] += shift;
-            Aabb::new(mins, mins.map(|min| min + 1.0))
-        });
-        boxes.collect()
-    }
-
-    /// Whether the tree is built again once all boxes have moved.
-    fn is_rebuilt(before: Boxes, now: Boxes) -> bool {
-        let mut tree = Tree::new(before);
-        // A new tree has no loose leaves.
-        tree.loose = 1;
-        let all: Vec<_> = (0..COUNT as u32).collect();
-        let tree = tree.refreshed(now, &all);
-        for (slot, aabb) in now.iter().enumerate() {
-            let leaf = tree.bvh.leaf_node(slot as u32).map(|node| node.aabb());
-            assert_eq!(leaf, Some((*aabb).into()));
-        }
-        tree.loose == 0
-    }
-
-    #[test]
-    fn the_tree_is_rebuilt_only_if_boxes_mix() {
-        let mut before = boxes(|slot| slot, 0.0);
-        let mut mixed = boxes(|slot| slot * 37 % COUNT, 100.0);
-        assert!(!is_rebuilt(&before, &boxes(|slot| slot, 100.0)));
-        assert!(is_rebuilt(&before, &mixed));
-        // A half-space around all boxes does not hide it.
-        for boxes in [&mut before, &mut mixed] {
-            boxes[0] = Aabb::new([-1e18; DIM], [1e18; DIM]);
-        }
-        assert!(is_rebuilt(&before, &mixed));
     }
 }

@@ -33,39 +33,25 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
         let axes = axes_by_overlap::<R, D>(&lists[0], &lists[1]);
         let [mut left, mut right] = lists.clone();
         let section = Section::of(left.len() + right.len(), LOOKED_UP);
-        let part_count = section.parts();
         let sort = |list: &mut [Entry<R, D>]| list.sort_unstable_by(|a, b| order(a, b, axes[0]));
-        if part_count == 1 {
-            sort(&mut left);
-            sort(&mut right);
-        } else {
-            join(|| sort(&mut left), || sort(&mut right));
-        }
-        let mut nodes = Vec::new();
+        join(|| sort(&mut left), || sort(&mut right));
+        let mut parts = Vec::new();
         for (intervals, points) in [(&lists[1], &mut left), (&lists[0], &mut right)] {
-            let points_a_node = points.len().div_ceil(part_count).max(1);
-            nodes.extend(
-                points
-                    .chunks_mut(points_a_node)
-                    .map(|points| (intervals, points)),
-            );
+            let points_a_part = points.len().div_ceil(section.parts()).max(1);
+            let points = points.chunks_mut(points_a_part);
+            parts.extend(points.map(|points| (intervals, points, Found::default())));
         }
-        let nodes_a_part = if part_count == 1 { nodes.len() } else { 1 };
-        let parts = nodes.chunks_mut(nodes_a_part.max(1));
-        let mut parts: Vec<_> = parts.map(|nodes| (nodes, Found::default())).collect();
-        let find = |(nodes, _): &mut (&mut [(&Vec<_>, &mut [_])], _), emitter: &mut Emitter| {
-            for (intervals, points) in nodes.iter_mut() {
-                descend(
-                    &mut intervals.to_vec(),
-                    points,
-                    axes[0],
-                    &axes[1..],
-                    emitter,
-                );
-            }
+        let find = |(intervals, points, _): &mut (&Vec<_>, &mut [_], _), emitter: &mut Emitter| {
+            descend(
+                &mut intervals.to_vec(),
+                points,
+                axes[0],
+                &axes[1..],
+                emitter,
+            );
         };
         let first = self.pairs.len();
-        self.collect(section, &mut parts, |(_, found)| found, find);
+        self.collect(section, &mut parts, |(.., found)| found, find);
         // The number of parts makes no difference.
         self.pairs[first..].sort_unstable();
     }
