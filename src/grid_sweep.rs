@@ -5,21 +5,18 @@
 //! Samples decide only the speed, and some order of the boxes misleads every one of them. Whatever they say, n boxes with k pairs take
 //! **O(n logᴰ n + k log k)** time and **O(n + k)** memory:
 //!
-//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most five
-//!    times: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), and for the best of them or a single tube. Outside of crowds
-//!    a class takes an eighth of the boxes that are left at least. If no grid does, the single tube does, because it takes three quarters
-//!    of its sample, which has a quarter of the boxes.
+//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most six
+//!    times: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), for the best of them or a single tube, and without the boxes
+//!    of crowded tubes.
 //! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
-//! 3. The sweep of a tube has a budget for each entry and each pair, unless it has [few entries](crate::tuning::kernel::NO_CROWD_UP_TO). A
-//!    tube that exceeds it becomes a crowd or is left to the tree.
-//! 4. A crowd takes a grid only if its boxes have no more entries there than its [room](crate::tuning::kernel::CROWD_ROOM) says. Crowds
-//!    within get half of the room that is left, and where no room is left the tree takes over. So crowds are at most two deep, and together
-//!    they have at most 18 entries for each box. They append their pairs to the list of the whole search, so each pair is listed once.
-//! 5. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. Each
-//!    round of look-ups has half of the budget of the last round and at most half of its queries. If more queries spend their budget, or if
-//!    the sample says that they will, the tree takes them. The last [`FEW_QUERIES`] have no budget.
-//! 6. A look-up without a budget visits each tube and each entry of the other class at most once.
-//! 7. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
+//! 3. The sweep of a tube has a budget for each entry and each pair, unless it has [few entries](crate::tuning::kernel::NO_CROWD_UP_TO).
+//!    Where it exceeds the budget, the tree takes over.
+//! 4. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a
+//!    budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes those that
+//!    do, and all if the sample says that they will, unless they are so few that comparing them with all boxes of the other class is within
+//!    the budget of all.
+//! 5. A look-up without a budget visits each tube and each entry of the other class at most once.
+//! 6. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
 //!
 //! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
 //!
@@ -29,7 +26,6 @@
 mod assignment;
 mod choose;
 mod class;
-mod crowd;
 mod emitter;
 mod entry;
 mod grid;
@@ -62,7 +58,7 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
 /// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
 /// the direction that takes less time for a sample. Where look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
-/// than most or lie where few others do, they get a grid of their own.
+/// than most or lie where few others do, they get a class of their own.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
@@ -204,47 +200,41 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         Ok(())
     }
 
-    /// Appends the pairs between two classes. A few coarse boxes are always looked up in the fine class; otherwise a sample decides
-    /// which class is looked up in the other, or that a segment tree finds the pairs. A query that exceeds its share of what the tree would take
-    /// is given up, and tried again with the others that did, or left to the tree.
+    /// Appends the pairs between two classes. A sample decides which class is looked up in the other, or that a segment tree finds the pairs.
+    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few.
     fn match_classes(&mut self, fine: usize, coarse: usize, search: &mut Search<R, D>) {
         let [finer, coarser] = &mut self.members;
         let (left, right) = self.classes.split_at_mut(coarse);
         let (fine, coarse) = (&mut left[fine], &mut right[0]);
+        let boxes = search.boxes;
+        let look_up = |class: &Class<R, D>, i: u32, emitter: &mut Emitter| {
+            class.look_up_box(&boxes[i as usize], i, emitter);
+        };
         coarse.list_members(coarser);
         fine.prepare_lookup();
-        let boxes = search.boxes;
-        if coarser.len() > FEW_QUERIES {
-            coarse.prepare_lookup();
-            fine.list_members(finer);
+        if coarser.len() <= FEW_QUERIES {
+            search.run_queries(coarser, usize::MAX, |i, emitter| look_up(fine, i, emitter));
+            return;
         }
+        coarse.prepare_lookup();
+        fine.list_members(finer);
         let (mut class, mut queries, mut members) = (fine, coarser, finer);
-        let mut effort = 0.0;
-        if queries.len() > FEW_QUERIES {
-            let efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
-            effort = efforts[0].min(efforts[1]);
-            if efforts[1] < efforts[0] {
-                (class, queries, members) = (coarse, members, queries);
-            }
+        let efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
+        if efforts[1] < efforts[0] {
+            (class, queries, members) = (coarse, members, queries);
         }
-        let look_up =
-            |i: u32, emitter: &mut Emitter| class.look_up_box(&boxes[i as usize], i, emitter);
-        // Rounds of look-ups together may take twice as long as the tree.
-        let mut price = TREE_FROM * (queries.len() + members.len()) as f64;
-        while queries.len() > FEW_QUERIES && !search.is_over() {
-            let budget = (price / queries.len() as f64) as usize;
-            let costly = match effort > price {
-                true => std::mem::take(queries),
-                false => search.run_queries(queries, budget, look_up),
-            };
-            if costly.len() > queries.len() / 2 {
-                return search.match_lists(&costly, members);
-            }
-            effort = class.effort(&costly, boxes);
-            *queries = costly;
-            price /= 2.0;
+        let price = TREE_FROM * (queries.len() + members.len()) as f64;
+        let budget = (price / queries.len() as f64) as usize;
+        let look_up = |i: u32, emitter: &mut Emitter| look_up(class, i, emitter);
+        let costly = match efforts[0].min(efforts[1]) > price {
+            true => std::mem::take(queries),
+            false => search.run_queries(queries, budget, look_up),
+        };
+        // Compared with each member, a few queries stay within the budget of all.
+        match (costly.len() * members.len()) as f64 <= price {
+            true => _ = search.run_queries(&costly, usize::MAX, look_up),
+            false => search.match_lists(&costly, members),
         }
-        search.run_queries(queries, usize::MAX, look_up);
     }
 
     /// Prepares for [`look_up_queries`](Self::look_up_queries), until the next search.

@@ -70,18 +70,8 @@ pub(crate) mod kernel {
         }
     }
 
-    /// The same for the boxes of a crowded tube. If more: each try is a pass over the boxes. If fewer: boxes that crowd among others crowd in
-    /// the next grid as well. If the second of a pair is smaller: too few boxes are left for a class. If larger: needles take a third more
-    /// comparisons.
-    pub(crate) const CROWD_TRIES: [Aim; 4] = [
-        narrow(0.375, 0.375),
-        narrow(0.125, 0.75),
-        narrow(0.75, 0.75),
-        narrow(0.03125, 0.75),
-    ];
-
-    /// Comparisons for each box. A grid with more, besides some for each pair, does not fit. If larger: boxes that crowd get no grid of their
-    /// own. If smaller: good grids are rejected, and searching takes longer with more classes.
+    /// Comparisons for each box. A grid with more, besides some for each pair, does not fit. If larger: boxes that crowd share a class with
+    /// others. If smaller: good grids are rejected, and searching takes longer with more classes.
     pub(crate) const FITTING: f64 = 64.0;
 
     /// A factor. The grid of a class nearly fits up to so many times the comparisons. If none does, a later one must take so many times fewer
@@ -92,10 +82,6 @@ pub(crate) mod kernel {
     /// Classes. The last one takes all boxes that are left, in one tube. If larger: look-ups between more pairs of classes. If smaller: boxes
     /// of very different sizes share a class.
     pub(crate) const MOST_CLASSES: usize = 8;
-
-    /// Entries for each box of a crowded tube, in a grid of its own. Crowds within that grid get half of the room that its entries leave. If
-    /// larger: memory. If smaller: segment trees where a further grid would do.
-    pub(crate) const CROWD_ROOM: f64 = 3.0;
 
     /// A factor. A box that is so many times longer along the first axis than that size, and than strips are wide, is too large for a grid.
     /// If larger: one long floor makes each look-up in its tube visit all entries along it. If smaller: more classes.
@@ -159,14 +145,19 @@ pub(crate) mod kernel {
     /// tubes of a few points, each of which costs more than it saves.
     pub(crate) const POINTS_A_TUBE: f64 = 16.0;
 
-    /// Comparisons for each entry of a tube, and for each pair among them. A tube with more is crowded, and gets a kernel of its own. If
-    /// larger: crowds are swept. If smaller: kernels where a sweep is as fast.
+    /// Comparisons for each entry of a tube, and for each pair among them. A sample says whether a tube takes more: then it is crowded,
+    /// and its boxes are left to further classes. Where a sweep takes more nevertheless, a segment tree takes over. If larger: crowds are swept.
+    /// If smaller: classes and trees where a sweep is as fast.
     pub(crate) const COMPARED_AN_ENTRY: usize = 128;
     pub(crate) const COMPARED_A_PAIR: usize = 16;
 
-    /// Entries. A tube of at most so many is never crowded. If larger: crowds are swept. If smaller: a grid of its own takes longer than comparing
+    /// Entries. A tube of at most so many is never crowded. If larger: crowds are swept. If smaller: further classes take longer than comparing
     /// each entry with each.
     pub(crate) const NO_CROWD_UP_TO: usize = 384;
+
+    /// A factor. Nor is a tube of at most so many times the mean number of entries. If larger: crowds are swept. If smaller: each tube is
+    /// sampled.
+    pub(crate) const CROWD_FROM: usize = 4;
 
     /// Entries of a tube. Up to this many are sorted by insertion alone. If larger: insertion is quadratic. If smaller: dealing into buckets
     /// costs more than it saves.

@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::choose::{overlaps_and_pairs, sample_indices};
 use super::entry::{Entry, Ghost, MAX_GHOSTS, Owner};
 use super::grid::Grid;
 use super::search::Members;
@@ -14,7 +15,10 @@ use crate::invalid_input::InvalidInput;
 use crate::pair_finder::check_boxes;
 use crate::parallel::{Section, start_of_part};
 use crate::real::Real;
-use crate::tuning::kernel::{BOXES_A_SLAB, SLABS_UP_TO, TABLED_TUBES_A_BOX};
+use crate::tuning::kernel::{
+    BOXES_A_SLAB, COMPARED_A_PAIR, COMPARED_AN_ENTRY, CROWD_FROM, EFFORT_SAMPLE, NO_CROWD_UP_TO,
+    SLABS_UP_TO, TABLED_TUBES_A_BOX,
+};
 use crate::tuning::prices::SEARCHED;
 
 /// Scratch memory: the entries of each tube. Members are first [counted](Self::count), then [placed](Self::place).
@@ -73,14 +77,50 @@ impl Assignment {
         self.section.for_each(parts, |part| part.place(members));
     }
 
-    /// The number of entries, and how many pairs of them share a tube, counted twice and with each entry paired with itself. Only between
-    /// counting and placing.
-    pub(super) fn comparisons(&self) -> [u64; 2] {
-        (0..self.tube_count as usize).fold([0; 2], |[entries, squares], tube| {
+    /// How many pairs of entries share a tube, counted twice and with each entry paired with itself. Only between counting and placing.
+    pub(super) fn comparisons(&self) -> u64 {
+        (0..self.tube_count as usize).fold(0, |squares, tube| {
             let counts = self.parts.iter().map(|part| u64::from(part.ends[tube]));
-            let count: u64 = counts.sum();
-            [entries + count, squares + count.pow(2)]
+            squares + counts.sum::<u64>().pow(2)
         })
+    }
+
+    /// Moves the boxes at home in crowded tubes to `oversized`, and returns the members that stay. `None` if there is no such tube, or if few
+    /// would stay. Only after placing.
+    ///
+    /// A tube is crowded if it has many more entries than most, and a sample says that the sweep would exceed its budget there: boxes that
+    /// are much smaller than most, say, or that lie where the sample for the grid saw nothing.
+    pub(super) fn without_crowds<R: Real, const D: usize>(
+        &self,
+        members: Members<R, D>,
+        oversized: &mut Vec<u32>,
+    ) -> Option<Vec<u32>> {
+        let count = |tube: u32| self.entries_before(tube + 1) - self.entries_before(tube);
+        let tubes = 0..self.tube_count;
+        let occupied = tubes.clone().filter(|&tube| count(tube) > 0).count();
+        let mean = self.entries_before(self.tube_count) / occupied.max(1);
+        let mut leaving = Vec::new();
+        for tube in tubes.filter(|&tube| count(tube) > NO_CROWD_UP_TO.max(CROWD_FROM * mean)) {
+            let owners = self.parts.iter().flat_map(|part| part.tube(tube));
+            let homes = owners.filter(|owner| owner.is_at_home());
+            let homes: Vec<_> = homes.map(|owner| owner.index()).collect();
+            let sample = sample_indices(homes.len(), EFFORT_SAMPLE);
+            let sample = sample.map(|i| &members.boxes[homes[i] as usize]);
+            let shares = overlaps_and_pairs(sample.collect());
+            let [overlaps, pairs] = shares.map(|share| share * count(tube) as f64);
+            if overlaps > COMPARED_AN_ENTRY as f64 + COMPARED_A_PAIR as f64 * pairs {
+                leaving.extend(homes);
+            }
+        }
+        let gone = oversized.len() + leaving.len();
+        if leaving.is_empty() || members.count() - gone < members.count() / 8 {
+            return None;
+        }
+        oversized.extend(leaving);
+        let mut stays = vec![true; members.boxes.len()];
+        oversized.iter().for_each(|&i| stays[i as usize] = false);
+        let all = (0..members.count()).map(|i| members.index(i));
+        Some(all.filter(|&i| stays[i as usize]).collect())
     }
 
     /// How many entries the tubes before this one have.

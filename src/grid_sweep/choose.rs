@@ -94,13 +94,12 @@ impl<R: Real> Grid<R> {
     }
 }
 
-/// How many times more comparisons than it may a sweep takes, by a sample, of so many boxes that a grid takes or that it leaves. `comparisons` is
+/// How many times more comparisons than it may a sweep takes, by a sample, of so many boxes that a grid takes. `comparisons` is
 /// the number of their ordered pairs in all tubes. The sweep compares those that overlap along the first axis. It may take
 /// [some](FITTING) for each box, and some for each pair.
 pub(super) fn excess<R: Real, const D: usize>(
     members: Members<R, D>,
     grid: &Grid<R>,
-    are_taken: bool,
     boxes: usize,
     comparisons: f64,
 ) -> f64 {
@@ -113,9 +112,16 @@ pub(super) fn excess<R: Real, const D: usize>(
     let range = [size.max(16); 2];
     let sample = sample_indices(members.count(), Sample { one_in: 1, range });
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
-    let is_one = |aabb: &&_| are_taken != grid.is_oversized(aabb, &grid.tube_span(aabb));
-    let mut sample: Vec<_> = sample.collect();
-    sample.retain(is_one);
+    let is_one = |aabb: &&_| !grid.is_oversized(aabb, &grid.tube_span(aabb));
+    let sample = sample.filter(is_one).collect();
+    let [overlaps, pairs] = overlaps_and_pairs(sample);
+    overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
+}
+
+/// Of the ordered pairs of a sample of boxes, the shares that overlap along the first axis, and that are pairs.
+pub(super) fn overlaps_and_pairs<R: Real, const D: usize>(
+    mut sample: Vec<&Aabb<R, D>>,
+) -> [f64; 2] {
     sample.sort_unstable_by(|a, b| a.mins[0].to_f64().total_cmp(&b.mins[0].to_f64()));
     // At least one, for a sample cannot tell less.
     let (mut overlaps, mut pairs) = (1, 0);
@@ -126,8 +132,7 @@ pub(super) fn excess<R: Real, const D: usize>(
             pairs += usize::from(aabb.intersects(other));
         }
     }
-    let [overlaps, pairs] = [overlaps, pairs].map(|n| n as f64 / (sample.len() as f64).powi(2));
-    overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
+    [overlaps, pairs].map(|n| n as f64 / (sample.len() as f64).powi(2))
 }
 
 /// The positions of a sample of `n` items: the same each time, but at irregular distances, so that a pattern in the order of the

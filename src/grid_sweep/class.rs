@@ -10,8 +10,8 @@ use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    Aim, COMPARED_A_PAIR, CROWD_ROOM, CROWD_TRIES, EFFORT_SAMPLE, FAR_FEWER, GRID_SIZE_QUANTILES,
-    GRID_TRIES, ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
+    Aim, COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_SIZE_QUANTILES, GRID_TRIES,
+    ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -33,8 +33,18 @@ impl<R: Real, const D: usize> Class<R, D> {
         assignment: &mut Assignment,
         search: &mut Search<R, D>,
     ) -> Result<(), InvalidInput> {
-        let room = self.assign(members, oversized, assignment, search)?;
+        self.assign(members, oversized, assignment, search)?;
         assignment.place(members);
+        if !search.is_last_class {
+            if let Some(staying) = assignment.without_crowds(members, oversized) {
+                let members = Members {
+                    indices: Some(&staying),
+                    ..members
+                };
+                assignment.count(members, &self.grid, &mut Vec::new())?;
+                assignment.place(members);
+            }
+        }
         search.keeps |= !oversized.is_empty();
         let ranges = assignment.split();
         self.slabs.resize_with(ranges.len(), Slab::default);
@@ -43,34 +53,29 @@ impl<R: Real, const D: usize> Class<R, D> {
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
         let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
-            slab.sweep(members.boxes, assignment, room, emitter);
+            slab.sweep(members.boxes, assignment, emitter);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
         Ok(())
     }
 
-    /// Chooses a grid and counts the entries of its tubes. Returns the room of crowds in its tubes: less than 1 if a further grid would not
-    /// separate them.
+    /// Chooses a grid and counts the entries of its tubes.
     ///
     /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that nearly fits is
-    /// swept, because its crowded tubes get grids of their own; if none does, the first one, unless a later one takes far fewer comparisons. Each class must take a fair share of the boxes, so that
-    /// there are few classes. The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class
+    /// swept, because the boxes of its crowded tubes are left to further classes; if none does, the first one, unless a later one takes far
+    /// fewer comparisons. Each class must take a fair share of the boxes, so that there are few classes. The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class
     /// all.
-    ///
-    /// A crowd comes from a single tube. Its grid must leave at most three quarters of its comparisons, or fit because short boxes stand in a
-    /// row along the first axis. It may take few boxes if a plain sweep is fast for the others.
     fn assign(
         &mut self,
         members: Members<R, D>,
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
         search: &Search<R, D>,
-    ) -> Result<f64, InvalidInput> {
-        let (count, is_crowd) = (members.count(), search.room.is_some());
+    ) -> Result<(), InvalidInput> {
+        let count = members.count();
         let tries = match count {
             ..=ONE_TUBE_UP_TO => &[][..],
             _ if search.is_last_class => &[],
-            _ if is_crowd => &CROWD_TRIES,
             _ => &GRID_TRIES,
         };
         let mut best = None;
@@ -82,28 +87,11 @@ impl<R: Real, const D: usize> Class<R, D> {
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
             if taken <= count / 8 {
-                let left = oversized.len();
-                let is_worth_it = is_crowd && taken > 0;
-                let excess = || excess(members, &self.grid, false, left, (left as f64).powi(2));
-                if !(is_worth_it && excess() <= 1.0) {
-                    continue;
-                }
-            }
-            let [entries, comparisons] = assignment.comparisons().map(|count| count as f64);
-            let excess = || excess(members, &self.grid, true, taken, comparisons);
-            if let Some(room) = search.room {
-                let room = room * taken as f64 / entries;
-                if room >= 1.0 && comparisons <= 0.75 * (taken as f64).powi(2) {
-                    return Ok(room / 2.0);
-                }
-                if room >= 1.0 && excess() <= 1.0 {
-                    return Ok(0.0);
-                }
                 continue;
             }
-            let excess = excess();
+            let excess = excess(members, &self.grid, taken, assignment.comparisons() as f64);
             if excess <= FAR_FEWER {
-                return Ok(CROWD_ROOM);
+                return Ok(());
             }
             if best.is_none_or(|(least, _)| excess < least / FAR_FEWER) {
                 best = Some((excess, aim));
@@ -121,8 +109,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 },
             ),
         };
-        assignment.count(members, &self.grid, oversized)?;
-        Ok(if is_crowd { 0.0 } else { CROWD_ROOM })
+        assignment.count(members, &self.grid, oversized)
     }
 
     /// Replaces `members` by the boxes of the class, in the order of its tubes.

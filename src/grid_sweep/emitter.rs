@@ -19,14 +19,6 @@ pub(crate) struct Tally {
     pub(crate) compared: usize,
 }
 
-/// By index in a crowd, the owners in the enclosing search.
-#[derive(Clone, Copy)]
-pub(super) struct Names<'a> {
-    owners: &'a [Owner],
-    /// If the crowd is within another one.
-    outer: Option<&'a Self>,
-}
-
 /// How many pairs the buffer holds.
 const BUFFER: usize = 512;
 
@@ -40,7 +32,6 @@ pub(super) struct Emitter<'a> {
     buffer: [[u32; 2]; BUFFER],
     len: usize,
     most: usize,
-    names: Option<&'a Names<'a>>,
     /// The work so far, without the pairs in the buffer.
     pub(super) tally: Tally,
     /// The pairs before the present task.
@@ -52,17 +43,7 @@ pub(super) struct Emitter<'a> {
 
 impl<'a> Emitter<'a> {
     pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>, most: usize) -> Self {
-        Self::of_crowd(None, pairs, most)
-    }
-
-    /// The same for the boxes of a crowd, which `pairs` calls by their names outside of it.
-    pub(super) fn of_crowd(
-        names: Option<&'a Names<'a>>,
-        pairs: &'a mut Vec<[u32; 2]>,
-        most: usize,
-    ) -> Self {
         Self {
-            names,
             first: pairs.len(),
             pairs,
             buffer: [[0; 2]; BUFFER],
@@ -137,26 +118,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Calls a search for the pairs of a crowd with these owners: with their names, the list to append to, the work so far, and the most pairs.
-    pub(super) fn nest(
-        &mut self,
-        owners: Vec<Owner>,
-        search: impl FnOnce(&Names, &mut Vec<[u32; 2]>, Tally, usize) -> Tally,
-    ) {
-        self.flush();
-        let names = Names {
-            owners: &owners,
-            outer: self.names,
-        };
-        self.tally = search(&names, self.pairs, self.tally, self.most);
-    }
-
     /// Begins a task, a tube or a query, with this many comparisons besides some for each of its pairs.
     pub(super) fn begin_task(&mut self, budget: usize) {
-        if self.names.is_some() {
-            // Some pairs in the buffer may be those of ghosts.
-            self.flush();
-        }
         self.before_task = self.tally.emitted + self.len;
         self.budget = self.tally.compared.saturating_add(budget);
         self.is_budget_exceeded = false;
@@ -193,14 +156,6 @@ impl<'a> Emitter<'a> {
     }
 
     fn flush(&mut self) {
-        let mut names = self.names;
-        while let Some(&Names { owners, outer }) = names {
-            for i in 0..std::mem::take(&mut self.len) {
-                let [a, b] = self.buffer[i].map(|i| owners[i as usize]);
-                self.append(a, b, true);
-            }
-            names = outer;
-        }
         self.tally.emitted += self.len;
         if !self.is_over() {
             self.pairs.extend_from_slice(&self.buffer[..self.len]);

@@ -11,7 +11,7 @@
 
 use super::class::Class;
 use super::emitter::Emitter;
-use super::entry::{Entry, Owner};
+use super::entry::Owner;
 use super::grid::{Grid, REACH, TubeSpan};
 use super::slab::{NOWHERE, Slab, Tube};
 use super::sweep::many;
@@ -121,9 +121,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
             let is_one = beyond.iter().all(|&beyond| u64::from(beyond) <= REACH);
             let first = Aabb::new(mins.map(|column| column[0]), maxs.map(|column| column[0]));
             tube.strips = is_one.then(|| owner.strips(grid.tube_span(&first).first));
-            if let Some(crowd) = &mut tube.crowd {
-                crowd.kernel.prepare_lookup();
-            }
         }
     }
 
@@ -132,7 +129,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     #[inline(always)]
     fn look_up_in_tube(
         &self,
-        tube: &Tube<R, D>,
+        tube: &Tube<R>,
         query: &Query<R, D>,
         strips: Option<[u32; 2]>,
         emitter: &mut Emitter,
@@ -151,13 +148,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 later == owner.strips(home) && strips.is_none_or(|strips| strips == later);
             emitter.emit_one(Owner(index), owner, is_here);
         };
-        if let Some(crowd) = &tube.crowd {
-            let budget = emitter.budget_left();
-            let visit = |Entry { owner, aabb }: &_| emit(*owner, aabb, emitter);
-            let compared = crowd.visit_overlapping(aabb, budget, visit);
-            emitter.tally.compared += compared;
-            return;
-        }
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
         let columns = self.columns();

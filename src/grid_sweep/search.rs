@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::emitter::{Emitter, Names, Tally};
+use super::emitter::{Emitter, Tally};
 use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
@@ -54,15 +54,11 @@ pub(super) type Filter<'a> = &'a (dyn Fn(&mut Vec<[u32; 2]>, usize) + Sync);
 /// The input and the output of a search, for all size classes.
 pub(super) struct Search<'a, R, const D: usize> {
     pub(super) boxes: &'a [Aabb<R, D>],
-    /// How many entries each box may have, if the boxes come from a single tube of another grid: a crowd.
-    pub(super) room: Option<f64>,
     /// Whether the next class takes all boxes that are left.
     pub(super) is_last_class: bool,
     /// Whether tubes are kept: the caller will look boxes up, or there are several classes.
     pub(super) keeps: bool,
     pub(super) pairs: &'a mut Vec<[u32; 2]>,
-    /// The names of the boxes in `pairs`, if they are a crowd.
-    pub(super) names: Option<&'a Names<'a>>,
     /// `None` means that all pairs are wanted.
     pub(super) filter: Option<Filter<'a>>,
     /// How many pairs may overlap, wanted or not. If there are more, the search stops with some of them.
@@ -82,11 +78,9 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
     pub(super) fn new(boxes: &'a [Aabb<R, D>], pairs: &'a mut Vec<[u32; 2]>) -> Self {
         Self {
             boxes,
-            room: None,
             is_last_class: false,
             keeps: false,
             pairs,
-            names: None,
             filter: None,
             most: usize::MAX,
             tally: Tally::default(),
@@ -112,11 +106,11 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         if let Some(first) = parts.first_mut() {
             std::mem::swap(&mut found(first).pairs, self.pairs);
         }
-        let (filter, names) = (self.filter, self.names);
+        let filter = self.filter;
         section.for_each(parts, |part| {
             let mut pairs = std::mem::take(&mut found(part).pairs);
             let start = pairs.len();
-            let mut emitter = Emitter::of_crowd(names, &mut pairs, most);
+            let mut emitter = Emitter::new(&mut pairs, most);
             find(part, &mut emitter);
             let tally = emitter.finish();
             if let Some(filter) = filter {

@@ -10,7 +10,6 @@
 use std::ops::Range;
 
 use super::assignment::Assignment;
-use super::crowd::Crowd;
 use super::emitter::Emitter;
 use super::entry::{Entry, Owner};
 use super::search::Found;
@@ -26,7 +25,7 @@ const PADDING: usize = LANES + 64;
 
 /// A tube that has entries.
 #[derive(Clone, Debug)]
-pub(super) struct Tube<R, const D: usize> {
+pub(super) struct Tube<R> {
     pub(super) number: u32,
     /// Its entries are `start..end`, and the sentinel is at `end`.
     pub(super) start: u32,
@@ -35,8 +34,6 @@ pub(super) struct Tube<R, const D: usize> {
     pub(super) reach: [R; 2],
     /// Its strips, if it holds the entries of a single tube and not of several that share a number; for look-ups.
     pub(super) strips: Option<[u32; 2]>,
-    /// The kernel that has searched the entries, if they crowd.
-    pub(super) crowd: Option<Box<Crowd<R, D>>>,
 }
 
 /// Some of the tubes of a grid.
@@ -47,7 +44,7 @@ pub(super) struct Slab<R, const D: usize> {
     /// Whether tubes are kept.
     keeps: bool,
     /// The tubes that are kept, by number.
-    pub(super) tubes: Vec<Tube<R, D>>,
+    pub(super) tubes: Vec<Tube<R>>,
     /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty until look-ups are prepared.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
@@ -98,19 +95,15 @@ impl<R: Real, const D: usize> Slab<R, D> {
         self.entries = Vec::new();
         self.sorter = BucketSort::default();
         self.found = Found::default();
-        let crowds = self.tubes.iter_mut().filter_map(|tube| tube.crowd.as_mut());
-        crowds.for_each(|crowd| crowd.kernel.free_scratch());
     }
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// Many entries crowd if the sweep takes many comparisons for each, and some for each pair. If there is `room`, a kernel of their own searches
-    /// them. Stops early if more pairs overlap than the emitter may append.
+    /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more pairs overlap than the emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        room: f64,
         emitter: &mut Emitter,
     ) {
         let range = self.range.clone();
@@ -139,14 +132,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
             if !is_swept {
                 emitter.take_back();
-                if room >= 1.0 {
-                    let crowd = Crowd::search(&entries, room, self.keeps, emitter);
-                    if let Some(tube) = self.tubes.last_mut() {
-                        tube.crowd = Some(Box::new(crowd));
-                    }
-                } else {
-                    match_all(&mut entries, emitter);
-                }
+                match_all(&mut entries, emitter);
             }
         }
         self.entries = entries;
@@ -166,7 +152,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 end: end as u32,
                 reach: [R::ZERO; 2],
                 strips: None,
-                crowd: None,
             });
         }
         start..end

