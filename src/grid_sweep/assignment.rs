@@ -102,8 +102,9 @@ impl Assignment {
         let mut leaving = Vec::new();
         for tube in tubes.filter(|&tube| count(tube) > NO_CROWD_UP_TO.max(CROWD_FROM * mean)) {
             let owners = self.parts.iter().flat_map(|part| part.tube(tube));
-            let homes = owners.filter(|owner| owner.is_at_home());
-            let homes: Vec<_> = homes.map(|owner| owner.index()).collect();
+            let at_home = owners.filter(|owner| owner.is_at_home());
+            let mut homes = Vec::with_capacity(count(tube));
+            homes.extend(at_home.map(|owner| owner.index()));
             let sample = sample_indices(homes.len(), EFFORT_SAMPLE);
             let sample = sample.map(|i| &members.boxes[homes[i] as usize]);
             let shares = overlaps_and_pairs(sample.collect());

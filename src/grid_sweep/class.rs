@@ -10,8 +10,8 @@ use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    Aim, COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_SIZE_QUANTILES, GRID_TRIES,
-    ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
+    Aim, COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
+    SECOND_SAMPLE,
 };
 
 /// The boxes of a size class, sorted into tubes.
@@ -97,18 +97,9 @@ impl<R: Real, const D: usize> Class<R, D> {
                 best = Some((excess, aim));
             }
         }
-        self.grid = match (best, tries) {
-            (Some((_, aim)), _) => Grid::choose(members, cut_axes::<D>(), *aim),
-            (_, []) => Grid::default(),
-            (_, [.., last]) => Grid::choose(
-                members,
-                0,
-                Aim {
-                    sizes: GRID_SIZE_QUANTILES,
-                    ..*last
-                },
-            ),
-        };
+        self.grid = best.map_or_else(Grid::default, |(_, aim)| {
+            Grid::choose(members, cut_axes::<D>(), *aim)
+        });
         assignment.count(members, &self.grid, oversized)
     }
 
