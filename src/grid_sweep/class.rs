@@ -63,8 +63,8 @@ impl<R: Real, const D: usize> Class<R, D> {
     ///
     /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that nearly fits is
     /// swept, because the boxes of its crowded tubes are left to further classes; if none does, the first one, unless a later one takes far
-    /// fewer comparisons. Each class must take a fair share of the boxes, so that there are few classes. The last resort, one tube, takes all that are not much longer than those of a sample, and for the last class
-    /// all.
+    /// fewer comparisons. Each class must take a fair share of the boxes, so that there are few classes. Where no grid does, and for the last
+    /// class, one tube takes all boxes.
     fn assign(
         &mut self,
         members: Members<R, D>,
