@@ -276,9 +276,9 @@ pub(crate) mod queries {
     /// the nodes of removed leaves. If smaller: rays visit more of the tree. If larger: time.
     pub(crate) const TIGHTEN_FROM_ONE_IN: usize = 2;
 
-    /// One leaf in this many. When many leaves were written at once, and more than this share has left the boxes for which they were inserted,
-    /// the tree is built again. If larger: time. If smaller: rays visit more of the tree.
-    pub(crate) const BUILD_FROM_ONE_IN: usize = 4;
+    /// A share. When many leaves were written at once, and more than this share has left the boxes for which they were inserted, the tree is
+    /// built again. If smaller: time. If larger: rays visit more of the tree.
+    pub(crate) const BUILD_FROM: f64 = 0.75;
 
     /// The sample of leaves for that. If larger: time. If smaller: chance decides.
     pub(crate) const STRAY_SAMPLE: usize = 64;

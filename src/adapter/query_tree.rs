@@ -11,8 +11,7 @@ use super::rapier::math::{DIM, Real};
 use super::rapier::parry::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use crate::slot_set::SlotSet;
 use crate::tuning::queries::{
-    BUILD_FROM_ONE_IN, FEW_UP_TO_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE,
-    TIGHTEN_FROM_ONE_IN,
+    BUILD_FROM, FEW_UP_TO_ONE_IN, KEEP_UNASKED, SMALL_UP_TO, STRAY_SAMPLE, TIGHTEN_FROM_ONE_IN,
 };
 
 type Aabb = crate::aabb::Aabb<Real, DIM>;
@@ -189,7 +188,7 @@ impl Tree {
             let i = slot as usize;
             boxes[i].is_valid() && !boxes[i].intersects(&self.placed[i])
         });
-        strays.count() * BUILD_FROM_ONE_IN > count
+        strays.count() as f64 > BUILD_FROM * count as f64
     }
 
     /// Writes the leaf of a slot and its ancestors.
