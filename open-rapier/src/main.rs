@@ -8,11 +8,13 @@ mod patched_copy;
 mod project;
 mod seam;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Parser;
 
+use manifest::{Entry, Manifest};
 use patched_copy::PatchedCopy;
 use project::Project;
 use seam::VERSION;
@@ -40,11 +42,18 @@ struct Options {
     /// Write nothing, and fail if a copy is not exactly as this program would make it
     #[arg(long, conflicts_with = "write")]
     check: bool,
+
+    /// Remove the copies, and their lines in the manifest of the workspace
+    #[arg(long, conflicts_with_all = ["write", "check"])]
+    undo: bool,
 }
 
 fn main() -> Result<()> {
     let options = Options::parse();
     let out = manifest::normal(&options.out);
+    if options.undo {
+        return undo(&options, &out);
+    }
     let project = Project::find(&options.manifest_path, &out)?;
     let copies = project.sources.iter();
     let copies = copies.map(|(package, sources)| PatchedCopy::new(package, sources));
@@ -98,7 +107,7 @@ fn patch(mut project: Project, copies: &[PatchedCopy], out: &Path, write: bool) 
     patched_copy::place(&outdated, out)?;
     print_places(copies, out);
     if changed {
-        project.manifest.write()?;
+        project.manifest.write(&project.manifest.text())?;
         eprintln!("the manifest now uses these copies");
     } else if !write {
         print!("{lines}");
@@ -111,6 +120,50 @@ fn patch(mut project: Project, copies: &[PatchedCopy], out: &Path, write: bool) 
         } else {
             eprintln!("the manifest uses {package} from {old}: replace that line by the new one");
         }
+    }
+    Ok(())
+}
+
+/// Removes what earlier runs have written. It asks Cargo only where the manifest is, so it also works in a project that does not build.
+fn undo(options: &Options, out: &Path) -> Result<()> {
+    let mut manifest = project::manifest(&options.manifest_path)?;
+    let path = manifest.path.display().to_string();
+    // An entry whose copy is missing is ours. One that leads to a folder of the user's is not.
+    let is_ours = |entry: &Entry| {
+        entry.leads_to(out) && patched_copy::ensure_free(&out.join(entry.package)).is_ok()
+    };
+    let entries = manifest.entries(out).into_iter();
+    let (ours, others): (Vec<_>, Vec<_>) = entries.partition(is_ours);
+    let copies: Vec<_> = patched_copy::found(out).collect();
+    if !ours.is_empty() {
+        // First, because a manifest whose copies are missing is an error for Cargo.
+        let text = manifest.without(&ours)?;
+        manifest.write(&text)?;
+        for Entry { key, .. } in &ours {
+            eprintln!("removed {key} below [patch.crates-io] from {path}");
+        }
+        if Manifest::read(&manifest.path)?.patch().is_none() {
+            eprintln!("removed [patch.crates-io] from {path}: it was empty");
+        }
+    }
+    for place in &copies {
+        let at = place.display();
+        fs::remove_dir_all(place).with_context(|| format!("cannot remove {at}"))?;
+        eprintln!("removed the folder {at}");
+    }
+    let at = out.display();
+    if ours.is_empty() && copies.is_empty() {
+        eprintln!("nothing to undo: {path} uses no copy in {at}, and there is none");
+    } else if fs::remove_dir(&options.out).is_ok() {
+        // It was empty. A link stays, and so does the folder in which the program runs.
+        eprintln!("removed the folder {at}");
+    }
+    for entry in others {
+        let (package, folder) = (entry.package, entry.folder.unwrap_or_default());
+        let folder = folder.display();
+        eprintln!(
+            "{path} still uses {package} from {folder}, which open-rapier has not made in {at}"
+        );
     }
     Ok(())
 }

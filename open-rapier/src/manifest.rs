@@ -1,10 +1,11 @@
 //! The manifest of the workspace: its entries for Rapier under `[patch.crates-io]`, and new ones, which lead to the copies.
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::note;
 use crate::seam::PACKAGES;
@@ -121,13 +122,50 @@ impl Manifest {
         Ok(changed)
     }
 
-    /// Writes the manifest to a new file and renames it, so that the manifest is complete at any time. A link stays a link.
-    pub(crate) fn write(&self) -> Result<()> {
+    /// The text without these entries, and without the table if nothing else is in it. All other lines, comments too, stay byte for byte.
+    pub(crate) fn without(&mut self, entries: &[Entry]) -> Result<String> {
+        // `DocumentMut` does not know places in the text.
+        let document = Document::parse(&*self.text)?;
+        let patch = document.get("patch").and_then(|it| it.get("crates-io"));
+        if let Some(table) = patch.and_then(Item::as_table) {
+            let (ours, mut others): (Vec<_>, Vec<_>) = table
+                .iter()
+                .partition(|(key, _)| entries.iter().any(|entry| entry.key == *key));
+            let mut cuts: Vec<_> = ours.into_iter().flat_map(|it| spans(it.1)).collect();
+            // Tables with headers of their own do not need this one's.
+            others.retain(|(_, item)| item.as_table().is_none_or(Table::is_dotted));
+            if others.is_empty() && !table.is_implicit() {
+                let header = table.span().unwrap_or_default();
+                // `set` has put an empty line above it.
+                let above = self.text[..header.start].lines().next_back();
+                cuts.push(header.start - usize::from(above == Some(""))..header.end);
+            }
+            return Ok(without_lines(&self.text, &cuts));
+        }
+        // An inline table is part of a line.
+        if let Some(table) = self.table() {
+            for entry in entries {
+                table.remove(&entry.key);
+            }
+            if table.is_empty() {
+                let patch = self.document["patch"].as_table_like_mut();
+                patch.and_then(|patch| patch.remove("crates-io"));
+            }
+        }
+        Ok(self.text())
+    }
+
+    /// The text with the changes.
+    pub(crate) fn text(&self) -> String {
+        keep_line_ends(&self.text, &self.document.to_string())
+    }
+
+    /// Writes a text to a new file and renames it, so that the manifest is complete at any time. A link stays a link.
+    pub(crate) fn write(&self, text: &str) -> Result<()> {
         let cannot = || format!("cannot write {}", self.path.display());
         let path = normal(&self.path);
         let folder = path.parent().unwrap_or(Path::new(""));
         let file = tempfile::NamedTempFile::new_in(folder).with_context(cannot)?;
-        let text = keep_line_ends(&self.text, &self.document.to_string());
         fs::write(&file, text).with_context(cannot)?;
         let permissions = fs::metadata(&path).with_context(cannot)?.permissions();
         fs::set_permissions(&file, permissions).with_context(cannot)?;
@@ -151,7 +189,7 @@ impl Manifest {
     }
 
     /// `[patch.crates-io]`, if there is one.
-    fn patch(&self) -> Option<&dyn TableLike> {
+    pub(crate) fn patch(&self) -> Option<&dyn TableLike> {
         self.document
             .get("patch")?
             .get("crates-io")?
@@ -186,6 +224,24 @@ impl Manifest {
         let path = relative.as_deref().unwrap_or(path).to_string_lossy();
         path.replace(std::path::MAIN_SEPARATOR, "/")
     }
+}
+
+/// The places of an item and of those below it: headers of tables, keys with dots, and values.
+fn spans(item: &Item) -> Vec<Range<usize>> {
+    let below = item.as_table().into_iter().flat_map(Table::iter);
+    let below = below.flat_map(|(_, item)| spans(item));
+    item.span().into_iter().chain(below).collect()
+}
+
+/// The text without the lines that a cut touches.
+fn without_lines(text: &str, cuts: &[Range<usize>]) -> String {
+    let mut end = 0;
+    let lines = text.split_inclusive('\n').filter(|line| {
+        let start = end;
+        end += line.len();
+        !cuts.iter().any(|cut| cut.start < end && start < cut.end)
+    });
+    lines.collect()
 }
 
 /// The absolute path, without links and `..`. The path need not exist.

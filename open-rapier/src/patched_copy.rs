@@ -9,7 +9,7 @@ use anyhow::{Context, Result, ensure};
 use walkdir::WalkDir;
 
 use crate::note;
-use crate::seam::{EDITS, Edit, FILES};
+use crate::seam::{EDITS, Edit, FILES, PACKAGES};
 
 /// Files that Cargo adds to the sources that it fetches, and files that a package does not need.
 const LEFT_OUT: [&str; 5] = [
@@ -120,6 +120,12 @@ pub(crate) fn ensure_free(place: &Path) -> Result<()> {
         place.display()
     );
     Ok(())
+}
+
+/// The copies in `out`.
+pub(crate) fn found(out: &Path) -> impl Iterator<Item = PathBuf> {
+    let places = PACKAGES.into_iter().map(|package| out.join(package));
+    places.filter(|place| note::is_ours(place) && !place.is_symlink())
 }
 
 /// Writes the copies to a temporary folder in `out`, and moves them to their places once all are complete.

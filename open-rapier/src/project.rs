@@ -28,7 +28,7 @@ impl Project {
     /// Finds the project of a manifest, whose copies are in `out` or will be.
     pub(crate) fn find(manifest_path: &Path, out: &Path) -> Result<Self> {
         let manifest_path = &found_anywhere(manifest_path)?;
-        let manifest = Manifest::read(&workspace_manifest(manifest_path)?)?;
+        let manifest = manifest(manifest_path)?;
         // If a copy is a member already, Cargo may fail with a message that does not help.
         let made = |package: &&str| note::is_ours(&out.join(package));
         members::ensure_none(&manifest, PACKAGES.into_iter().filter(made), out)?;
@@ -87,6 +87,11 @@ impl Project {
     }
 }
 
+/// The manifest of the workspace of a manifest.
+pub(crate) fn manifest(manifest_path: &Path) -> Result<Manifest> {
+    Manifest::read(&workspace_manifest(&found_anywhere(manifest_path)?)?)
+}
+
 /// Whether a version is a patch release of the one that can be patched.
 fn is_close(version: &Version) -> bool {
     let ours = Version::parse(VERSION);
@@ -127,7 +132,7 @@ fn found_anywhere(manifest_path: &Path) -> Result<PathBuf> {
     })
 }
 
-/// The manifest of the workspace. Cargo finds it without reading any dependencies.
+/// The path of the manifest of the workspace. Cargo finds it without reading any dependencies.
 fn workspace_manifest(manifest_path: &Path) -> Result<PathBuf> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)

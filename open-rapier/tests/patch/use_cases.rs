@@ -56,6 +56,8 @@ fn keeps_the_format_of_the_manifest() {
                 assert_eq!(fixture.run(&["--write"]).succeeds(), "");
                 fixture.check_manifest(&as_written(&format!("{manifest}{added}")));
                 fixture.check_folder("rapier3d", "project/copies/rapier3d");
+                fixture.run(&["--undo"]).succeeds();
+                fixture.check_manifest(&as_written(manifest));
             }
         }
     }
@@ -130,7 +132,8 @@ fn patches_the_root_of_a_workspace() {
     let member = fixture.manifest();
     fixture.write("project/games/first/Cargo.toml", &member);
     fixture.write("project/games/first/src/lib.rs", "");
-    fixture.write_manifest("[workspace]\nresolver = \"3\"\nmembers = [\"games/*\"]\n");
+    let root = "[workspace]\nresolver = \"3\"\nmembers = [\"games/*\"]\n";
+    fixture.write_manifest(root);
     let options = ["--out=../../engines", "--write"];
     fixture.run_in("project/games/first", &options).succeeds();
     assert_eq!(fixture.read("project/games/first/Cargo.toml"), member);
@@ -141,6 +144,10 @@ fn patches_the_root_of_a_workspace() {
     let manifest = "--manifest-path=../project/games/first/Cargo.toml";
     let options = ["--out=../project/engines", manifest, "--check"];
     fixture.run_in("elsewhere", &options).succeeds();
+    let options = ["--out=../project/engines", manifest, "--undo"];
+    fixture.run_in("elsewhere", &options).succeeds();
+    fixture.check_manifest(root);
+    assert!(!fixture.path("project/engines").exists());
 }
 
 #[test]
@@ -198,6 +205,87 @@ fn moves_to_another_folder() {
     // And back.
     fixture.run(&["--write"]).succeeds();
     fixture.check_manifest(&manifest);
+    // The entries lead to the other folder.
+    let undone = fixture.run_in("project", &["--out", "elsewhere", "--undo"]);
+    assert!(undone.stderr.contains("still uses rapier3d from"));
+    undone.succeeds();
+    fixture.check_manifest(&manifest);
+    assert!(!fixture.path("project/elsewhere").exists());
+    fixture.check_folder("rapier3d", "project/copies/rapier3d");
+}
+
+#[test]
+fn undo_leaves_nothing() {
+    let fixture = Fixture::new(BOTH);
+    let manifest = fixture.manifest();
+    for missing in ["nothing", "copies/rapier2d", "copies"] {
+        fixture.run(&["--write"]).succeeds();
+        let _ = fs::remove_dir_all(fixture.path(&format!("project/{missing}")));
+        let outcome = fixture.run(&["--undo"]);
+        for removed in ["rapier2d below", "rapier3d below", "[patch.crates-io] from"] {
+            let removed = format!("removed {removed}");
+            assert!(outcome.stderr.contains(&removed), "{outcome:?}");
+        }
+        assert_eq!(outcome.succeeds(), "");
+        fixture.check_manifest(&manifest);
+        assert!(!fixture.path("project/copies").exists());
+        assert_eq!(fixture.folders_of("rapier3d").len(), 1);
+        fixture.check_folder("rapier3d", "registry/rapier3d-0.36.1");
+    }
+    let state = fixture.state("project");
+    let outcome = fixture.run(&["--undo"]);
+    assert!(outcome.stderr.contains("nothing to undo"), "{outcome:?}");
+    outcome.succeeds();
+    assert!(fixture.state("project") == state);
+    let outcome = fixture.run(&["--undo", "--write"]);
+    outcome.fails(&["cannot be used with"]);
+}
+
+#[test]
+fn undo_keeps_other_patches() {
+    let fixture = Fixture::new(BOTH);
+    fixture.package("other", "other", "0.1.0");
+    let manifest = fixture.manifest();
+    let other = "other = { path = \"../other\" }";
+    for patch in [
+        &*format!("# A.\n[patch.crates-io] # B.\n# C.\n{other} # D.\n# E.\n"),
+        &format!("[patch]\ncrates-io = {{ {other} }} # mine\n\n# The end.\n"),
+        "[patch]\ncrates-io.other.path = \"../other\"\n",
+        "[patch.crates-io.other]\npath = \"../other\"\n\n[profile.dev]\n",
+    ] {
+        let manifest = format!("{manifest}\n{patch}");
+        fixture.write_manifest(&manifest);
+        fixture.run(&["--write"]).succeeds();
+        fixture.check_folder("rapier3d", "project/copies/rapier3d");
+        fixture.run(&["--undo"]).succeeds();
+        fixture.check_manifest(&manifest);
+    }
+
+    // Lines that the user has rewritten, among comments.
+    let comments = format!("{manifest}\n# A.\n# B.\n\n# C.\n");
+    let lines = "[patch.crates-io]\n# B.\nrapier2d.path = \"copies/rapier2d\"\n";
+    let table = "\n[patch.crates-io.rapier3d] # mine\npath = \"copies/rapier3d\"\n# C.\n";
+    fixture.write_manifest(&format!("{manifest}\n# A.\n{lines}{table}"));
+    fixture.run(&["--undo"]).succeeds();
+    fixture.check_manifest(&comments);
+}
+
+#[test]
+fn undo_keeps_folders_of_the_user() {
+    let fixture = Fixture::new(BOTH);
+    let manifest = fixture.manifest();
+    fixture.run(&["--write"]).succeeds();
+    fixture.write("project/copies/precious.txt", "mine");
+    fs::remove_dir_all(fixture.path("project/copies/rapier3d")).unwrap();
+    fixture.package("project/copies/rapier3d", "rapier3d", "0.36.4");
+    let kept = fixture.run(&["--undo"]);
+    assert!(kept.stderr.contains("still uses rapier3d from"), "{kept:?}");
+    kept.succeeds();
+    let line = "rapier3d = { path = \"copies/rapier3d\" }";
+    fixture.check_manifest(&format!("{manifest}\n[patch.crates-io]\n{line}\n"));
+    assert!(!fixture.path("project/copies/rapier2d").exists());
+    assert_eq!(fixture.read("project/copies/precious.txt"), "mine");
+    assert!(fixture.path("project/copies/rapier3d/src/lib.rs").exists());
 }
 
 #[cfg(unix)]
