@@ -10,8 +10,7 @@ use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    Aim, COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
-    SECOND_SAMPLE,
+    COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_TRIES, ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
 };
 
 /// The boxes of a size class, sorted into tubes.
