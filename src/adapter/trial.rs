@@ -15,7 +15,6 @@ use super::rapier::geometry::*;
 use super::{Input, Settings, UnisizeBroadPhase, version};
 use crate::pair_filter::PairFilter;
 use crate::pair_tracker::FilterKey;
-use crate::proxy_table::Lists;
 use crate::stats::Stats;
 
 /// A broad phase that compares unisize with Rapier's own in your program, before you replace anything.
@@ -31,9 +30,8 @@ use crate::stats::Stats;
 ///
 /// The simulation is the same, only slower. What whole steps gain is more than the time of updates, because each level leaves other pairs to
 /// the narrow phase; so run the program once on each broad phase, as the guide shows. On a patched Rapier 0.36, Rapier's own broad phase
-/// optimizes its tree later in a step than it would alone, so in large worlds it may report pairs in another order, and the last bits of poses
-/// may differ; otherwise they are the same. The five broad phases compete for the caches of the processor, so each alone is a little faster
-/// than reported.
+/// optimizes its tree later in a step than it would alone, so the order of pairs and the last bits of poses may differ in large worlds. The
+/// five broad phases compete for the caches of the processor, so each alone is a little faster than reported.
 ///
 /// # Complexity
 ///
@@ -84,8 +82,8 @@ impl Trial {
             tried: LEVELS
                 .map(|level| UnisizeBroadPhase::with_settings(settings.with_filter(level))),
             pairs: HeldPairs::default(),
-            own_measured: Measured::of(None),
-            measured: LEVELS.map(|level| Measured::of(Some(level))),
+            own_measured: Measured::default(),
+            measured: LEVELS.map(Measured::of),
             first_difference: None,
             allocated: None,
             observed: HashMap::new(),
@@ -139,15 +137,8 @@ impl Trial {
 
     /// Updates all broad phases, and compares their pairs. The events are those of Rapier's own.
     pub(crate) fn run(&mut self, input: &Input<'_>, events: &mut Vec<BroadPhasePairEvent>) {
-        let Input {
-            params,
-            colliders,
-            bodies,
-            lists: Lists {
-                modified, removed, ..
-            },
-            ..
-        } = *input;
+        let (params, colliders, bodies) = (input.params, input.colliders, input.bodies);
+        let (modified, removed) = (input.lists.modified, input.lists.removed);
         let (former, allocated, earlier) = (self.stats().updates, self.allocated, events.len());
         self.own_measured.run(allocated, events, |events| {
             self.own
@@ -203,12 +194,9 @@ struct HeldPairs(BTreeSet<[(u32, u32); 2]>);
 impl HeldPairs {
     /// Ends the pairs of removed colliders, which have no events, and applies events. Rapier's own broad phase may add a pair twice.
     fn update(&mut self, removed: &[ColliderHandle], events: &[BroadPhasePairEvent]) {
-        if !removed.is_empty() {
-            let removed = removed.iter().map(|handle| handle.into_raw_parts());
-            let removed: HashSet<_> = removed.collect();
-            self.0
-                .retain(|pair| pair.iter().all(|collider| !removed.contains(collider)));
-        }
+        let removed: HashSet<_> = removed.iter().map(|it| it.into_raw_parts()).collect();
+        self.0
+            .retain(|pair| pair.iter().all(|collider| !removed.contains(collider)));
         let raw = |pair: &ColliderPair| {
             let mut pair = [pair.collider1, pair.collider2].map(|handle| handle.into_raw_parts());
             pair.sort_unstable();

@@ -55,9 +55,9 @@ pub struct Measured {
 }
 
 impl Measured {
-    pub(super) fn of(level: Option<PairFilter>) -> Self {
+    pub(super) fn of(level: PairFilter) -> Self {
         Self {
-            level,
+            level: Some(level),
             ..Self::default()
         }
     }
@@ -128,10 +128,11 @@ impl TrialReport {
 
 impl fmt::Display for TrialReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            updates, colliders, ..
-        } = self;
-        writeln!(f, "{updates} updates, {colliders} colliders at the end")?;
+        writeln!(
+            f,
+            "{} updates, {} colliders at the end",
+            self.updates, self.colliders
+        )?;
         writeln!(f, "{:28}mean, ms  longest, ms      pairs     bytes", "")?;
         for measured in [&self.own].into_iter().chain(&self.levels) {
             writeln!(f, "{measured}")?;
@@ -171,11 +172,7 @@ impl fmt::Display for Measured {
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [first, second] = self.colliders;
-        let holder = if self.is_missing {
-            "Rapier's own"
-        } else {
-            "unisize"
-        };
+        let holder = ["unisize", "Rapier's own"][usize::from(self.is_missing)];
         write!(
             f,
             "DIFFERENT: after update {} only {holder} held the pair of {first:?} and {second:?}. \
