@@ -145,7 +145,6 @@ impl Trial {
                 .update(params, colliders, bodies, modified, removed, events);
         });
         self.own_pairs.update(removed, &events[earlier..]);
-
         let tried = self.tried.iter_mut().zip(&mut self.measured);
         for (level, (broad_phase, measured)) in LEVELS.into_iter().zip(tried) {
             let mut events = Vec::new();

@@ -128,11 +128,8 @@ impl TrialReport {
 
 impl fmt::Display for TrialReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "{} updates, {} colliders at the end",
-            self.updates, self.colliders
-        )?;
+        let (updates, colliders) = (self.updates, self.colliders);
+        writeln!(f, "{updates} updates, {colliders} colliders at the end")?;
         writeln!(f, "{:28}mean, ms  longest, ms      pairs     bytes", "")?;
         for measured in [&self.own].into_iter().chain(&self.levels) {
             writeln!(f, "{measured}")?;
