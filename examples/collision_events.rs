@@ -4,9 +4,9 @@
 //! cargo run --release --features rapier3d-027 --example collision_events
 //! ```
 //!
-//! Events arrive as they do without unisize, from `CollisionPipeline`, as here, and from `PhysicsPipeline`. This is Rapier 0.27; in a
-//! patched 0.36 call `PhysicsWorld::step_with_events` or `detect_collisions`. Prints how many beads entered and left. Fails if, after any
-//! step, the beads that entered and have not left are not the beads that Parry finds in the sensor.
+//! Events arrive as they do without unisize, from `CollisionPipeline`, as here, and from `PhysicsPipeline`. This is Rapier 0.27;
+//! `examples/patched/src/bin/collision_events.rs` does the same in 0.36. Prints how many beads entered and left. Fails if, after any step,
+//! the beads that entered and have not left are not the beads that Parry finds in the sensor.
 
 use std::collections::HashSet;
 use std::sync::mpsc::channel;

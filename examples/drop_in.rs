@@ -4,8 +4,8 @@
 //! cargo run --release --features rapier3d-027 --example drop_in
 //! ```
 //!
-//! For Rapier 0.36 see `examples/patched`. Prints the number of pairs and contacts. Fails if a collider was refused, or if no ball touches
-//! the floor or another ball.
+//! `examples/patched/src/bin/step.rs` does the same in Rapier 0.36. Prints the number of pairs and contacts. Fails if a collider was
+//! refused, or if no ball touches the floor or another ball.
 
 use rapier3d::prelude::*;
 use unisize::rapier3d_027::UnisizeBroadPhase;

@@ -4,8 +4,8 @@
 //! cargo run --release --features rapier3d-027 --example particles3d -- 8000
 //! ```
 //!
-//! The number of particles is optional. This is Rapier 0.27; `examples/patched` has a pile on 0.36. Prints the time of a step on either
-//! broad phase, while the particles fall and once they have settled. Fails if a particle leaves the box.
+//! The number of particles is optional. This is Rapier 0.27; `examples/patched/src/bin/pile.rs` does the same in 0.36. Prints the time
+//! of a step on either broad phase, while the particles fall and once they have settled. Fails if a particle leaves the box.
 
 use std::time::{Duration, Instant};
 

@@ -4,8 +4,8 @@
 //! cargo run --release --features rapier3d-027 --example queries
 //! ```
 //!
-//! This is Rapier 0.27. In a patched 0.36 `PhysicsWorld::cast_ray`, `query_pipeline` and the others work in the same way. Prints what the
-//! queries found. Fails if a ray misses the floor, or if the character makes no progress.
+//! This is Rapier 0.27; `examples/patched/src/bin/queries.rs` does the same in 0.36. Prints what the queries found. Fails if a ray misses
+//! the floor, or if the character makes no progress.
 
 use rapier3d::control::KinematicCharacterController;
 use rapier3d::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};

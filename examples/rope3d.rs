@@ -4,8 +4,8 @@
 //! cargo run --release --features rapier3d-027 --example rope3d
 //! ```
 //!
-//! This is Rapier 0.27; in 0.36 the bodies, colliders and joints are built in the same way, and `examples/patched` shows where unisize goes.
-//! Prints the time of a step on either broad phase. Fails if a joint comes apart or a rope falls through the floor.
+//! This is Rapier 0.27; `examples/patched/src/bin/rope.rs` does the same in 0.36. Prints the time of a step on either broad phase. Fails if
+//! a joint comes apart or a rope falls through the floor.
 
 use std::time::Instant;
 

@@ -4,8 +4,8 @@
 //! cargo run --release --features rapier3d-027,serde-serialize --example save
 //! ```
 //!
-//! This is Rapier 0.27: the broad phase is saved with the sets. For 0.36 see `examples/patched/src/bin/save.rs`. Prints the size of the save.
-//! Fails if the loaded world moves differently from the saved one.
+//! This is Rapier 0.27: the broad phase is saved with the sets. `examples/patched/src/bin/save.rs` does the same in 0.36. Prints the size
+//! of the save. Fails if the loaded world moves differently from the saved one.
 
 use rapier3d::prelude::*;
 use serde::{Deserialize, Serialize};

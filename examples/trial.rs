@@ -4,8 +4,9 @@
 //! cargo run --release --features rapier3d-027 --example trial
 //! ```
 //!
-//! This is Rapier 0.27; for 0.36 see `examples/patched/src/bin/trial.rs`. Rapier's own broad phase still drives the world, which moves as
-//! before, bit for bit. unisize receives the same input at each filter level. Prints the report. Fails if unisize's pairs are not Rapier's.
+//! This is Rapier 0.27; `examples/patched/src/bin/trial.rs` does the same in 0.36. Rapier's own broad phase still drives the world, which
+//! moves as before, bit for bit. unisize receives the same input at each filter level. Prints the report. Fails if unisize's pairs are not
+//! Rapier's.
 
 use rapier3d::prelude::*;
 use unisize::rapier3d_027::Trial;
