@@ -1,5 +1,16 @@
-//! A pile of balls and boxes in Rapier 0.36, on Rapier's own broad phase and on unisize. One line differs. README.md says how to make the
-//! patched copy of Rapier.
+//! A pile of balls and boxes in Rapier 0.36, on Rapier's own broad phase and on unisize. One line differs.
+//!
+//! ```text
+//! cargo run --release
+//! ```
+//!
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
+//! ```
 //!
 //! Prints the time of a step on either broad phase. Fails if unisize is not active, or if a body falls through the floor.
 

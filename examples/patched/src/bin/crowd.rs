@@ -4,10 +4,13 @@
 //! cargo run --release --bin crowd
 //! ```
 //!
-//! README.md says how to make the patched copy of Rapier first. Beyond the quick start of unisize, a `Cargo.toml` of yours needs this line:
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
 //!
 //! ```toml
 //! oorandom = "11"
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
 //! ```
 //!
 //! The program sets the velocity of each walker before each step; `examples/crowd2d.rs` moves a crowd without a pipeline. Prints the time

@@ -4,11 +4,13 @@
 //! cargo run --release --bin pile -- 8000
 //! ```
 //!
-//! The number of particles is optional. README.md says how to make the patched copy of Rapier first. Beyond the quick start of unisize, a
-//! `Cargo.toml` of yours needs this line:
+//! The number of particles is optional. README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these
+//! lines below `[dependencies]`, with the path to your clone of unisize:
 //!
 //! ```toml
 //! oorandom = "11"
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
 //! ```
 //!
 //! Prints the time of a step on either broad phase, while the particles fall and once they have settled. Fails if a particle leaves the

@@ -1,5 +1,18 @@
 //! Rollback: a program steps ahead of its network, and goes back when it was wrong. There are two ways to put a world back.
 //!
+//! ```text
+//! cargo run --release --bin rollback
+//! ```
+//!
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = "=0.36.1"
+//! stats_alloc = "0.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
+//! ```
+//!
 //! Prints what each way costs for 10,000 bodies, on Rapier's own broad phase and on unisize. Fails if the world does not go on as before.
 
 use std::alloc::System;

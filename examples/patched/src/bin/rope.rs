@@ -4,7 +4,14 @@
 //! cargo run --release --bin rope
 //! ```
 //!
-//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs no line beyond the quick start of unisize.
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
+//! ```
+//!
 //! Prints the time of a step on either broad phase. Fails if a joint comes apart, if a rope falls through the floor, or if Rapier's own
 //! broad phase finds other contacts than unisize.
 

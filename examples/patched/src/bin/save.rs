@@ -1,5 +1,18 @@
 //! Saving a world of Rapier 0.36 and continuing from the save, bit for bit.
 //!
+//! ```text
+//! cargo run --release --bin save
+//! ```
+//!
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = { version = "=0.36.1", features = ["serde-serialize"] }
+//! serde_json = "1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036", "serde-serialize"] }
+//! ```
+//!
 //! A saved world does not contain a custom broad phase, so unisize is saved next to it and put back. Prints the size of the save. Fails if
 //! the loaded world moves differently from the saved one.
 

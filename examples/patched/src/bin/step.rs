@@ -5,7 +5,14 @@
 //! cargo run --release --bin step
 //! ```
 //!
-//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs no line beyond the quick start of unisize.
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
+//! ```
+//!
 //! Prints the number of pairs and contacts. Fails if a collider was refused, if a ball falls through the floor, or if one ball is half
 //! inside another.
 

@@ -1,5 +1,17 @@
 //! Has unisize the same pairs in your scene? `Trial` replaces the broad phase of your program for some hundred steps, and compares both.
 //!
+//! ```text
+//! cargo run --release --bin trial
+//! ```
+//!
+//! README.md says how to make the patched copy of Rapier first. A `Cargo.toml` of yours needs these lines below `[dependencies]`, with the
+//! path to your clone of unisize:
+//!
+//! ```toml
+//! rapier3d = "=0.36.1"
+//! unisize = { path = "../unisize", features = ["rapier3d-036"] }
+//! ```
+//!
 //! Rapier's own broad phase still drives the world, which moves as before, except that in large worlds pairs may come in another order.
 //! unisize receives the same input at each filter level. Prints the report. Fails if unisize's pairs are not Rapier's.
 
