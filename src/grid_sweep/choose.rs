@@ -113,7 +113,9 @@ pub(super) fn excess<R: Real, const D: usize>(
     let sample = sample_indices(members.count(), Sample { one_in: 1, range });
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
     let is_one = |aabb: &&_| !grid.is_oversized(aabb, &grid.tube_span(aabb));
-    let sample = sample.filter(is_one).collect();
+    // Collected first, so that memory is allocated once.
+    let mut sample: Vec<_> = sample.collect();
+    sample.retain(is_one);
     let [overlaps, pairs] = overlaps_and_pairs(sample);
     overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
 }
