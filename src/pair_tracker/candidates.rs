@@ -112,6 +112,7 @@ impl Candidates {
     }
 
     /// The pairs whose boxes overlap and that are not held.
+    #[cfg(any(test, feature = "serde-serialize"))]
     pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.of_state(PairState::Near)
     }
