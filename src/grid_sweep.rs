@@ -20,8 +20,8 @@
 //!
 //! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
 //!
-//! The bound is that of a search. A later [look-up](GridSweep::look_up_queries) among its members has no budget. The tracker counts the comparisons,
-//! and makes a full search once they cost more than full searches do.
+//! The bound is that of a search. A later [look-up](GridSweep::look_up_queries) among its members has no budget. The tracker counts the
+//! comparisons, and makes a full search once they cost more than full searches do.
 
 mod assignment;
 mod choose;
@@ -54,11 +54,11 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
-/// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that
-/// it reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than
-/// most form a size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in
-/// the direction that takes less time for a sample. Where look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube crowd, because they are much smaller
-/// than most or lie where few others do, they get a class of their own.
+/// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that it
+/// reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than most form a
+/// size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in the direction that
+/// takes less time for a sample. Where look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube
+/// crowd, because they are much smaller than most or lie where few others do, they get a class of their own.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///

@@ -1,5 +1,4 @@
-//! An exact and fast broad phase for boxes of about the same size, as a drop-in replacement for
-//! [Rapier](https://rapier.rs)'s.
+//! An exact and fast broad phase for boxes of about the same size, as a drop-in replacement for [Rapier](https://rapier.rs)'s.
 //!
 //! Many scenes consist of many boxes of about the same size: ropes, cables, grains, crowds, herds. For such boxes, sorting and sweeping is
 //! faster than maintaining a tree. The method began with Capannini and Larsson, *Output Sensitive Collision Detection for Unisize Boxes*.

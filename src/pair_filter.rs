@@ -3,10 +3,9 @@
 /// Which pairs a broad phase leaves out because the narrow phase would find neither a contact nor an intersection in them.
 ///
 /// A pair that is left out costs nothing in the narrow phase. Unless only its shapes keep it apart, a search drops it, and it costs nothing
-/// between searches either. It is reported
-/// once it may have an effect and one of its colliders is listed as modified. Rapier's `PhysicsPipeline` lists a collider whenever a
-/// property that the filter reads has changed, except for a body's soft CCD in 0.27. A reported pair that bodies, types or groups come to forbid stays until its boxes part, as
-/// with the own broad phase of Rapier 0.36.
+/// between searches either. It is reported once it may have an effect and one of its colliders is listed as modified. Rapier's
+/// `PhysicsPipeline` lists a collider whenever a property that the filter reads has changed, except for a body's soft CCD in 0.27. A
+/// reported pair that bodies, types or groups come to forbid stays until its boxes part, as with the own broad phase of Rapier 0.36.
 ///
 /// | world | filter |
 /// |---|---|
@@ -46,10 +45,10 @@ pub enum PairFilter {
     ///
     /// A pair begins when its boxes *and* the present bounding volumes of its shapes are within the prediction distance and the contact
     /// skins. It ends when the boxes with their margins part. It also ends when the volumes are farther apart than both margins, unless the
-    /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. Each volume
-    /// is loosened by a *skin* of a sixteenth of the margin, and stays while that of the collider differs by less. When the prediction distance or the length unit becomes smaller, volumes stay as large as they
-    /// were: there may be more pairs than in a new broad phase, and the parameters may alternate at no cost. When one of them exceeds its
-    /// largest value so far, all volumes are read again, for at least twice that value.
+    /// narrow phase has an active contact of the two. So the margin saves work without adding pairs. Each volume is loosened by a *skin* of
+    /// a sixteenth of the margin, and stays while that of the collider differs by less. When the prediction distance or the length unit
+    /// becomes smaller, volumes stay as large as they were: there may be more pairs than in a new broad phase, and the parameters may
+    /// alternate at no cost. When one of them exceeds its largest value so far, all volumes are read again, for at least twice that value.
     ///
     /// | shape | volume |
     /// |---|---|
@@ -58,8 +57,7 @@ pub enum PairFilter {
     /// | meshes, polylines, height fields, voxels, custom shapes | none: their pairs are those of [`Groups`](Self::Groups) |
     ///
     /// Some colliders have no volume, whatever their shape: those with physics hooks, so that hooks are called for the same pairs; those of
-    /// bodies with soft CCD; and those of a body with more than 32 colliders at the time of
-    /// reading, if they are mostly within the body.
+    /// bodies with soft CCD; and those of a body with more than 32 colliders at the time of reading, if they are mostly within the body.
     ///
     /// Contacts and intersections stay the same. Rapier 0.36 tests a pair again only when its colliders have moved by some hundredths of a
     /// length unit since the pair began, so a contact of two colliders that are still apart may be predicted some steps earlier or later.

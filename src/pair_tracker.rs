@@ -4,10 +4,9 @@
 //! update of these changes and reports which pairs begin and end.
 //!
 //! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates. New candidates must be searched for only
-//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap, unless its volumes or its keys
-//! keep them apart. Held pairs whose candidates are
-//! retired are kept in a hash table until the search has found them again or not. This is the neighbour list of molecular dynamics (Verlet
-//! 1967), made exact.
+//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap, unless its volumes or its keys keep
+//! them apart. Held pairs whose candidates are retired are kept in a hash table until the search has found them again or not. This is the
+//! neighbour list of molecular dynamics (Verlet 1967), made exact.
 
 mod box_update;
 mod candidates;
@@ -130,8 +129,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Calls `visit` with each of these slots and each neighbor: another slot whose box overlapped its box at the end of the last update,
-    /// that might touch it, and with which it is not a pair only because of their volumes. Passes over the candidates that
-    /// are not cold.
+    /// that might touch it, and with which it is not a pair only because of their volumes. Passes over the candidates that are not cold.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
         let slots = self.proxies.len();

@@ -323,8 +323,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.tracker.proxies.place(slot, aabb);
     }
 
-    /// Ends an update: reads volumes, and calls `event` for each change of the pair set, with whether the pair begins, in the order of [`Changes`]. If volumes are
-    /// in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
+    /// Ends an update: reads volumes, and calls `event` for each change of the pair set, with whether the pair begins, in the order of
+    /// [`Changes`]. If volumes are in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
     pub(crate) fn finish<S>(
         &mut self,
         source: &S,

@@ -29,12 +29,10 @@ const MAX_BOXES: usize = (u32::MAX / 2) as usize;
 /// Fetched one by one, they make the whole sweep a tenth slower.
 const BATCH: usize = 32;
 
-/// Sweep and prune by ranks: Algorithm 1 of Capannini and Larsson, *Output sensitive collision detection for unisize
-/// boxes* (2016).
+/// Sweep and prune by ranks: Algorithm 1 of Capannini and Larsson, *Output sensitive collision detection for unisize boxes* (2016).
 ///
 /// Computes in **O(n log₆₄ n + c)** time and **O(n)** memory besides the pairs, where c is the number of *candidates*: the pairs that
-/// overlap on the second axis, and also on the first axis after each box has been widened to end no earlier than any that begins before
-/// it.
+/// overlap on the second axis, and also on the first axis after each box has been widened to end no earlier than any that begins before it.
 ///
 /// - Boxes of one size are not widened. In 2D, the candidates are the answer without a test, so the time is optimal for the size of the
 ///   output, wherever the boxes are. Boxes count as of one size if they end, on the first axis, in the order in which they begin. They do

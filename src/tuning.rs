@@ -2,8 +2,8 @@
 //! update. Further constants of an update are in the files that read them.
 //!
 //! Neither events nor their order depend on them, except on [`ROOM_AHEAD`](update::ROOM_AHEAD); a few unit tests do. Each has its unit, the
-//! effect of a larger and of a smaller value where that is not plain, and its module names the command that shows it. All were found on x86-64 with 32 kB and 2 MB
-//! of cache per core. A factor of two in either direction costs a few per cent, so none is a setting.
+//! effect of a larger and of a smaller value where that is not plain, and its module names the command that shows it. All were found on
+//! x86-64 with 32 kB and 2 MB of cache per core. A factor of two in either direction costs a few per cent, so none is a setting.
 
 /// Sorting and sweeping: the kernels. Shown by the package `unisize-peers`.
 pub(crate) mod kernel {
@@ -189,8 +189,8 @@ pub(crate) mod kernel {
 /// Pairs over time: the tracker and the proxy table. Shown by `measure -- hard-motions`, and in whole worlds by the package `compare`.
 pub(crate) mod update {
     /// Slots. A program may pass a box for a collider that is not known, and that may not exist. Up to this far beyond all known slots,
-    /// queries find it at once. Colliders with the last so many indices are refused. If larger: a wrong handle takes more memory. If smaller: queries before the first update miss some boxes
-    /// of a world whose colliders are passed in any order.
+    /// queries find it at once. Colliders with the last so many indices are refused. If larger: a wrong handle takes more memory. If
+    /// smaller: queries before the first update miss some boxes of a world whose colliders are passed in any order.
     pub(crate) const ROOM_AHEAD: usize = 1 << 16;
 
     /// Notes per slot. Boxes may be written any number of times between two updates; from this many notes on, repeated ones are removed. If

@@ -15,8 +15,8 @@
 //! Any axis whose intervals do not meet proves that the volumes are apart, however inexactly the axis was computed. So a badly chosen axis may
 //! cost a superfluous pair, and never loses a necessary one. An axis so short that its square underflows proves nothing.
 //!
-//! Intervals along more axes than those of the world are the idea of k-DOPs (Klosowski and others 1998). Axes that are chosen for each pair come from
-//! the separating-axis test (Gottschalk and others 1996); they separate more pairs, in a fraction of the memory of a k-DOP.
+//! Intervals along more axes than those of the world are the idea of k-DOPs (Klosowski and others 1998). Axes that are chosen for each pair
+//! come from the separating-axis test (Gottschalk and others 1996); they separate more pairs, in a fraction of the memory of a k-DOP.
 
 use crate::aabb::Aabb;
 use crate::real::Real;

@@ -25,9 +25,9 @@ use crate::stats::Stats;
 ///
 /// # Pairs
 ///
-/// The broad phase keeps a box for every enabled collider, in a pipeline the same box that Rapier's own broad phase keeps. It reports every pair whose
-/// boxes overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections and woken
-/// bodies are therefore the same; [`PairFilter`] lists the exceptions.
+/// The broad phase keeps a box for every enabled collider, in a pipeline the same box that Rapier's own broad phase keeps. It reports every
+/// pair whose boxes overlap, except those that the [filter](PairFilter) leaves out because they can have no effect. Contacts, intersections
+/// and woken bodies are therefore the same; [`PairFilter`] lists the exceptions.
 ///
 /// # Events
 ///
@@ -97,9 +97,10 @@ impl UnisizeBroadPhase {
 
     /// Marks all colliders as modified, so that the next step lists them as if they had just been inserted. Computes in **O(colliders)** time.
     ///
-    /// Call this whenever you replace the broad phase of a running world, but not on a patched copy of Rapier 0.36, which lists all colliders
-    /// itself. For example, its settings change, an old save was loaded, or another kind of broad phase takes its place. A broad phase only receives
-    /// changes, so a new one does not know the colliders at rest, and bodies fall through their floors. Replace the narrow phase as well, because nothing else would end its pairs:
+    /// Call this whenever you replace the broad phase of a running world, but not on a patched copy of Rapier 0.36, which lists all
+    /// colliders itself. For example, its settings change, an old save was loaded, or another kind of broad phase takes its place. A broad
+    /// phase only receives changes, so a new one does not know the colliders at rest, and bodies fall through their floors. Replace the
+    /// narrow phase as well, because nothing else would end its pairs:
     ///
     /// ```text
     /// broad_phase = UnisizeBroadPhase::with_settings(settings);

@@ -21,8 +21,8 @@ pub(crate) struct ColliderKey {
     memberships: u32,
     /// The filter of the collision groups.
     filter: u32,
-    /// From the lowest bit: whether the collider meets bodies of each of the [`TYPES`], the index of its own body's type in them, Rapier's number of
-    /// that type, and the flags.
+    /// From the lowest bit: whether the collider meets bodies of each of the [`TYPES`], the index of its own body's type in them, Rapier's
+    /// number of that type, and the flags.
     bits: u32,
 }
 

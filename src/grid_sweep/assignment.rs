@@ -187,8 +187,7 @@ impl Assignment {
 /// How many boxes are counted before the list of ghosts gets more room.
 const BATCH: usize = 256;
 
-/// The entries of a part of the members, by tube: first the boxes whose own tube it is, then the ghosts, both in the order of the
-/// members.
+/// The entries of a part of the members, by tube: first the boxes whose own tube it is, then the ghosts, both in the order of the members.
 ///
 /// An entry is only its owner here. Writing boxes to hundreds of places takes longer than reading them again, tube by tube: those
 /// reads do not wait for each other.

@@ -150,8 +150,7 @@ pub(super) fn sample_indices(n: usize, sample: Sample) -> impl Iterator<Item = u
     })
 }
 
-/// The square root of `x` if two axes are cut, else `x`. Unlike powers, square roots are the same on every platform, and so is the
-/// grid.
+/// The square root of `x` if two axes are cut, else `x`. Unlike powers, square roots are the same on every platform, and so is the grid.
 fn root(x: f64, cuts: usize) -> f64 {
     if cuts > 1 { x.sqrt() } else { x }
 }

@@ -61,8 +61,7 @@ impl<R: Real> Strips<R> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid<R> {
     pub(super) axes: [Strips<R>; 2],
-    /// The greatest length of a box along the first axis, if it is limited. One long box lengthens the windows of all look-ups in its
-    /// tube.
+    /// The greatest length of a box along the first axis, if it is limited. One long box lengthens the windows of all look-ups in its tube.
     pub(super) longest: Option<R>,
     /// The difference between the numbers of two successive tubes along the first cut axis, if two axes are cut.
     stride: u32,

@@ -5,9 +5,8 @@
 //! In each tube, entries ascend by `mins[0]`, and so does the running maximum of `maxs[0]`. So a binary search finds the first entry
 //! to compare, for boxes of any sizes.
 //!
-//! Both the query and a member may reach several tubes. Their pair is reported in one of them: on each axis, in the later of the
-//! two strips in which they begin. If the strips of the tube are known, that is where they are not ghosts on the same axis, as in
-//! the sweep.
+//! Both the query and a member may reach several tubes. Their pair is reported in one of them: on each axis, in the later of the two strips
+//! in which they begin. If the strips of the tube are known, that is where they are not ghosts on the same axis, as in the sweep.
 
 use super::class::Class;
 use super::emitter::Emitter;

@@ -2,10 +2,9 @@
 //!
 //! Tubes do not depend on each other. So the slabs find, one after the other, the pairs of a single slab in the same order.
 //!
-//! A box has an *entry* in each tube that it reaches: its own one in the tube of its `mins`, and a *ghost* in each of the others.
-//! Entries are a structure of arrays, so that eight of them are compared at once. After each tube there is a sentinel whose `mins[0]`
-//! is NaN, at which every window ends. Unless boxes will be looked up, each tube overwrites the last one, so that the arrays stay in
-//! the cache.
+//! A box has an *entry* in each tube that it reaches: its own one in the tube of its `mins`, and a *ghost* in each of the others. Entries
+//! are a structure of arrays, so that eight of them are compared at once. After each tube there is a sentinel whose `mins[0]` is NaN, at
+//! which every window ends. Unless boxes will be looked up, each tube overwrites the last one, so that the arrays stay in the cache.
 
 use std::ops::Range;
 
@@ -99,7 +98,8 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
-    /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more pairs overlap than the emitter may append.
+    /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more
+    /// pairs overlap than the emitter may append.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],

@@ -1,9 +1,9 @@
 //! The serialized form of a tracker.
 //!
 //! Later changes, and the order of their events, depend on boxes, filter keys and volumes, and on which pairs of overlapping boxes are
-//! held. These are serialized, with the acquainted slots and a count. Fat boxes, candidates, layers and the foresight decide how long it takes to find the changes; a
-//! restored tracker makes them again. Boxes may be written between two updates, so the slots touched since the last update are serialized
-//! too. Restoring checks everything, so a restored tracker is always consistent.
+//! held. These are serialized, with the acquainted slots and a count. Fat boxes, candidates, layers and the foresight decide how long it
+//! takes to find the changes; a restored tracker makes them again. Boxes may be written between two updates, so the slots touched since the
+//! last update are serialized too. Restoring checks everything, so a restored tracker is always consistent.
 
 use serde::{Deserialize, Serialize};
 

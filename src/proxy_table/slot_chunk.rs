@@ -59,8 +59,7 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
         !(reading.is_skipped || is_rekeyed) && proxies.follow(i, &aabb, margin)
     }
 
-    /// Has the volume of the known collider at `i` read if it `has_changed`; its box stays. Returns false if its filter key
-    /// has changed.
+    /// Has the volume of the known collider at `i` read if it `has_changed`; its box stays. Returns false if its filter key has changed.
     #[inline(always)]
     pub(super) fn read_in_place<S>(
         &mut self,

@@ -100,8 +100,9 @@ impl UnisizeBroadPhase {
     /// Updates boxes and pairs, and appends the changes of the pair set to `events`. The counterpart of `BroadPhaseBvh::update`, with the same
     /// arguments.
     ///
-    /// `modified_colliders` are the colliders that are new, or whose pose, shape, parent, groups, active collision types, contact skin, hooks or
-    /// enabled state may have changed since the last call; and those of a body whose type or soft CCD may have changed. `removed_colliders` are those that are gone; their pairs end without an event.
+    /// `modified_colliders` are the colliders that are new, or whose pose, shape, parent, groups, active collision types, contact skin,
+    /// hooks or enabled state may have changed since the last call; and those of a body whose type or soft CCD may have changed.
+    /// `removed_colliders` are those that are gone; their pairs end without an event.
     ///
     /// By default, no pair is reported that the narrow phase would drop, as with Rapier's own broad phase, and no pair whose shapes cannot meet:
     /// see [`PairFilter::Shapes`](crate::PairFilter::Shapes). When a forbidden pair becomes allowed, the next update that lists one of the two as
