@@ -80,8 +80,7 @@ impl BitSet {
         self.words.fill(0);
     }
 
-    /// Removes these numbers, and possibly others near them. Faster than [`clear`](Self::clear) if these are few, and the only ones in
-    /// the set.
+    /// Removes these numbers, and possibly others near them. Faster than [`clear`](Self::clear) if these are few, and the only ones in the set.
     pub(crate) fn clear_around(&mut self, numbers: &[u32]) {
         if numbers.len() > self.words.len() {
             return self.clear();

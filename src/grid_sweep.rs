@@ -36,6 +36,7 @@ mod slab;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod worker;
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
@@ -46,8 +47,8 @@ use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, TREE_FROM};
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
-use emitter::{Emitter, Tally};
 use search::{Members, Search};
+use worker::{Tally, Worker};
 
 /// Entries are numbered with 32 bits, and a box may have four.
 pub(crate) const MAX_BOXES: usize = 1 << 29;
@@ -207,13 +208,13 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let (left, right) = self.classes.split_at_mut(coarse);
         let (fine, coarse) = (&mut left[fine], &mut right[0]);
         let boxes = search.boxes;
-        let look_up = |class: &Class<R, D>, i: u32, emitter: &mut Emitter| {
-            class.look_up_box(&boxes[i as usize], i, emitter);
+        let look_up = |class: &Class<R, D>, i: u32, worker: &mut Worker| {
+            class.look_up_box(&boxes[i as usize], i, worker);
         };
         coarse.list_members(coarser);
         fine.prepare_lookup();
         if coarser.len() <= FEW_QUERIES {
-            search.run_queries(coarser, usize::MAX, |i, emitter| look_up(fine, i, emitter));
+            search.run_queries(coarser, usize::MAX, |i, worker| look_up(fine, i, worker));
             return;
         }
         coarse.prepare_lookup();
@@ -225,7 +226,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
         let price = TREE_FROM * (queries.len() + members.len()) as f64;
         let budget = (price / queries.len() as f64) as usize;
-        let look_up = |i: u32, emitter: &mut Emitter| look_up(class, i, emitter);
+        let look_up = |i: u32, worker: &mut Worker| look_up(class, i, worker);
         let costly = match efforts[0].min(efforts[1]) > price {
             true => std::mem::take(queries),
             false => search.run_queries(queries, budget, look_up),
@@ -272,19 +273,19 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             most,
             ..Search::new(boxes, pairs)
         };
-        search.run_queries(queries, usize::MAX, |i, emitter| {
-            self.look_up_box(&boxes[i as usize], i, emitter);
+        search.run_queries(queries, usize::MAX, |i, worker| {
+            self.look_up_box(&boxes[i as usize], i, worker);
         });
         search.tally
     }
 
     /// Emits the pair of a box with every member that it overlaps.
-    fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
+    fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, worker: &mut Worker) {
         for class in &self.classes[..self.class_count] {
-            if emitter.is_budget_exceeded() {
+            if worker.is_budget_exceeded() {
                 return;
             }
-            class.look_up_box(aabb, index, emitter);
+            class.look_up_box(aabb, index, worker);
         }
     }
 }

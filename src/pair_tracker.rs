@@ -55,8 +55,7 @@ pub(crate) trait Colliders<R, const D: usize>: Sync {
     fn is_active(&self, pair: [u32; 2]) -> bool;
 }
 
-/// A property of a proxy that decides with which others it may become a pair. A pair that its keys come to forbid stays until its boxes
-/// part.
+/// A property of a proxy that decides with which others it may become a pair. A pair that its keys come to forbid stays until its boxes part.
 pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
     /// Whether the two may become a pair; the same in either order.
     fn may_meet(self, other: Self) -> bool;

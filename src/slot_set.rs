@@ -1,10 +1,8 @@
 //! A set of slots that remembers the order in which they were inserted.
 
-/// A set of slots, as a list and as flags. Iterating and clearing take time in proportion to the members, everything else takes constant
-/// time.
+/// A set of slots, as a list and as flags. Iterating and clearing take time in proportion to the members, everything else takes constant time.
 ///
-/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but testing all candidates against them takes a tenth less
-/// time.
+/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but testing all candidates against them takes a tenth less time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
     slots: Vec<u32>,

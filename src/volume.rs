@@ -71,8 +71,7 @@ pub(crate) enum VolumeKind {
     Cuboid,
     /// All points behind a plane, whose unit normal is the first half axis.
     HalfSpace,
-    /// Like [`Self::Box`], and it stays so until the collider is read again. For one of very many colliders of a body, or a body with soft
-    /// CCD.
+    /// Like [`Self::Box`], and it stays so until the collider is read again. For one of very many colliders of a body, or a body with soft CCD.
     BoxUntilRead,
 }
 

@@ -57,10 +57,7 @@ impl Assignment {
             part.range = start..end;
         }
         let (section, parts) = (self.section, &mut self.parts);
-        match members.indices {
-            None => section.for_each(parts, |part| part.count::<R, D, true>(members, grid)),
-            Some(_) => section.for_each(parts, |part| part.count::<R, D, false>(members, grid)),
-        }
+        section.for_each(parts, |part| part.count(members, grid));
         oversized.clear();
         for part in parts {
             if part.is_invalid {
@@ -211,15 +208,11 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Counts the entries of each tube, and finds out whether a box is invalid if `ALL` boxes are members.
+    /// Counts the entries of each tube, and finds out whether a box is invalid.
     ///
     /// Whether a box has a ghost is practically random, so there is no branch on it: every box writes to the list of ghosts, which
     /// grows by those that exist.
-    fn count<R: Real, const D: usize, const ALL: bool>(
-        &mut self,
-        members: Members<R, D>,
-        grid: &Grid<R>,
-    ) {
+    fn count<R: Real, const D: usize>(&mut self, members: Members<R, D>, grid: &Grid<R>) {
         let (oversized, counts) = (&mut self.oversized, &mut self.ends);
         let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
         let tube_count = grid.tube_count();
@@ -236,24 +229,26 @@ impl Part {
                 ghosts.resize(room + ghost_count, Ghost::default());
             }
             let ghosts = &mut ghosts[..room];
-            members.for_each::<ALL>(start..start + homes.len(), |i, index, aabb| {
-                is_invalid |= ALL && !aabb.is_valid();
+            for (i, home) in (start..).zip(homes) {
+                let index = members.index(i);
+                let aabb = &members.boxes[index as usize];
+                is_invalid |= !aabb.is_valid();
                 let span = grid.tube_span(aabb);
                 if grid.is_oversized(aabb, &span) {
                     oversized.push(index);
-                    homes[i] = tube_count;
+                    *home = tube_count;
                     counts[tube_count as usize] += 1;
-                    return;
+                    continue;
                 }
-                let home = grid.tube(span.first);
-                homes[i] = home;
-                counts[home as usize] += 1;
+                let tube = grid.tube(span.first);
+                *home = tube;
+                counts[tube as usize] += 1;
                 let list = ghosts[ghost_count..]
                     .first_chunk_mut()
                     .expect("there is room");
                 ghost_count +=
-                    Ghost::write_all::<D>(index, grid.next_tubes(home), span.beyond(), list);
-            });
+                    Ghost::write_all::<D>(index, grid.next_tubes(tube), span.beyond(), list);
+            }
         }
         for ghost in &ghosts[..ghost_count] {
             counts[ghost.tube as usize] += 1;

@@ -2,10 +2,10 @@
 
 use super::assignment::Assignment;
 use super::choose::{excess, sample_indices};
-use super::emitter::{Emitter, Tally};
 use super::grid::{Grid, cut_axes};
 use super::search::{Members, Search};
 use super::slab::Slab;
+use super::worker::{Tally, Worker};
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
 use crate::real::Real;
@@ -51,8 +51,8 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.reset(range, search.keeps);
         }
         let (slabs, section) = (&mut self.slabs, assignment.section);
-        let sweep = |slab: &mut Slab<R, D>, emitter: &mut Emitter| {
-            slab.sweep(members.boxes, assignment, emitter);
+        let sweep = |slab: &mut Slab<R, D>, worker: &mut Worker| {
+            slab.sweep(members.boxes, assignment, worker);
         };
         search.collect(section, slabs, |slab| &mut slab.found, sweep);
         Ok(())
@@ -117,12 +117,12 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.
     pub(super) fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
         let (mut pairs, mut count) = (Vec::new(), 0);
-        let mut emitter = Emitter::new(&mut pairs, usize::MAX);
+        let mut worker = Worker::new(&mut pairs, usize::MAX);
         for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
-            self.look_up_box(&boxes[queries[i] as usize], queries[i], &mut emitter);
+            self.look_up_box(&boxes[queries[i] as usize], queries[i], &mut worker);
             count += 1;
         }
-        let Tally { compared, emitted } = emitter.finish();
+        let Tally { compared, emitted } = worker.finish();
         let besides = compared.saturating_sub(COMPARED_A_PAIR * emitted);
         (QUERY + besides as f64 / f64::from(count.max(1))) * queries.len() as f64
     }

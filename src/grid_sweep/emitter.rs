@@ -7,17 +7,6 @@
 use super::entry::Owner;
 use crate::lanes::{ARE_VECTORS, LANES};
 use crate::pair_finder::ordered;
-use crate::tuning::kernel::COMPARED_A_PAIR;
-
-/// The work of a search, counted.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Tally {
-    /// Pairs that overlap, wanted or not.
-    pub(crate) emitted: usize,
-    /// Comparisons of two boxes, also those of a sweep that was given up, and visits of tubes in units of comparisons. With vectors, eight
-    /// boxes count even if fewer are left.
-    pub(crate) compared: usize,
-}
 
 /// How many pairs the buffer holds.
 const BUFFER: usize = 512;
@@ -32,13 +21,8 @@ pub(super) struct Emitter<'a> {
     buffer: [[u32; 2]; BUFFER],
     len: usize,
     most: usize,
-    /// The work so far, without the pairs in the buffer.
-    pub(super) tally: Tally,
-    /// The pairs before the present task.
-    before_task: usize,
-    /// The most comparisons by the end of the present task, besides some for each of its pairs.
-    budget: usize,
-    is_budget_exceeded: bool,
+    /// The pairs emitted, without those in the buffer.
+    flushed: usize,
 }
 
 impl<'a> Emitter<'a> {
@@ -49,10 +33,7 @@ impl<'a> Emitter<'a> {
             buffer: [[0; 2]; BUFFER],
             len: 0,
             most,
-            tally: Tally::default(),
-            before_task: 0,
-            budget: usize::MAX,
-            is_budget_exceeded: false,
+            flushed: 0,
         }
     }
 
@@ -118,54 +99,30 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Begins a task, a tube or a query, with this many comparisons besides some for each of its pairs.
-    pub(super) fn begin_task(&mut self, budget: usize) {
-        self.before_task = self.tally.emitted + self.len;
-        self.budget = self.tally.compared.saturating_add(budget);
-        self.is_budget_exceeded = false;
-    }
-
-    /// Whether the task has taken more comparisons than it may, or more pairs were emitted than may be appended. Once it is true, it stays
-    /// so until the next task begins.
+    /// How many pairs were emitted.
     #[inline(always)]
-    pub(super) fn is_budget_exceeded(&mut self) -> bool {
-        let may_be_spent = self.tally.compared >= self.budget;
-        self.is_budget_exceeded |= may_be_spent && self.budget_left() == 0 || self.is_over();
-        self.is_budget_exceeded
+    pub(super) fn count(&self) -> usize {
+        self.flushed + self.len
     }
 
-    /// How many more comparisons the task may take, if it finds no more pairs.
-    pub(super) fn budget_left(&self) -> usize {
-        let pairs = self.tally.emitted + self.len - self.before_task;
-        let for_pairs = COMPARED_A_PAIR.saturating_mul(pairs);
-        self.budget
-            .saturating_add(for_pairs)
-            .saturating_sub(self.tally.compared)
-    }
-
-    /// Takes the pairs of the task back, unless more were emitted than may be appended.
-    pub(super) fn take_back(&mut self) {
-        self.len = self.before_task.saturating_sub(self.tally.emitted);
-        self.tally.emitted = self.tally.emitted.min(self.before_task);
-        self.pairs.truncate(self.first + self.tally.emitted);
+    /// Takes back all pairs but the first ones, unless more were emitted than may be appended.
+    pub(super) fn take_back(&mut self, count: usize) {
+        self.len = count.saturating_sub(self.flushed);
+        self.flushed = self.flushed.min(count);
+        self.pairs.truncate(self.first + self.flushed);
     }
 
     /// Whether more pairs were emitted than may be appended.
     pub(super) fn is_over(&self) -> bool {
-        self.tally.emitted > self.most
+        self.flushed > self.most
     }
 
-    fn flush(&mut self) {
-        self.tally.emitted += self.len;
+    /// Appends the pairs in the buffer to the list.
+    pub(super) fn flush(&mut self) {
+        self.flushed += self.len;
         if !self.is_over() {
             self.pairs.extend_from_slice(&self.buffer[..self.len]);
         }
         self.len = 0;
-    }
-
-    /// Appends the rest of the buffer and returns the work so far.
-    pub(super) fn finish(mut self) -> Tally {
-        self.flush();
-        self.tally
     }
 }

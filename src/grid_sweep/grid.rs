@@ -19,8 +19,7 @@ pub(super) struct Strips<R> {
     per_length: R,
 }
 
-/// The number of strips before the middle of the sample. In single precision, numbers of this size leave three bits for a fraction of
-/// a strip.
+/// The number of strips before the middle of the sample. In single precision, numbers of this size leave three bits for a fraction of a strip.
 const STRIPS_BEFORE: u32 = 1 << 20;
 
 /// The number of the last strip, which takes all larger coordinates. Strip 0 takes all smaller ones.

@@ -9,11 +9,11 @@
 //! in which they begin. If the strips of the tube are known, that is where they are not ghosts on the same axis, as in the sweep.
 
 use super::class::Class;
-use super::emitter::Emitter;
 use super::entry::Owner;
 use super::grid::{Grid, REACH, TubeSpan};
 use super::slab::{NOWHERE, Slab, Tube};
 use super::sweep::many;
+use super::worker::Worker;
 use crate::aabb::{Aabb, max, min};
 use crate::parallel::Section;
 use crate::real::Real;
@@ -45,7 +45,7 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     /// Emits the pair of a box with every box of the class that it overlaps.
-    pub(super) fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, emitter: &mut Emitter) {
+    pub(super) fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, worker: &mut Worker) {
         let (grid, slabs) = (&self.grid, &self.slabs);
         let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
             return;
@@ -59,15 +59,15 @@ impl<R: Real, const D: usize> Class<R, D> {
         };
         let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
         // Most of them may be empty, or not reached.
-        emitter.tally.compared += span.count().min(tubes) as usize;
+        worker.compared += span.count().min(tubes) as usize;
         if span.count() > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {
-                    if emitter.is_budget_exceeded() {
+                    if worker.is_budget_exceeded() {
                         return;
                     }
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {
-                        slab.look_up_in_tube(tube, &query, None, emitter);
+                        slab.look_up_in_tube(tube, &query, None, worker);
                     }
                 }
             }
@@ -77,7 +77,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let TubeSpan { first, last } = span;
         for row in first[0]..=last[0] {
             for column in first[1]..=last[1] {
-                if emitter.is_budget_exceeded() {
+                if worker.is_budget_exceeded() {
                     return;
                 }
                 let strips = [row, column];
@@ -86,7 +86,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 let position = slab.table[(number - slab.range.start) as usize];
                 let tube = slab.tubes.get(position as usize);
                 if let Some(tube) = tube.filter(|tube| tube.strips.is_none_or(|s| s == strips)) {
-                    slab.look_up_in_tube(tube, &query, Some(strips), emitter);
+                    slab.look_up_in_tube(tube, &query, Some(strips), worker);
                 }
             }
         }
@@ -131,21 +131,21 @@ impl<R: Real, const D: usize> Slab<R, D> {
         tube: &Tube<R>,
         query: &Query<R, D>,
         strips: Option<[u32; 2]>,
-        emitter: &mut Emitter,
+        worker: &mut Worker,
     ) {
         let (aabb, index, span) = (query.aabb, query.index, query.span);
         let [first, last] = tube.reach;
         if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            emitter.tally.compared += PASSED_OVER;
+            worker.compared += PASSED_OVER;
             return;
         }
-        emitter.tally.compared += VISIT;
-        let emit = |owner: Owner, aabb: &Aabb<R, D>, emitter: &mut Emitter| {
+        worker.compared += VISIT;
+        let emit = |owner: Owner, aabb: &Aabb<R, D>, worker: &mut Worker| {
             let home = query.grid.tube_span(aabb).first;
             let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
             let is_here =
                 later == owner.strips(home) && strips.is_none_or(|strips| strips == later);
-            emitter.emit_one(Owner(index), owner, is_here);
+            worker.pairs.emit_one(Owner(index), owner, is_here);
         };
         let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
         let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
@@ -158,18 +158,18 @@ impl<R: Real, const D: usize> Slab<R, D> {
             let window = start..start.saturating_add(COMPARED_AT_ONCE);
             let (compared, is_done) = match owner {
                 Some(owner) => columns.window::<true>(window, aabb, |first, hits| {
-                    emitter.emit(owner, many(columns.owners, first), hits);
+                    worker.pairs.emit(owner, many(columns.owners, first), hits);
                 }),
                 None => columns.window::<true>(window, aabb, |first, mut hits| {
                     while hits != 0 {
                         let entry = first + hits.trailing_zeros() as usize;
                         hits &= hits - 1;
-                        emit(columns.owners[entry], &columns.entry(entry), emitter);
+                        emit(columns.owners[entry], &columns.entry(entry), worker);
                     }
                 }),
             };
-            emitter.tally.compared += compared;
-            if is_done || emitter.is_budget_exceeded() {
+            worker.compared += compared;
+            if is_done || worker.is_budget_exceeded() {
                 return;
             }
             start += compared;

@@ -1,8 +1,6 @@
 //! A search: its input, its output, and how threads share its parts.
 
-use std::ops::Range;
-
-use super::emitter::{Emitter, Tally};
+use super::worker::{Tally, Worker};
 use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
@@ -25,26 +23,6 @@ impl<R: Real, const D: usize> Members<'_, R, D> {
     #[inline(always)]
     pub(super) fn index(self, i: usize) -> u32 {
         self.indices.map_or(i as u32, |indices| indices[i])
-    }
-
-    /// Calls `visit` with each member of a range: its place in the range, its index, and its box. `ALL` says whether all boxes are
-    /// members. Compiles to better code than an iterator.
-    #[inline(always)]
-    pub(super) fn for_each<const ALL: bool>(
-        self,
-        range: Range<usize>,
-        mut visit: impl FnMut(usize, u32, &Aabb<R, D>),
-    ) {
-        let start = range.start;
-        if ALL {
-            for (i, aabb) in self.boxes[range].iter().enumerate() {
-                visit(i, (start + i) as u32, aabb);
-            }
-        } else {
-            for (i, &index) in self.indices.unwrap_or_default()[range].iter().enumerate() {
-                visit(i, index, &self.boxes[index as usize]);
-            }
-        }
     }
 }
 
@@ -99,7 +77,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         section: Section,
         parts: &mut [T],
         found: fn(&mut T) -> &mut Found,
-        find: impl Fn(&mut T, &mut Emitter) + Send + Sync,
+        find: impl Fn(&mut T, &mut Worker) + Send + Sync,
     ) {
         let most = self.most.saturating_sub(self.tally.emitted);
         // The pairs of the first part need not be copied.
@@ -110,9 +88,9 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         section.for_each(parts, |part| {
             let mut pairs = std::mem::take(&mut found(part).pairs);
             let start = pairs.len();
-            let mut emitter = Emitter::new(&mut pairs, most);
-            find(part, &mut emitter);
-            let tally = emitter.finish();
+            let mut worker = Worker::new(&mut pairs, most);
+            find(part, &mut worker);
+            let tally = worker.finish();
             if let Some(filter) = filter {
                 filter(&mut pairs, start);
             }
@@ -135,7 +113,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         &mut self,
         queries: &[u32],
         budget: usize,
-        look_up: impl Fn(u32, &mut Emitter) + Sync,
+        look_up: impl Fn(u32, &mut Worker) + Sync,
     ) -> Vec<u32> {
         let section = Section::of(queries.len(), LOOKED_UP);
         let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
@@ -143,15 +121,15 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         let mut parts: Vec<_> = parts
             .map(|part| (part, Vec::new(), Found::default()))
             .collect();
-        let find = |(queries, costly, _): &mut (&[u32], Vec<u32>, _), emitter: &mut Emitter| {
+        let find = |(queries, costly, _): &mut (&[u32], Vec<u32>, _), worker: &mut Worker| {
             for &query in *queries {
-                emitter.begin_task(budget);
-                look_up(query, emitter);
-                if emitter.is_over() {
+                worker.begin_task(budget);
+                look_up(query, worker);
+                if worker.pairs.is_over() {
                     break;
                 }
-                if emitter.is_budget_exceeded() {
-                    emitter.take_back();
+                if worker.is_budget_exceeded() {
+                    worker.take_back();
                     costly.push(query);
                 }
             }

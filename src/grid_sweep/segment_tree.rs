@@ -13,9 +13,9 @@
 use core::cmp::Ordering;
 
 use super::choose::sample_indices;
-use super::emitter::Emitter;
 use super::entry::{Entry, Owner};
 use super::search::{Found, Search};
+use super::worker::Worker;
 use crate::parallel::{Section, join};
 use crate::real::Real;
 use crate::tuning::kernel::{EFFORT_SAMPLE, LEAF_UP_TO};
@@ -41,14 +41,8 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
             let points = points.chunks_mut(points_a_part);
             parts.extend(points.map(|points| (intervals, points, Found::default())));
         }
-        let find = |(intervals, points, _): &mut (&Vec<_>, &mut [_], _), emitter: &mut Emitter| {
-            descend(
-                &mut intervals.to_vec(),
-                points,
-                axes[0],
-                &axes[1..],
-                emitter,
-            );
+        let find = |(intervals, points, _): &mut (&Vec<_>, &mut [_], _), worker: &mut Worker| {
+            descend(&mut intervals.to_vec(), points, axes[0], &axes[1..], worker);
         };
         let first = self.pairs.len();
         self.collect(section, &mut parts, |(.., found)| found, find);
@@ -58,12 +52,9 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
 }
 
 /// Emits the pairs among entries. Reorders them.
-pub(super) fn match_all<R: Real, const D: usize>(
-    entries: &mut [Entry<R, D>],
-    emitter: &mut Emitter,
-) {
+pub(super) fn match_all<R: Real, const D: usize>(entries: &mut [Entry<R, D>], worker: &mut Worker) {
     let axes = axes_by_overlap(entries, entries);
-    stab(&mut entries.to_vec(), entries, &axes, emitter);
+    stab(&mut entries.to_vec(), entries, &axes, worker);
 }
 
 /// The axes, those first on which fewer pairs of a sample overlap: an axis that separates most boxes leaves few for the next one.
@@ -90,18 +81,18 @@ fn stab<R: Real, const D: usize>(
     intervals: &mut [Entry<R, D>],
     points: &mut [Entry<R, D>],
     axes: &[usize],
-    emitter: &mut Emitter,
+    worker: &mut Worker,
 ) {
     if let Some((&axis, others)) = axes.split_first() {
-        emitter.tally.compared += points.len();
+        worker.compared += points.len();
         points.sort_unstable_by(|a, b| order(a, b, axis));
-        descend(intervals, points, axis, others, emitter);
+        descend(intervals, points, axis, others, worker);
     } else {
         for i in intervals {
             for point in &*points {
-                emitter.emit_one(i.owner, point.owner, true);
+                worker.pairs.emit_one(i.owner, point.owner, true);
             }
-            if emitter.is_over() {
+            if worker.pairs.is_over() {
                 return;
             }
         }
@@ -114,19 +105,19 @@ fn descend<R: Real, const D: usize>(
     points: &mut [Entry<R, D>],
     axis: usize,
     others: &[usize],
-    emitter: &mut Emitter,
+    worker: &mut Worker,
 ) {
     let [Some(&first), Some(&last)] = [points.first(), points.last()] else {
         return;
     };
-    if emitter.is_over() {
+    if worker.pairs.is_over() {
         return;
     }
-    emitter.tally.compared += intervals.len();
+    worker.compared += intervals.len();
     let count = partition(intervals, |i| holds(i, &last, &first, axis));
     let intervals = &mut intervals[..count];
     if intervals.len().min(points.len()) <= LEAF_UP_TO {
-        emitter.tally.compared += intervals.len() * points.len();
+        worker.compared += intervals.len() * points.len();
         for i in intervals {
             for point in &*points {
                 let overlap = |is_one, &k: &usize| {
@@ -135,7 +126,7 @@ fn descend<R: Real, const D: usize>(
                         & (point.aabb.mins[k] <= i.aabb.maxs[k])
                 };
                 let is_pair = others.iter().fold(holds(i, point, point, axis), overlap);
-                emitter.emit_one(i.owner, point.owner, is_pair);
+                worker.pairs.emit_one(i.owner, point.owner, is_pair);
             }
         }
         return;
@@ -144,14 +135,14 @@ fn descend<R: Real, const D: usize>(
     let (whole, partial) = intervals.split_at_mut(count);
     if !partial.is_empty() {
         let (low, high) = points.split_at_mut(points.len() / 2);
-        descend(partial, low, axis, others, emitter);
-        descend(partial, high, axis, others, emitter);
+        descend(partial, low, axis, others, worker);
+        descend(partial, high, axis, others, worker);
     }
     // At the end, for it reorders the points.
     if !whole.is_empty() {
-        stab(whole, points, others, emitter);
+        stab(whole, points, others, worker);
         if !others.is_empty() {
-            stab(points, whole, others, emitter);
+            stab(points, whole, others, worker);
         }
     }
 }

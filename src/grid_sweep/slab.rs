@@ -9,10 +9,10 @@
 use std::ops::Range;
 
 use super::assignment::Assignment;
-use super::emitter::Emitter;
 use super::entry::{Entry, Owner};
 use super::search::Found;
 use super::segment_tree::match_all;
+use super::worker::Worker;
 use crate::aabb::Aabb;
 use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
@@ -99,12 +99,12 @@ impl<R: Real, const D: usize> Slab<R, D> {
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
     /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more
-    /// pairs overlap than the emitter may append.
+    /// pairs overlap than may be appended.
     pub(super) fn sweep(
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        emitter: &mut Emitter,
+        worker: &mut Worker,
     ) {
         let range = self.range.clone();
         if self.keeps {
@@ -122,17 +122,17 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 continue;
             }
             let sorted = self.push(tube, &entries);
-            emitter.begin_task(match entries.len() {
+            worker.begin_task(match entries.len() {
                 ..=NO_CROWD_UP_TO => usize::MAX,
                 many => COMPARED_AN_ENTRY.saturating_mul(many),
             });
-            let is_swept = self.columns().sweep(sorted, emitter);
-            if emitter.is_over() {
+            let is_swept = self.columns().sweep(sorted, worker);
+            if worker.pairs.is_over() {
                 break;
             }
             if !is_swept {
-                emitter.take_back();
-                match_all(&mut entries, emitter);
+                worker.take_back();
+                match_all(&mut entries, worker);
             }
         }
         self.entries = entries;
@@ -158,19 +158,13 @@ impl<R: Real, const D: usize> Slab<R, D> {
     }
 
     /// Makes the arrays at least this long. What follows the last sentinel is unspecified.
-    #[inline(always)]
     fn make_room(&mut self, len: usize) {
         if self.owners.len() < len {
-            self.grow(len);
+            for array in self.mins.iter_mut().chain(&mut self.maxs) {
+                array.resize(len, R::NAN);
+            }
+            self.owners.resize(len, Owner::NOBODY);
         }
-    }
-
-    #[cold]
-    fn grow(&mut self, len: usize) {
-        for array in self.mins.iter_mut().chain(&mut self.maxs) {
-            array.resize(len, R::NAN);
-        }
-        self.owners.resize(len, Owner::NOBODY);
     }
 
     /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.

@@ -4,9 +4,9 @@
 
 use std::ops::Range;
 
-use super::emitter::Emitter;
 use super::entry::Owner;
 use super::slab::Slab;
+use super::worker::Worker;
 use crate::aabb::Aabb;
 use crate::lanes::{ARE_VECTORS, LANES, Lanes};
 use crate::real::Real;
@@ -39,22 +39,22 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// reports. The pairs are in the order of the entries and of those that follow each.
     ///
     /// Gives up and returns false once the emitter's budget for the tube is exceeded.
-    pub(super) fn sweep(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
+    pub(super) fn sweep(self, tube: Range<usize>, worker: &mut Worker) -> bool {
         match ARE_VECTORS {
-            true => self.sweep_by_eights(tube, emitter),
-            false => self.sweep_singly(tube, emitter),
+            true => self.sweep_by_eights(tube, worker),
+            false => self.sweep_singly(tube, worker),
         }
     }
 
     /// Compares each entry with those that follow it.
-    fn sweep_singly(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
+    fn sweep_singly(self, tube: Range<usize>, worker: &mut Worker) -> bool {
         for i in tube {
             let window = i + 1..self.owners.len();
             let (compared, _) = self.window_singly::<false>(window, &self.entry(i), |j, _| {
-                emitter.emit_one(self.owners[i], self.owners[j], true);
+                worker.pairs.emit_one(self.owners[i], self.owners[j], true);
             });
-            emitter.tally.compared += compared;
-            if emitter.is_budget_exceeded() {
+            worker.compared += compared;
+            if worker.is_budget_exceeded() {
                 return false;
             }
         }
@@ -63,7 +63,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
 
     /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
     /// until none of the eight reaches that far along the first axis.
-    fn sweep_by_eights(self, tube: Range<usize>, emitter: &mut Emitter) -> bool {
+    fn sweep_by_eights(self, tube: Range<usize>, worker: &mut Worker) -> bool {
         let mut first = tube.start;
         while first < tube.end {
             let eight = Aabb {
@@ -78,16 +78,20 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 blocks[depth] = self.compare(&eight, first + 1 + depth * LANES, &mut alive);
                 depth += 1;
             }
-            emitter.tally.compared += depth * LANES * LANES;
+            worker.compared += depth * LANES * LANES;
             if depth == 1 {
-                emitter.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
+                worker
+                    .pairs
+                    .emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
             } else if depth == 2 {
                 for (first, hits) in (first..).step_by(4).zip(interleaved(blocks[0], blocks[1])) {
-                    emitter.emit_shifted::<16, 20>(many(self.owners, first), hits);
+                    worker
+                        .pairs
+                        .emit_shifted::<16, 20>(many(self.owners, first), hits);
                 }
             } else {
-                self.emit_blocks(first, &blocks, alive, emitter);
-                if emitter.is_budget_exceeded() {
+                self.emit_blocks(first, &blocks, alive, worker);
+                if worker.is_budget_exceeded() {
                     return false;
                 }
             }
@@ -123,22 +127,24 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
 
     /// Reports the pairs of eight entries, one entry after the other, if some have more than sixteen candidates.
     #[inline(never)]
-    fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, emitter: &mut Emitter) {
+    fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, worker: &mut Worker) {
         for lane in 0..LANES {
             let shift = lane * LANES;
             let hits = blocks
                 .iter()
                 .rev()
                 .fold(0, |hits, block| hits << LANES | (block >> shift & 0xFF));
-            emitter.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
+            worker
+                .pairs
+                .emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
             if alive >> lane & 1 == 1 {
                 let i = first + lane;
                 let (start, owner) = (i + 1 + BLOCKS * LANES, self.owners[i]);
                 let window = start..self.owners.len();
                 let (compared, _) = self.window::<false>(window, &self.entry(i), |j, hits| {
-                    emitter.emit(owner, many(self.owners, j), hits);
+                    worker.pairs.emit(owner, many(self.owners, j), hits);
                 });
-                emitter.tally.compared += compared;
+                worker.compared += compared;
             }
         }
     }
@@ -300,13 +306,13 @@ mod tests {
             let columns = slab.columns();
             let [by_eights, singly] = [true, false].map(|is_by_eights| {
                 let mut pairs = Vec::new();
-                let mut emitter = Emitter::new(&mut pairs, usize::MAX);
+                let mut worker = Worker::new(&mut pairs, usize::MAX);
                 let is_done = match is_by_eights {
-                    true => columns.sweep_by_eights(tube.clone(), &mut emitter),
-                    false => columns.sweep_singly(tube.clone(), &mut emitter),
+                    true => columns.sweep_by_eights(tube.clone(), &mut worker),
+                    false => columns.sweep_singly(tube.clone(), &mut worker),
                 };
                 assert!(is_done);
-                emitter.finish();
+                worker.finish();
                 pairs
             });
             assert_eq!(by_eights, singly);

@@ -37,7 +37,7 @@ fn queries_within_their_budget_have_all_their_pairs() {
     for budget in (0..20).map(|i| 100 * i).chain([usize::MAX]) {
         let mut found = Vec::new();
         let mut search = Search::new(&boxes, &mut found);
-        let look_up = |i, emitter: &mut Emitter| kernel.look_up_box(&boxes[i as usize], i, emitter);
+        let look_up = |i, worker: &mut Worker| kernel.look_up_box(&boxes[i as usize], i, worker);
         let costly = search.run_queries(&members, budget, look_up);
         let mut expected = Vec::new();
         for &i in members.iter().filter(|i| costly.binary_search(i).is_err()) {
@@ -123,9 +123,9 @@ fn a_segment_tree_finds_the_pairs_of_brute_force() {
         };
         let mut entries: Vec<_> = (0..).zip(&boxes).map(entry).collect();
         let mut found = Vec::new();
-        let mut emitter = Emitter::new(&mut found, usize::MAX);
-        segment_tree::match_all(&mut entries, &mut emitter);
-        assert_eq!(emitter.finish().emitted, all.len());
+        let mut worker = Worker::new(&mut found, usize::MAX);
+        segment_tree::match_all(&mut entries, &mut worker);
+        assert_eq!(worker.finish().emitted, all.len());
         found.sort_unstable();
         assert!(found == all);
         // Between two lists, by any number of threads.

@@ -1,8 +1,7 @@
 //! The candidates: pairs of proxies whose fat boxes overlap.
 //!
-//! When many proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each
-//! slot. Candidates of slots that nobody has asked about since the last full search are *cold*: they stand behind the others, and are not
-//! looked at.
+//! When many proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each slot.
+//! Candidates of slots that nobody has asked about since the last full search are *cold*: they stand behind the others, and are not looked at.
 
 mod comparing;
 mod retired;
