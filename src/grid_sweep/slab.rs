@@ -178,36 +178,17 @@ impl<R: Real, const D: usize> Slab<R, D> {
         let lows = mins.each_mut().map(|column| &mut column[start..end]);
         let highs = maxs.each_mut().map(|column| &mut column[start..end]);
         let owners_here = &mut owners[start..end];
-        // Four numbers are written at once.
-        let mut position = 0;
-        while let Some(four) = order[position..].first_chunk::<4>() {
-            let four = four.map(|(_, i)| &entries[i as usize]);
+        for (position, (&(_, i), owner_here)) in order.iter().zip(owners_here).enumerate() {
+            let Entry { aabb, owner } = &entries[i as usize];
             for k in 0..D {
-                *four_at(lows[k], position) = four.map(|entry| entry.aabb.mins[k]);
-                *four_at(highs[k], position) = four.map(|entry| entry.aabb.maxs[k]);
+                lows[k][position] = aabb.mins[k];
+                highs[k][position] = aabb.maxs[k];
             }
-            *four_at(owners_here, position) = four.map(|entry| entry.owner);
-            position += 4;
-        }
-        for (position, &(_, i)) in order.iter().enumerate().skip(position) {
-            let entry = &entries[i as usize];
-            for k in 0..D {
-                lows[k][position] = entry.aabb.mins[k];
-                highs[k][position] = entry.aabb.maxs[k];
-            }
-            owners_here[position] = entry.owner;
+            *owner_here = *owner;
         }
         for column in mins.iter_mut().chain(maxs.iter_mut()) {
             column[end] = R::NAN;
         }
         owners[end] = Owner::NOBODY;
     }
-}
-
-/// The four items from `start` on.
-#[inline(always)]
-fn four_at<T>(items: &mut [T], start: usize) -> &mut [T; 4] {
-    items[start..]
-        .first_chunk_mut()
-        .expect("there are as many places as entries")
 }
