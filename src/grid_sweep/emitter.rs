@@ -1,8 +1,7 @@
 //! Pairs on their way to the output.
 //!
-//! Most boxes have a few candidates, and how many of them are hits is practically random: a branch on it would be mispredicted for
-//! every other box. So the emitter writes a pair to its buffer whether it is a hit or not, and moves on by the number of hits; or one
-//! loop goes through the hits of several boxes.
+//! Most boxes have a few candidates, and how many of them are hits is practically random: a branch on it would be mispredicted for every
+//! other box. So one loop goes through the hits of several boxes, and a single candidate is written to the buffer whether it is a hit or not.
 
 use super::entry::Owner;
 use crate::lanes::{ARE_VECTORS, LANES};
@@ -47,17 +46,9 @@ impl<'a> Emitter<'a> {
         if self.len > BUFFER - LANES {
             self.flush();
         }
-        let mut next = || {
+        while hits != 0 {
             let other = others[hits.trailing_zeros() as usize % LANES];
-            let is_hit = hits != 0;
-            hits &= hits.wrapping_sub(1);
-            (other, is_hit)
-        };
-        for _ in 0..2 {
-            let (other, is_hit) = next();
-            self.append(owner, other, is_hit);
-        }
-        while let (other, true) = next() {
+            hits &= hits - 1;
             self.append(owner, other, true);
         }
     }
