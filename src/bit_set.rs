@@ -68,13 +68,6 @@ impl BitSet {
         numbered.flat_map(|(i, &word)| ones(word).map(move |bit| 64 * i + bit))
     }
 
-    /// Adds all numbers of a set of the same capacity.
-    pub(crate) fn extend_from(&mut self, other: &Self) {
-        for (word, more) in self.words.iter_mut().zip(&other.words) {
-            *word |= more;
-        }
-    }
-
     /// Removes all numbers.
     pub(crate) fn clear(&mut self) {
         self.words.fill(0);

@@ -27,7 +27,6 @@ mod volumes;
 
 use std::fmt::Debug;
 
-use crate::grid_sweep::MAX_BOXES;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::volume::Volume;
@@ -37,13 +36,11 @@ pub(crate) use changes::Changes;
 use foresight::Foresight;
 use layers::Layers;
 pub(crate) use notes::Notes;
-use policy::{Cost, Work};
+use pair_state::PairState;
+use policy::Cost;
 pub(crate) use proxies::{Proxies, ProxyChunk};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
-
-/// The most slots: every kernel takes so many boxes.
-pub(crate) const MOST_SLOTS: usize = MAX_BOXES;
 
 /// What an update asks about colliders.
 pub(crate) trait Colliders<R, const D: usize>: Sync {
@@ -81,8 +78,6 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
-    /// The work of the last update's searches.
-    work: Work,
     /// The cost of searching since the last full search, that one included.
     cost: Cost,
     full_searches: u64,
@@ -96,7 +91,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         Self {
             proxies: Proxies::new(volumes),
             foresight: Foresight::default(),
-            work: Work::default(),
             cost: Cost::default(),
             full_searches: 0,
             candidates: Candidates::default(),
@@ -106,10 +100,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// The held pairs, by slots, smaller first.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.candidates.held()
+        self.candidates.of_state(PairState::Held)
     }
 
-    /// Makes room for this number of slots, at most [`MOST_SLOTS`], if there is less.
+    /// Makes room for this number of slots, at most [`MAX_BOXES`](crate::grid_sweep::MAX_BOXES), if there is less.
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
         let volumes = self.proxies.volumes.are_used();

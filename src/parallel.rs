@@ -143,17 +143,4 @@ mod tests {
             assert_eq!(end, items);
         }
     }
-
-    #[test]
-    fn only_what_is_much_is_cut() {
-        for threads in [1, 2, 8] {
-            with_threads(threads, || {
-                let threads = super::threads();
-                assert_eq!(Section::of(0, u64::MAX).parts(), 1);
-                assert_eq!(Section::of(1, SECTION_COST).parts(), 1);
-                assert!((1..=threads).contains(&Section::of(2, SECTION_COST).parts()));
-                assert_eq!(Section::of(usize::MAX, u64::MAX).parts(), threads);
-            });
-        }
-    }
 }

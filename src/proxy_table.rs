@@ -21,7 +21,8 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
-use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, MOST_SLOTS, PairTracker};
+use crate::grid_sweep::MAX_BOXES;
+use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, PairTracker};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::stats::Stats;
@@ -31,10 +32,10 @@ use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
 use source::Known;
-pub(crate) use source::{ColliderSource, Handle, IsActive, Lists, Reading};
+pub(crate) use source::{ColliderSource, Handle, IsActive, Lists, Memo, Reading};
 
-/// The maximum number of slots for known colliders. The rest of [`MOST_SLOTS`] is for boxes of unknown colliders.
-const MOST_KNOWN_SLOTS: usize = MOST_SLOTS - ROOM_AHEAD;
+/// The maximum number of slots for known colliders. The rest of [`MAX_BOXES`] is for boxes of unknown colliders.
+const MOST_KNOWN_SLOTS: usize = MAX_BOXES - ROOM_AHEAD;
 
 /// The proxies of all colliders, and the pairs that they form.
 #[derive(Clone)]
@@ -61,9 +62,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     reader: Reader,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
-    ProxyTable<R, D, M, K>
-{
+impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// An empty table. `volumes` says whether volumes are in use.
     pub(crate) fn new(volumes: bool) -> Self {
         Self {
@@ -216,13 +215,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     /// An estimate of the work of an update, in tenths of a nanosecond.
     pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
         let touched = self.touched().len() + lists.modified.len();
-        self.reading_work(lists.len())
+        self.reading_section(lists.len())
+            .work
             .saturating_add(self.tracker.work_ahead(touched))
-    }
-
-    /// An estimate of the work of reading this many colliders, or of setting their boxes, in tenths of a nanosecond.
-    pub(crate) fn reading_work(&self, colliders: usize) -> u64 {
-        self.reading_section(colliders).work
     }
 
     /// Whether an update without listed colliders has something to do: boxes have been set, or all volumes must be read again.
@@ -284,8 +279,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             _ => Some(aabb),
         };
         let (mut all, i) = (proxies.all(), slot as usize);
-        let has_only_moved = has_only_moved && is_same_key && !all.is_box_until_read(i);
-        all.follow_volume(i, &aabb, has_only_moved);
+        all.follow_volume(i, &aabb, has_only_moved && is_same_key);
         match renewed {
             None => {}
             Some(renewed) if renewed.is_valid() && !is_refused => {

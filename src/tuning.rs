@@ -31,44 +31,34 @@ pub(crate) mod kernel {
         range: [16, usize::MAX],
     };
 
-    /// Shares of the boxes, for the cut axes and for the first. The grid is made for the size that this share does not exceed. If larger: a few
-    /// large boxes make the strips too wide. If smaller: more boxes are on a border, or too large for the grid.
-    pub(crate) const GRID_SIZE_QUANTILES: [f64; 2] = [0.75, 0.75];
-
     /// How a grid is chosen.
     #[derive(Clone, Copy)]
     pub(crate) struct Aim {
         pub(crate) sample: Sample,
-        /// As [`GRID_SIZE_QUANTILES`].
+        /// Shares of the boxes, for the cut axes and for the first. The grid is made for the size that this share does not exceed. If larger:
+        /// a few large boxes make the strips too wide. If smaller: more boxes are on a border, or too large for the grid.
         pub(crate) sizes: [f64; 2],
         /// Whether strips may be as narrow as boxes. The places of boxes that are too large for them do not count.
         pub(crate) is_narrow: bool,
     }
 
-    const fn narrow(cut_axes: f64, first: f64) -> Aim {
+    const fn aim(sample: Sample, cut_axes: f64, is_narrow: bool) -> Aim {
+        let sizes = [cut_axes, 0.75];
         Aim {
-            sample: GRID_SAMPLE,
-            sizes: [cut_axes, first],
-            is_narrow: true,
+            sample,
+            sizes,
+            is_narrow,
         }
     }
 
     /// The grids that are tried in turn until one [fits](FITTING). If more: each try is a pass over the boxes. If fewer: plates in several
     /// directions share tubes.
     pub(crate) const GRID_TRIES: [Aim; 4] = [
-        usual(GRID_SAMPLE),
-        narrow(0.375, 0.75),
-        narrow(0.125, 0.75),
-        usual(SECOND_SAMPLE),
+        aim(GRID_SAMPLE, 0.75, false),
+        aim(GRID_SAMPLE, 0.375, true),
+        aim(GRID_SAMPLE, 0.125, true),
+        aim(SECOND_SAMPLE, 0.75, false),
     ];
-
-    const fn usual(sample: Sample) -> Aim {
-        Aim {
-            sample,
-            sizes: GRID_SIZE_QUANTILES,
-            is_narrow: false,
-        }
-    }
 
     /// Comparisons for each box. A grid with more, besides some for each pair, does not fit. If larger: boxes that crowd share a class with
     /// others. If smaller: good grids are rejected, and searching takes longer with more classes.

@@ -291,12 +291,6 @@ impl<'a, R: Real, const D: usize> VolumeRef<'a, R, D> {
         }
     }
 
-    /// The first half axis; zero if there is none.
-    #[inline(always)]
-    fn first_half_axis(self) -> [R; D] {
-        self.half_axes.first().copied().unwrap_or([R::ZERO; D])
-    }
-
     /// The reach of the segments from the center along an axis, times the length of the axis.
     #[inline(always)]
     fn reach_of_segments(self, axis: [R; D]) -> R {

@@ -246,7 +246,7 @@ impl UnisizeBroadPhase {
             return;
         }
         let extents = [self.margin(params), params.prediction_distance() / 2.0];
-        parallel::enter(self.table.reading_work(aabbs.len()), || {
+        parallel::enter(self.table.reading_section(aabbs.len()).work, || {
             let written = self.table.set_boxes(aabbs, extents);
             self.query_tree.note(written);
         });

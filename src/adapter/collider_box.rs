@@ -76,10 +76,6 @@ impl ColliderSource<Real, DIM> for Input<'_> {
     type Memo = Outline;
     type Key = ColliderKey;
 
-    fn has_keys(&self) -> bool {
-        ColliderKey::differ(self.filter)
-    }
-
     #[inline(always)]
     fn volume(
         &self,
@@ -153,7 +149,8 @@ impl ColliderSource<Real, DIM> for Input<'_> {
         let has_changed = outline.note(collider);
         let outlined = outline.aabb(collider);
         let body = body_of(collider, bodies);
-        outline.without_volume = Some(without_volume(collider, body));
+        let kind = Some(without_volume(collider, body));
+        let former = std::mem::replace(&mut outline.without_volume, kind);
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
         // The compiler vectorizes the common branch only if both join before the box is loosened.
         let aabb = match outlined {
@@ -165,7 +162,7 @@ impl ColliderSource<Real, DIM> for Input<'_> {
             }
         };
         let is_off_unit = off_unit(version::norm_squared(collider.position())).is_none();
-        let has_no_volume = outline.without_volume != Some(None);
+        let has_no_volume = [former, kind] != [Some(None); 2];
         let aabb = aabb.loosened(distance);
         Some(Reading {
             aabb,

@@ -37,9 +37,6 @@ const TYPES: [RigidBodyType; 4] = [
     RigidBodyType::KinematicVelocityBased,
 ];
 
-/// The index of fixed bodies in them.
-const FIXED: u32 = 1;
-
 /// The lowest bit of each part.
 const TYPE: u32 = TYPES.len() as u32;
 const EXACT_TYPE: u32 = TYPE + 2;
@@ -87,14 +84,10 @@ fn body_and_groups(filter: PairFilter, collider: &Collider) -> (u32, Interaction
 }
 
 impl ColliderKey {
-    /// Whether this filter, or this version of Rapier, needs keys at all.
-    pub(super) fn differ(filter: PairFilter) -> bool {
-        filter != PairFilter::Off || version::REINSERTS
-    }
-
     #[inline(always)]
     pub(super) fn new(filter: PairFilter, collider: &Collider, body: Option<&RigidBody>) -> Self {
-        if !Self::differ(filter) {
+        // Neither this filter nor this version of Rapier needs keys.
+        if filter == PairFilter::Off && !version::REINSERTS {
             return Self::default();
         }
         let (body_index, groups) = body_and_groups(filter, collider);
@@ -142,7 +135,8 @@ impl FilterKey for ColliderKey {
 
     /// The body, unless it is fixed: then it hardly takes part in searches.
     fn clique(self) -> Option<u32> {
-        let is_one = self.body != NO_BODY && self.bits >> TYPE & 3 != FIXED;
+        let body_type = TYPES[(self.bits >> TYPE & 3) as usize];
+        let is_one = self.body != NO_BODY && body_type != RigidBodyType::Fixed;
         (is_one && self.bits & BODIES_DECIDE != 0).then_some(self.body)
     }
 

@@ -106,17 +106,7 @@ impl Candidates {
         self.pairs.iter().copied()
     }
 
-    pub(super) fn held(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.of_state(PairState::Held)
-    }
-
-    /// The pairs whose boxes overlap and that are not held.
-    #[cfg(any(test, feature = "serde-serialize"))]
-    pub(super) fn near(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.of_state(PairState::Near)
-    }
-
-    fn of_state(&self, wanted: PairState) -> impl Iterator<Item = [u32; 2]> + '_ {
+    pub(super) fn of_state(&self, wanted: PairState) -> impl Iterator<Item = [u32; 2]> + '_ {
         let all = self.pairs.iter().zip(&self.states);
         all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
@@ -232,7 +222,7 @@ impl Candidates {
         should_be_held: impl Fn([u32; 2], bool) -> bool,
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
-        assert_eq!(self.held().count(), self.held_count);
+        assert_eq!(self.of_state(PairState::Held).count(), self.held_count);
         let overlapping = self
             .states
             .iter()

@@ -28,8 +28,8 @@ impl Notes {
         }
     }
 
-    /// Removes repeats from each list that is longer than `most`.
-    pub(super) fn forget_repeats(&mut self, most: usize) {
+    /// Removes repeats from each list that is longer than `most`. **O(log n)** per note, amortized.
+    pub(crate) fn forget_repeats(&mut self, most: usize) {
         for list in self.lists() {
             if list.len() > most {
                 list.sort_unstable();

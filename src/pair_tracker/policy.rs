@@ -3,9 +3,6 @@
 //! Comparing the boxes of candidates is cheap. Looking a few boxes up among all others costs more. A full search, a
 //! search for all pairs, costs most, and postpones the next one. The prices are in `tuning`.
 
-#[cfg(test)]
-mod tests;
-
 use crate::tuning::prices::{FOUND, LOOKED_UP, SEARCHED, VISITED};
 
 /// One slot in this many. If more were touched, an update goes through all slots and all candidates, in order; otherwise only through the
@@ -37,29 +34,24 @@ pub(super) struct Cost {
     updates: u64,
     searching: u64,
     /// Look-ups, their visits, and the boxes of the searches of the recent layer.
-    looked_up: u64,
+    pub(super) looked_up: u64,
     visited: u64,
     recent: u64,
 }
 
 impl Cost {
-    /// Adds an update.
+    /// Adds an update. The sum is at most a price times the square of the number of slots, because a full search is due once as many slots
+    /// as there are have been recent.
     pub(super) fn add(&mut self, work: &Work) {
-        let counts = [
-            (work.looked_up, LOOKED_UP),
-            (work.visited, VISITED),
-            (work.searched, SEARCHED),
-            (work.found, FOUND),
-        ];
-        self.updates = self.updates.saturating_add(1);
-        for (count, cost) in counts {
-            let cost = cost.saturating_mul(count as u64);
-            self.searching = self.searching.saturating_add(cost);
-        }
-        if work.looked_up > 0 {
-            self.looked_up = self.looked_up.saturating_add(work.looked_up as u64);
-            self.visited = self.visited.saturating_add(work.visited as u64);
-            self.recent = self.recent.saturating_add(work.searched as u64);
+        let counts = [work.looked_up, work.visited, work.searched, work.found];
+        let [looked_up, visited, searched, found] = counts.map(|count| count as u64);
+        self.updates += 1;
+        self.searching += LOOKED_UP * looked_up + VISITED * visited;
+        self.searching += SEARCHED * searched + FOUND * found;
+        if looked_up > 0 {
+            self.looked_up += looked_up;
+            self.visited += visited;
+            self.recent += searched;
         }
     }
 
@@ -67,28 +59,21 @@ impl Cost {
     /// for, and the number of candidates. The same numbers give the same answer on every machine.
     pub(super) fn is_full_search_due(&self, recent: usize, counts: [usize; 3]) -> bool {
         let [leavers, slots, found] = counts.map(|count| count as u64);
-        let recent = recent as u64;
         let full_search = SEARCHED * slots + FOUND * found;
         // Each finds all of its candidates, and each of these belongs to another slot as well.
         let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
-        let look_up = LOOKED_UP.saturating_add(VISITED.saturating_mul(self.visits_a_look_up()));
-        let look_ups = look_up
-            .saturating_mul(leavers)
-            .saturating_add(SEARCHED * (recent + leavers) + FOUND * found_by_look_ups);
+        let look_up = LOOKED_UP + VISITED * (self.visited / self.looked_up.max(1));
+        let look_ups =
+            look_up * leavers + SEARCHED * (recent as u64 + leavers) + FOUND * found_by_look_ups;
         // As long as an update costs less than the mean since the last full search, that search still pays. Fat boxes made at one time
         // tend to be left at one time; then it no longer does.
         let tolerated = full_search / FULL_SEARCH_TOLERANCE_ONE_IN;
-        look_ups > self.mean().saturating_add(tolerated) || self.recent > slots
+        look_ups > self.mean() + tolerated || self.recent > slots
     }
 
     /// The cost of an update, on average; 0 if there was none.
     pub(super) fn mean(&self) -> u64 {
         self.searching / self.updates.max(1)
-    }
-
-    /// The visits of a look-up, on average; 0 if there was none.
-    fn visits_a_look_up(&self) -> u64 {
-        self.visited / self.looked_up.max(1)
     }
 }
 

@@ -18,9 +18,8 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::tuning::prices::SLOT;
-use crate::tuning::update::MOST_NOTES_A_SLOT;
 pub(crate) use chunk::ProxyChunk;
-pub(super) use pair_rules::{Rows, overlap};
+pub(super) use pair_rules::overlap;
 
 /// The state of each slot, and notes of what has changed since the last update.
 #[derive(Clone, Debug, Default)]
@@ -176,12 +175,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.volumes.note_reach_of_boxes(reach);
     }
 
-    /// Removes repeated notes if they take much memory. **O(log n)** per note, amortized.
-    pub(crate) fn forget_repeats(&mut self) {
-        self.notes
-            .forget_repeats(MOST_NOTES_A_SLOT * self.boxes.len());
-    }
-
     /// Begins an update: reads the volumes that the notes name, and makes sets of the notes.
     pub(super) fn begin_update(&mut self, slack: R, colliders: &impl Colliders<R, D>) {
         self.slack = slack;
@@ -216,31 +209,14 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         }
     }
 
-    /// Makes new fat boxes for the touched proxies.
-    pub(super) fn inflate_touched(&mut self, foresight: Foresight) {
-        // The other boxes have not moved, or are back inside their fat boxes.
-        self.inflate(foresight, |fat, now, before| {
-            now != before || !fat.contains(now)
-        });
-    }
-
-    /// Makes new fat boxes for all proxies.
-    pub(super) fn inflate_all(&mut self, foresight: Foresight) {
-        self.inflate(foresight, |_, _, _| true);
-    }
-
-    /// Makes a new fat box for each proxy for which `is_due` says so, which is given the fat box, the box, and the previous box.
-    fn inflate(
-        &mut self,
-        foresight: Foresight,
-        is_due: impl Fn(&Aabb<R, D>, &Aabb<R, D>, &Aabb<R, D>) -> bool + Send + Sync,
-    ) {
+    /// Makes new fat boxes for all proxies, or for those that have moved or left theirs.
+    pub(super) fn inflate(&mut self, foresight: Foresight, are_all: bool) {
         let (section, slots) = self.section();
         let boxes = self.boxes.chunks(slots).zip(self.previous.chunks(slots));
         let mut parts: Vec<_> = self.fat_boxes.chunks_mut(slots).zip(boxes).collect();
         section.for_each(&mut parts, |(fat_boxes, (boxes, previous))| {
             for (fat, (now, before)) in fat_boxes.iter_mut().zip(boxes.iter().zip(*previous)) {
-                if is_due(fat, now, before) {
+                if are_all || now != before || !fat.contains(now) {
                     *fat = foresight.fat_box(now, before);
                 }
             }

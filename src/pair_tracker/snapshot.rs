@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 use super::proxies::overlap;
 use super::validation::{overlapping, set_of};
 use super::volumes::VolumesSnapshot;
-use super::{FilterKey, MOST_SLOTS, PairTracker};
+use super::{FilterKey, PairState, PairTracker};
 use crate::aabb::Aabb;
-use crate::grid_sweep::GridSweep;
+use crate::grid_sweep::{GridSweep, MAX_BOXES};
 use crate::real::Real;
 
 /// The state on which later changes depend.
@@ -50,9 +50,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             [&proxies.notes.touched, &proxies.notes.revolumed].map(Vec::clone);
         touched.sort_unstable();
         revolumed.sort_unstable();
-        let mut near: Vec<_> = self.candidates.near().collect();
+        let of_state = |state| self.candidates.of_state(state);
+        let mut near: Vec<_> = of_state(PairState::Near).collect();
         near.sort_unstable();
-        let overlapping = self.candidates.held().chain(self.candidates.near());
+        let overlapping = of_state(PairState::Held).chain(of_state(PairState::Near));
         let forbidden = overlapping.filter(|&pair| !proxies.may_meet(pair));
         let mut forbidden: Vec<_> = match proxies.are_rekeyed {
             true => forbidden.collect(),
@@ -85,7 +86,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         snapshot: TrackerSnapshot<R, D, K>,
     ) -> Result<(), &'static str> {
         let slots = snapshot.boxes.len();
-        if slots > MOST_SLOTS {
+        if slots > MAX_BOXES {
             return Err("snapshot: there are more slots than a kernel takes boxes");
         }
         if slots != snapshot.keys.len() {
@@ -114,12 +115,11 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 _ => return Err("snapshot: a box that was handed over is not valid"),
             }
         }
-        if !(snapshot.revolumed.is_empty() || proxies.volumes.are_used()) {
-            return Err("snapshot: a volume has changed where none is in use");
-        }
-        let mut revolumed = snapshot.revolumed.iter();
-        if revolumed.any(|&slot| slot as usize >= slots) {
-            return Err("snapshot: a volume has changed whose slot is out of range");
+        let mut listed = snapshot.revolumed.iter().chain(&snapshot.acquainted);
+        if listed.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used()) {
+            return Err(
+                "snapshot: a slot has another volume or is acquainted, and is out of range or none is in use",
+            );
         }
         proxies.notes.revolumed = snapshot.revolumed;
         let mut kernel = GridSweep::default();
@@ -135,10 +135,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         proxies.are_rekeyed = !snapshot.forbidden.is_empty();
         found.extend(snapshot.forbidden);
-        let mut acquainted = snapshot.acquainted.iter();
-        if acquainted.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used()) {
-            return Err("snapshot: a slot is acquainted that is out of range");
-        }
         if !(snapshot.near.is_empty() || proxies.volumes.are_used()) {
             return Err("snapshot: a pair is near, and no volume is in use");
         }
@@ -150,7 +146,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let notes = &proxies.notes;
         let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
         let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
-        let mut near = self.candidates.near();
+        let mut near = self.candidates.of_state(PairState::Near);
         let volumes = &proxies.volumes;
         let may_begin = |pair| proxies.may_meet(pair) && volumes.meet(pair, R::ZERO);
         // A volume whose slot is noted is read, or has changed since the last update.

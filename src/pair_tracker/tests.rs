@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use oorandom::Rand32;
 
-use super::{Changes, Colliders, FilterKey, PairTracker};
+use super::{Changes, Colliders, FilterKey, PairState, PairTracker};
 use crate::aabb::Aabb;
 use crate::brute_force::BruteForce;
 use crate::volume::{Volume, VolumeKind};
@@ -125,7 +125,10 @@ impl World {
         let mut begin = self.near_or_held.difference(&self.held);
         assert!(!begin.any(|&pair| proxies.may_meet(pair) && meet(pair, 0.0)));
         let candidates = &self.tracker.candidates;
-        let near_or_held: BTreeSet<_> = candidates.near().chain(candidates.held()).collect();
+        let near_or_held: BTreeSet<_> = [PairState::Near, PairState::Held]
+            .into_iter()
+            .flat_map(|state| candidates.of_state(state))
+            .collect();
         assert!(near_or_held == self.near_or_held);
         self.before = proxies.boxes.clone();
     }
@@ -236,7 +239,10 @@ fn a_forbidden_pair_that_has_parted_is_no_neighbor_again() {
         }
         world.update();
     }
-    assert_eq!(world.tracker.candidates.near().count(), 0);
+    assert_eq!(
+        world.tracker.candidates.of_state(PairState::Near).count(),
+        0
+    );
 }
 
 /// Boxes that keep their direction, so that fat boxes are of use. The share of them that moves goes back and forth over each threshold.
@@ -271,7 +277,7 @@ fn drifting_boxes_agree_with_brute_force() {
                     world.tracker.proxies.place(slot, aabb);
                 }
                 world.update();
-                look_ups += u64::from(world.tracker.work.looked_up > 0);
+                look_ups += u64::from(world.tracker.cost.looked_up > 0);
                 let candidates = &world.tracker.candidates;
                 let are_partly_cold =
                     0 < candidates.first_cold && candidates.first_cold < candidates.len();

@@ -1,22 +1,11 @@
 //! The update cycle: from one set of pairs to the next.
 //!
-//! 1. **Note.** Between two updates, placing, clearing and removing proxies only writes boxes and keys, and takes notes: which slots were
-//!    *touched*, which of those must be searched for again, and which have another volume, or a stale one that a pair asks for. The update
-//!    begins by reading these volumes.
-//! 2. **Plan.** Without leavers, it compares. Otherwise [`Cost::is_full_search_due`] looks at a few numbers (slots, leavers, candidates,
-//!    costs so far) and chooses between a look-up and a full search. The same numbers give the same plan on every machine.
-//! 3. **Inflate.** New fat boxes are made ahead of the motion from the previous box to the present one: for the leavers before a look-up,
-//!    for all touched proxies before a full search. A comparison needs none.
-//! 4. **Search.** A look-up finds the new candidates of the leavers, in the layers. A full search finds all candidates; if it finds too
-//!    many, foresight is shortened, and steps 3 and 4 are repeated with all boxes.
-//! 5. **Compare.** The candidates of the leavers are retired, those of the other touched proxies are compared, and those that were found
-//!    are added; after a full search, those that were found replace all. Each pair that begins or ends is reported.
-//! 6. **End.** The present boxes become the previous ones, and the notes are cleared.
-//!
-//! All other fat boxes stay, and with them their candidates. The next updates live on these.
+//! Between two updates, writing proxies only takes notes. An update plans by a few numbers, the same on every machine; makes fat boxes ahead of
+//! the motion; searches; compares the candidates; and makes the present boxes the previous ones. ARCHITECTURE.md has these steps as a table.
+//! Fat boxes that nobody has left stay, and with them their candidates. The next updates live on these.
 
 use super::candidates::Comparing;
-use super::foresight::{Foresight, mean_speed};
+use super::foresight::mean_speed;
 use super::layers::TooMany;
 use super::policy::{Cost, Work, are_many_touched};
 use super::{Changes, Colliders, FilterKey, PairTracker};
@@ -55,23 +44,42 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             return;
         }
         self.proxies.begin_update(slack, colliders);
-        self.work = Work::default();
-        let proxies = &self.proxies;
-        let recent = self.layers.recent();
-        let counts = [proxies.leavers.len(), proxies.len(), self.candidates.len()];
-        if counts[0] == 0 {
-            self.compare(changes, colliders);
-        } else if recent.is_none_or(|recent| self.cost.is_full_search_due(recent, counts)) {
-            let speed = || mean_speed(&proxies.notes.touched, &proxies.boxes, &proxies.previous);
-            let foresight = self.foresight.renewed(speed);
-            self.search_in_full(foresight, changes, colliders);
-        } else if self.look_up_leavers().is_ok() {
-            self.compare(changes, colliders);
+        let (proxies, candidates) = (&self.proxies, &self.candidates);
+        let counts = [proxies.leavers.len(), proxies.len(), candidates.len()];
+        let looked_up = match self.layers.recent() {
+            _ if counts[0] == 0 => Some(Work::default()),
+            Some(recent) if !self.cost.is_full_search_due(recent, counts) => self.look_up_leavers(),
+            _ => {
+                let moved = &proxies.notes.touched;
+                let speed = || mean_speed(moved, &proxies.boxes, &proxies.previous);
+                self.foresight = self.foresight.renewed(speed);
+                None
+            }
+        };
+        let is_full = looked_up.is_none();
+        let work = looked_up.unwrap_or_else(|| self.search_in_full());
+        let found = &mut self.layers.found;
+        let mut comparing = Comparing {
+            candidates: &mut self.candidates,
+            proxies: &mut self.proxies,
+            changes,
+            colliders,
+        };
+        if is_full {
+            comparing.replace(found);
+            if found.capacity() > KEEP_SCRATCH_UP_TO {
+                *found = Vec::new();
+            }
         } else {
-            self.foresight.shorten();
-            self.search_in_full(self.foresight, changes, colliders);
+            comparing.compare();
+            comparing.extend(found);
+            let overlapping = self.candidates.overlapping_count;
+            if self.are_too_many(self.candidates.len(), overlapping) {
+                self.foresight.shorten();
+                self.layers.forget();
+            }
         }
-        self.cost.add(&self.work);
+        self.cost.add(&work);
         self.proxies.end_update();
     }
 
@@ -88,80 +96,52 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.cost.mean().saturating_add(comparing)
     }
 
-    /// Makes new fat boxes for the leavers and looks them up among all others.
-    fn look_up_leavers(&mut self) -> Result<(), TooMany> {
+    /// Makes new fat boxes for the leavers and finds their candidates among all others. `None` if there are too many; then foresight is
+    /// shortened.
+    fn look_up_leavers(&mut self) -> Option<Work> {
         self.proxies.inflate_leavers(self.foresight);
         let (proxies, most) = (&self.proxies, self.most_found());
-        self.work = self.layers.find_pairs_of_leavers(
+        let looked_up = self.layers.find_pairs_of_leavers(
             &proxies.fat_boxes,
             &proxies.leavers,
             |pair| !proxies.are_filtered || proxies.may_meet(pair),
             most,
-        )?;
-        Ok(())
-    }
-
-    /// Compares candidates, retires those of the leavers, and adds those that were found.
-    fn compare(&mut self, changes: &mut Changes, colliders: &impl Colliders<R, D>) {
-        let mut comparing = Comparing {
-            candidates: &mut self.candidates,
-            proxies: &mut self.proxies,
-            changes,
-            colliders,
-        };
-        comparing.compare();
-        comparing.extend(&mut self.layers.found);
-        let overlapping = self.candidates.overlapping_count;
-        if self.are_too_many(self.candidates.len(), overlapping) {
+        );
+        if looked_up.is_err() {
             self.foresight.shorten();
-            self.layers.forget();
         }
+        looked_up.ok()
     }
 
-    /// Searches for all candidates, by fat boxes with this foresight.
-    fn search_in_full(
-        &mut self,
-        foresight: Foresight,
-        changes: &mut Changes,
-        colliders: &impl Colliders<R, D>,
-    ) {
+    /// Finds all candidates, by fat boxes with the present foresight, or with a shorter one if there are too many.
+    fn search_in_full(&mut self) -> Work {
         // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
-        self.foresight = foresight;
         self.cost = Cost::default();
-        self.work = Work::default();
-        self.proxies.inflate_touched(self.foresight);
+        let mut work = Work::default();
+        self.proxies.inflate(self.foresight, false);
         self.layers.found.clear();
         let count = self.candidates.len();
         let room = count + count / FOUND_SPARE_ONE_IN;
         self.layers.found.reserve_exact(room);
         let mut most = self.most_found();
-        while self.search(most).is_err() || self.are_too_many_found(most) {
+        while self.search(most, &mut work).is_err() || self.are_too_many_found(most) {
             self.foresight.shorten();
-            self.proxies.inflate_all(self.foresight);
+            self.proxies.inflate(self.foresight, true);
             self.layers.found = Vec::new();
             // Only now: the fat boxes of proxies that have not moved since may be from a time when there was foresight.
             if self.foresight.moves == 0 {
                 most = usize::MAX;
             }
         }
-        let mut comparing = Comparing {
-            candidates: &mut self.candidates,
-            proxies: &mut self.proxies,
-            changes,
-            colliders,
-        };
-        comparing.replace(&mut self.layers.found);
-        if self.layers.found.capacity() > KEEP_SCRATCH_UP_TO {
-            self.layers.found = Vec::new();
-        }
+        work
     }
 
     /// Finds the pairs that may meet among all fat boxes that overlap.
     ///
     /// # Errors
     /// If so many more overlap than in the last full search as `most` says.
-    fn search(&mut self, most: usize) -> Result<(), TooMany> {
+    fn search(&mut self, most: usize, work: &mut Work) -> Result<(), TooMany> {
         let proxies = &self.proxies;
         let may_meet = |pair| proxies.may_meet(pair);
         let overlapping = self.layers.find_all(
@@ -170,8 +150,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             |slot| proxies.keys[slot as usize].clique(),
             most,
         );
-        self.work.searched += proxies.len();
-        self.work.found += overlapping?;
+        work.searched += proxies.len();
+        work.found += overlapping?;
         Ok(())
     }
 

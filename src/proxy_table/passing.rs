@@ -9,19 +9,17 @@
 use std::collections::BTreeSet;
 
 use super::slot_chunk::slot_chunks;
-use super::{ColliderSource, Handle, ProxyTable, Reading};
+use super::{ColliderSource, Handle, Memo, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
 use crate::parallel::Section;
 use crate::real::Real;
-use crate::tuning::update::ROOM_AHEAD;
+use crate::tuning::update::{MOST_NOTES_A_SLOT, ROOM_AHEAD};
 
 /// The colliders that the next update reads if they exist, by slot and generation.
 pub(super) type Pending = BTreeSet<(u32, u32)>;
 
-impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
-    ProxyTable<R, D, M, K>
-{
+impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
     /// whose boxes it has written; some may repeat. **O(1)** for the box of each known collider.
     ///
@@ -33,7 +31,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     ) -> &[u32] {
         self.is_begun = true;
         self.tracker.proxies.volumes.note_reach_of_boxes(reach);
-        self.tracker.proxies.forget_repeats();
+        let most = MOST_NOTES_A_SLOT * self.generations.len();
+        self.tracker.proxies.notes.forget_repeats(most);
         let first_touched = self.touched().len();
         if let &[(handle, aabb)] = boxes {
             self.set_box(handle, aabb.into(), margin);
@@ -152,7 +151,8 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             pending.remove(&handle.into_raw_parts());
         }
         for (slot, generation) in pending {
-            self.admit_read(S::Handle::from_raw_parts(slot, generation), source, margin);
+            let handle = S::Handle::from_raw_parts(slot, generation);
+            self.admit(handle, margin, |memo| source.read(handle, memo));
         }
     }
 }

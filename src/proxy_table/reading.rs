@@ -8,7 +8,7 @@
 //! others have been read.
 
 use super::slot_chunk::{SlotChunk, slot_chunks};
-use super::{ColliderSource, Handle, ProxyTable, is_known};
+use super::{ColliderSource, Handle, Memo, ProxyTable, is_known};
 use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes};
 use crate::parallel::Section;
@@ -28,38 +28,20 @@ pub(super) struct Reader {
 
 impl Reader {
     /// Lists the slots of known colliders, and defers the other handles.
-    fn list<H: Handle>(&mut self, handles: &[H], generations: &[Option<u32>], section: Section) {
-        let Self {
-            listed, deferred, ..
-        } = self;
-        deferred.resize_with(section.parts().max(deferred.len()), Vec::new);
-        let parts = handles.chunks(handles.len().div_ceil(section.parts()).max(1));
-        // The first part takes the memory of the last update.
-        let mut parts: Vec<_> = parts
-            .zip(deferred)
-            .map(|(handles, deferred)| (handles, deferred, std::mem::take(listed)))
-            .collect();
-        section.for_each(&mut parts, |(handles, deferred, listed)| {
-            listed.resize(generations.len());
-            for &handle in *handles {
-                let (slot, generation) = handle.into_raw_parts();
-                match is_known(generations, slot, generation) {
-                    true => _ = listed.insert(slot as usize),
-                    false => deferred.push((slot, generation)),
-                }
+    fn list<H: Handle>(&mut self, handles: &[H], generations: &[Option<u32>], parts: usize) {
+        self.deferred.resize_with(parts, Vec::new);
+        self.listed.resize(generations.len());
+        for &handle in handles {
+            let (slot, generation) = handle.into_raw_parts();
+            match is_known(generations, slot, generation) {
+                true => _ = self.listed.insert(slot as usize),
+                false => self.deferred[0].push((slot, generation)),
             }
-        });
-        let mut lists = parts.into_iter().map(|(_, _, listed)| listed);
-        *listed = lists.next().unwrap_or_default();
-        for more in lists {
-            listed.extend_from(&more);
         }
     }
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
-    ProxyTable<R, D, M, K>
-{
+impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Reads the boxes and filter keys of listed colliders.
     pub(super) fn read<S>(&mut self, handles: &[S::Handle], source: &S, margin: R)
     where
@@ -68,7 +50,9 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
         self.visit(handles, |chunk, i, handle| {
             chunk.read(i, handle, source, margin)
         });
-        self.for_deferred(|table, handle| table.admit_read(handle, source, margin));
+        self.for_deferred(|table, handle| {
+            table.admit(handle, margin, |memo| source.read(handle, memo));
+        });
     }
 
     /// Reads the filter key of each listed collider that `has_changed`, and has the update read its volume. Boxes stay, and unknown colliders
@@ -95,7 +79,7 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
     }
 
     /// The work of reading this many colliders, or of setting their boxes.
-    pub(super) fn reading_section(&self, colliders: usize) -> Section {
+    pub(crate) fn reading_section(&self, colliders: usize) -> Section {
         Section::of(colliders, self.tracker.proxies.volumes.price(READ))
     }
 
@@ -110,13 +94,14 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             return;
         }
         let section = self.reading_section(handles.len());
-        self.reader.list(handles, &self.generations, section);
+        let parts = section.parts();
+        self.reader.list(handles, &self.generations, parts);
         let Reader {
             listed,
             notes,
             deferred,
         } = &mut self.reader;
-        let words_a_part = listed.words().len().div_ceil(section.parts()).max(1);
+        let words_a_part = listed.words().len().div_ceil(parts).max(1);
         let words = listed.words().chunks(words_a_part).zip(deferred);
         let chunks = slot_chunks(
             &mut self.tracker.proxies,
@@ -151,14 +136,6 @@ impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
             work(self, H::from_raw_parts(slot, generation));
         }
         self.reader.deferred = deferred;
-    }
-
-    /// Reads one collider, whatever has changed.
-    pub(super) fn admit_read<S>(&mut self, handle: S::Handle, source: &S, margin: R)
-    where
-        S: ColliderSource<R, D, Memo = M, Key = K>,
-    {
-        self.admit(handle, margin, |memo| source.read(handle, memo));
     }
 
     /// Replaces the boxes of known colliders by new ones without a margin.

@@ -1,13 +1,11 @@
 //! Colliders that are left out.
 
-use super::{Handle, ProxyTable};
+use super::{Handle, Memo, ProxyTable};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
 use crate::real::Real;
 
-impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
-    ProxyTable<R, D, M, K>
-{
+impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// The number of colliders that are left out: known ones without a box, and those beyond the maximum.
     pub(super) fn refused(&self) -> usize {
         self.known - self.stats.proxies + self.beyond.len()

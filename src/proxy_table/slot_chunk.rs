@@ -50,13 +50,8 @@ impl<R: Real, const D: usize, M, K: FilterKey> SlotChunk<'_, R, D, M, K> {
         };
         let Reading { aabb, key, .. } = reading;
         // Even if this returns false: the memo is up to date now, so a second reading could not tell that more than the pose has changed.
-        proxies.follow_volume(
-            i,
-            &aabb,
-            reading.has_only_moved && !proxies.is_box_until_read(i),
-        );
-        let is_rekeyed = source.has_keys() && key != *proxies.key(i);
-        !(reading.is_skipped || is_rekeyed) && proxies.follow(i, &aabb, margin)
+        proxies.follow_volume(i, &aabb, reading.has_only_moved);
+        !reading.is_skipped && key == *proxies.key(i) && proxies.follow(i, &aabb, margin)
     }
 
     /// Has the volume of the known collider at `i` read if it `has_changed`; its box stays. Returns false if its filter key has changed.

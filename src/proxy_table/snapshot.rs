@@ -4,8 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ProxyTable;
 use super::passing::Pending;
+use super::{Memo, ProxyTable};
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::real::Real;
 use crate::stats::Stats;
@@ -25,17 +25,11 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
     tracker: TrackerSnapshot<R, D, K>,
 }
 
-impl<R: Real, const D: usize, M: Clone + Default + Send + Sync, K: FilterKey>
-    ProxyTable<R, D, M, K>
-{
+impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// A snapshot between two updates.
     pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
         TableSnapshot {
-            // Counts of the last update; reading counts the proxies again.
-            stats: Stats {
-                refused: self.refused(),
-                ..self.stats
-            },
+            stats: self.stats,
             generations: self.generations[..self.known_slots].to_vec(),
             is_begun: self.is_begun,
             pending: self.pending.clone(),

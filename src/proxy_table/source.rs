@@ -52,11 +52,15 @@ impl<'a, H> Lists<'a, H> {
     }
 }
 
+/// What a source remembers about a collider from one reading to the next.
+pub(crate) trait Memo: Clone + Default + Send + Sync {}
+
+impl<M: Clone + Default + Send + Sync> Memo for M {}
+
 /// The source of the boxes of listed colliders.
 pub(crate) trait ColliderSource<R: Real, const D: usize>: Sync {
     type Handle: Handle;
-    /// What the source remembers about a collider from one reading to the next.
-    type Memo: Clone + Default + Send + Sync;
+    type Memo: Memo;
     /// What decides, with the boxes, which colliders may be a pair.
     type Key: FilterKey;
 
@@ -70,9 +74,6 @@ pub(crate) trait ColliderSource<R: Real, const D: usize>: Sync {
 
     /// The distance by which boxes are extended.
     fn reach(&self) -> R;
-
-    /// Whether filter keys differ at all; if not, they are not compared.
-    fn has_keys(&self) -> bool;
 
     /// The volume of a known collider, extended by this distance.
     fn volume(&self, handle: Self::Handle, memo: &Self::Memo, extension: R) -> Volume<R, D>;

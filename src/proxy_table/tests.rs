@@ -55,10 +55,6 @@ impl ColliderSource<f32, 2> for Colliders {
         true
     }
 
-    fn has_keys(&self) -> bool {
-        true
-    }
-
     fn read(&self, id: Id, memo: &mut Memo) -> Option<Reading<f32, 2, Side>> {
         let has_only_moved = memo.is_some();
         assert_eq!(*memo.get_or_insert(id), id, "the memo of another collider");
@@ -325,25 +321,4 @@ fn colliders_beyond_the_most_slots_are_refused_and_all_others_searched() {
     let listed = [(202, 0), (203, 1)];
     check(&mut table, Lists::new(&listed, &[]), &colliders, 198);
     check(&mut table, Lists::new(&[], &[(203, 1)]), &colliders, 197);
-}
-
-#[test]
-fn the_boxes_after_an_unusual_one_are_set_in_parts_as_well() {
-    let aabb = |slot: u32| Aabb::new([2.0 * slot as f32, 0.0], [2.0 * slot as f32 + 1.0, 1.0]);
-    let mut boxes: Vec<_> = (0..20_000).map(|slot| ((slot, 0), aabb(slot))).collect();
-    let colliders = boxes.iter().map(|&(_, aabb)| (0, Some((aabb, Side(0)))));
-    let colliders: Colliders = colliders.collect();
-    let ids: Vec<_> = boxes.iter().map(|&(id, _)| id).collect();
-    let mut table = table(PairFilter::Groups);
-    table.update(&Lists::new(&ids, &[]), &colliders, MARGIN);
-    finish(&mut table, &colliders);
-    // One is that of a later collider, and the former one still has a box after that.
-    boxes[7].0.1 = 1;
-    boxes.push(((7, 0), aabb(7)));
-    with_threads(2, || {
-        let section = table.reading_section(boxes.len());
-        assert!(section.parts() > 1);
-        let unusual = table.follow(section, &boxes, MARGIN);
-        assert!(unusual == [7, 20_000], "{}", unusual.len());
-    });
 }

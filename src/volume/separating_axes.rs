@@ -87,7 +87,10 @@ impl<'a, R: Real, const D: usize> Pair<'a, R, D> {
     /// and the segment of a ball is its center. Both tests share their products.
     #[inline(always)]
     pub(super) fn cores_are_apart(&self) -> bool {
-        let [u, v] = self.volumes.map(VolumeRef::first_half_axis);
+        let first = |volume: VolumeRef<'_, R, D>| volume.half_axes.first().copied();
+        let [u, v] = self
+            .volumes
+            .map(|volume| first(volume).unwrap_or([R::ZERO; D]));
         let between = self.between;
         let (dd, [ud, vd]) = (dot(between, between), [u, v].map(|half| dot(half, between)));
         if self.are_beyond_reach(dd, between, ud.abs() + vd.abs()) {

@@ -7,7 +7,7 @@ use super::Candidates;
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_many_touched;
-use crate::pair_tracker::proxies::{Proxies, Rows};
+use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{Changes, Colliders, FilterKey};
 use crate::parallel::Section;
 use crate::real::Real;
@@ -116,12 +116,12 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         let slots = self.proxies.len();
         if !touched.is_empty() && are_many_touched(touched.len(), slots) {
             // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
-            let pick = |proxies: &Proxies<R, D, K>, rows: Rows<'_>| {
+            let pick = |proxies: &Proxies<R, D, K>, pairs: &[_], states: &[_]| {
                 let leavers = &proxies.leavers;
                 let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
                 match leavers.len() {
-                    0 => proxies.toggled(rows),
-                    _ => gather(rows.pairs, has_left) | proxies.toggled(rows),
+                    0 => proxies.toggled(pairs, states),
+                    _ => gather(pairs, has_left) | proxies.toggled(pairs, states),
                 }
             };
             let rows = 0..self.candidates.len();
@@ -140,12 +140,13 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             // Each candidate has two slots.
             let share_picked = (2 * touched.len()).min(slots) as u64;
             let price = PICKED + COMPARED * share_picked / slots.max(1) as u64;
-            let pick = |proxies: &Proxies<R, D, K>, rows: Rows<'_>| {
-                let picked = gather(rows.pairs, |&pair| moved.has_any(pair));
+            let pick = |proxies: &Proxies<R, D, K>, pairs: &[_], states: &[_]| {
+                let picked = gather(pairs, |&pair| moved.has_any(pair));
+                let has_changed = |pair| changed.has_any(pair);
                 // The boxes of the others stay, so their pairs that are held stay too.
                 match revolumed.is_empty() {
                     true => picked,
-                    false => picked | proxies.changed_of_near(rows, |pair| changed.has_any(pair)),
+                    false => picked | proxies.changed_of_near(pairs, states, has_changed),
                 }
             };
             self.ask_and_apply(rows, price, |all, rows, changes| {
@@ -267,17 +268,12 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         &self,
         all: Range<usize>,
         changes: &mut Vec<RowChange>,
-        pick: impl Fn(&Proxies<R, D, K>, Rows<'_>) -> u64,
+        pick: impl Fn(&Proxies<R, D, K>, &[[u32; 2]], &[PairState]) -> u64,
     ) {
         for start in all.clone().step_by(64) {
             let rows = start..all.end.min(start + 64);
-            let picked = pick(
-                self.proxies,
-                Rows {
-                    pairs: &self.candidates.pairs[rows.clone()],
-                    states: &self.candidates.states[rows],
-                },
-            );
+            let Candidates { pairs, states, .. } = &*self.candidates;
+            let picked = pick(self.proxies, &pairs[rows.clone()], &states[rows]);
             if picked != 0 {
                 self.ask_picked(start, picked, changes);
             }

@@ -29,12 +29,6 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         &self.keys[i]
     }
 
-    /// Whether the volume of the slot at `i` is a [box until it is read](VolumeKind::BoxUntilRead).
-    #[inline(always)]
-    pub(crate) fn is_box_until_read(&self, i: usize) -> bool {
-        self.volumes.is_box_until_read(i)
-    }
-
     /// Places or moves the proxy at `i`. `aabb` must be valid.
     #[inline(always)]
     pub(crate) fn place(&mut self, i: usize, aabb: Aabb<R, D>) {
@@ -58,10 +52,10 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         true
     }
 
-    /// Brings the volume of the proxy at `i`, if volumes are in use, up to date with the box of its collider: see [`VolumesChunk::follow`].
+    /// Brings the volume of the proxy at `i` up to date with the box of its collider: see [`VolumesChunk::follow`].
     #[inline(always)]
     pub(crate) fn follow_volume(&mut self, i: usize, aabb: &Aabb<R, D>, has_only_moved: bool) {
-        if self.volumes.are_used() && self.volumes.follow(i, aabb, has_only_moved) {
+        if self.volumes.follow(i, aabb, has_only_moved) {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);
         }

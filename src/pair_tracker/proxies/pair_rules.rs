@@ -7,12 +7,6 @@ use crate::pair_tracker::FilterKey;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::real::Real;
 
-/// Up to 64 candidates.
-pub(in crate::pair_tracker) struct Rows<'a> {
-    pub(in crate::pair_tracker) pairs: &'a [[u32; 2]],
-    pub(in crate::pair_tracker) states: &'a [PairState],
-}
-
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// Whether the boxes of a pair overlap.
     #[inline(always)]
@@ -86,7 +80,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Of up to 64 candidates those whose state changes, if their keys allow it, and those whose stale volumes decide.
     #[inline(always)]
-    pub(in crate::pair_tracker) fn toggled(&self, Rows { pairs, states }: Rows<'_>) -> u64 {
+    pub(in crate::pair_tracker) fn toggled(&self, pairs: &[[u32; 2]], states: &[PairState]) -> u64 {
         let overlap = self.overlapping(pairs);
         let [near, held] = near_and_held(states);
         // Where boxes have begun or ceased to overlap, the state changes in any case.
@@ -101,7 +95,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     #[inline(always)]
     pub(in crate::pair_tracker) fn changed_of_near(
         &self,
-        Rows { pairs, states }: Rows<'_>,
+        pairs: &[[u32; 2]],
+        states: &[PairState],
         wanted: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
         let [near, held] = near_and_held(states);

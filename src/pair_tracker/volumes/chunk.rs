@@ -15,19 +15,7 @@ pub(crate) struct VolumesChunk<'a, R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
-    /// Whether volumes are in use.
-    #[inline(always)]
-    pub(in crate::pair_tracker) fn are_used(&self) -> bool {
-        !self.kinds.is_empty()
-    }
-
-    /// Whether the volume of the slot `i` is a box until the collider is read again.
-    #[inline(always)]
-    pub(in crate::pair_tracker) fn is_box_until_read(&self, i: usize) -> bool {
-        self.kinds.get(i) == Some(&VolumeKind::BoxUntilRead)
-    }
-
-    /// Notes that the collider of the slot `i` is in this box now. A ball follows its box, and other volumes become stale. `has_only_moved` is
+    /// Notes that the collider of the slot `i` is in this box now, if volumes are in use. A ball follows its box, and other volumes become stale. `has_only_moved` is
     /// false if the collider may have changed in any other way. Returns whether the next update must look at the slot.
     #[inline(always)]
     pub(in crate::pair_tracker) fn follow(
@@ -36,7 +24,10 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
         aabb: &Aabb<R, D>,
         has_only_moved: bool,
     ) -> bool {
-        match self.kinds[i] {
+        let Some(&kind) = self.kinds.get(i) else {
+            return false;
+        };
+        match kind {
             VolumeKind::Ball if has_only_moved && !self.are_stale[i] => {
                 let ball = self.balls[i].in_box(&aabb.loosened(self.shortfall));
                 if self.balls[i].change_to(&ball) <= self.skin {
@@ -46,7 +37,7 @@ impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
                 self.near[i] > 0
             }
             VolumeKind::BoxUntilRead if has_only_moved => false,
-            kind => {
+            _ => {
                 self.are_stale[i] = true;
                 // The pairs of other volumes ask for them.
                 kind.axes::<D>() == 0 || self.near[i] > 0
