@@ -1,4 +1,4 @@
-//! How many searches for all pairs the broad phase makes.
+//! How many searches for all pairs the broad phase makes, and when it looks at a shape again.
 
 use super::*;
 
@@ -50,4 +50,26 @@ fn foresight_saves_searches() {
 fn a_few_moving_boxes_are_a_layer() {
     let mut plane = Plane::new();
     assert_eq!(plane.advance(100), 1);
+}
+
+#[test]
+fn a_shape_that_is_replaced_or_changed_in_place_has_another_box() {
+    let in_place = |collider: &mut Collider, radius: Real| {
+        let ball = collider.shape_mut().as_ball_mut();
+        ball.expect("it is a ball").radius = radius;
+    };
+    let by_a_ball = |collider: &mut Collider, radius| collider.set_shape(SharedShape::ball(radius));
+    let by_another = |collider: &mut Collider, radius: Real| {
+        collider.set_shape(SharedShape::capsule_x(radius / 2.0, radius / 2.0));
+    };
+    for change in [in_place, by_a_ball, by_another] {
+        let mut desk = Desk::default();
+        let [changing, other] = [0.0, 10.0].map(|x| desk.ball(0.5, [x, 0.0]));
+        desk.update(&[changing, other], &[]);
+        for (radius, pairs) in [(1.0, 0), (5.0, 0), (11.0, 1)] {
+            change(&mut desk.colliders[changing], radius);
+            desk.update(&[changing], &[]);
+            assert_eq!(desk.counts()[2], pairs);
+        }
+    }
 }

@@ -95,6 +95,12 @@ pub(super) fn norm_squared(pose: &Pose) -> Real {
     Normed::norm_squared(pose.rotation.as_ref())
 }
 
+/// Whether the shapes of two colliders intersect.
+#[cfg(test)]
+pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
+    query::intersection_test(a.position(), a.shape(), b.position(), b.shape()) == Ok(true)
+}
+
 /// Whether two colliders have a contact within this distance, where there is an answer.
 #[cfg(test)]
 pub(super) fn are_in_contact(a: &Collider, b: &Collider, distance: Real) -> Option<bool> {

@@ -95,6 +95,13 @@ pub(super) fn norm_squared(pose: &Pose) -> Real {
     pose.rotation.length_squared()
 }
 
+/// Whether the shapes of two colliders intersect.
+#[cfg(test)]
+pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
+    let test = query::intersection_test(a.position(), a.shape(), b.position(), b.shape());
+    test.is_ok_and(|found| found.intersecting)
+}
+
 /// Whether two colliders have a contact within this distance, where there is an answer.
 #[cfg(test)]
 pub(super) fn are_in_contact(a: &Collider, b: &Collider, distance: Real) -> Option<bool> {

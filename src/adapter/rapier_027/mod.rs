@@ -4,16 +4,12 @@ use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{
     IntegrationParameters, RigidBody, RigidBodyPosition, RigidBodySet, RigidBodyVelocity,
 };
-#[cfg(test)]
-use super::rapier::geometry::SharedShape;
 use super::rapier::geometry::{
     BroadPhase, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet, InteractionGroups,
 };
 use super::rapier::math::{DIM, Isometry, Real};
 use super::rapier::na::Normed;
 use super::rapier::parry::bounding_volume::BoundingVolume;
-#[cfg(test)]
-use super::rapier::parry::query::intersection_test;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::IsometryOps;
 use crate::aabb::Aabb;
@@ -21,12 +17,6 @@ use crate::pair_filter::PairFilter;
 
 pub(super) type Pose = Isometry<Real>;
 pub(super) type Vector = super::rapier::math::Vector<Real>;
-
-#[cfg(test)]
-#[path = "../../../tests/common/stretched_027.rs"]
-mod stretching;
-#[cfg(test)]
-pub(super) use stretching::{stretched, stretched_half_space};
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.01;
@@ -46,19 +36,6 @@ pub(super) const RUNS: usize = 2;
 /// Whether it is enough that one of two groups is in the filter of the other.
 pub(super) fn is_either_enough(_: &InteractionGroups) -> bool {
     false
-}
-
-/// Whether the shapes of two colliders intersect.
-#[cfg(test)]
-pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
-    let test = intersection_test(a.position(), a.shape(), b.position(), b.shape());
-    test == Ok(true)
-}
-
-/// A half-space.
-#[cfg(test)]
-pub(super) fn half_space() -> SharedShape {
-    SharedShape::halfspace(Vector::y_axis())
 }
 
 /// The origin of a pose.

@@ -2,27 +2,17 @@
 
 use super::adapter::{Input, Trial, UnisizeBroadPhase};
 use super::rapier::dynamics::{IntegrationParameters, RigidBodySet};
-#[cfg(test)]
-use super::rapier::geometry::SharedShape;
 use super::rapier::geometry::{
     Aabb as RapierAabb, BroadPhasePairEvent, Collider, ColliderHandle, ColliderSet,
     InteractionGroups, InteractionTestMode,
 };
 use super::rapier::math::{DIM, Real};
-#[cfg(test)]
-use super::rapier::parry::query::intersection_test;
 use super::rapier::parry::shape::HalfSpace;
 use super::rapier::parry::utils::PoseOps;
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
 
 pub(super) use super::rapier::math::{Pose, Vector};
-
-#[cfg(test)]
-#[path = "../../../tests/common/stretched_036.rs"]
-mod stretching;
-#[cfg(test)]
-pub(super) use stretching::{stretched, stretched_half_space};
 
 /// The margin of Rapier's own broad phase, in multiples of the length unit.
 pub(super) const MARGIN: Real = 0.04;
@@ -43,19 +33,6 @@ pub(super) const RUNS: usize = 1;
 #[inline(always)]
 pub(super) fn is_either_enough(groups: &InteractionGroups) -> bool {
     groups.test_mode == InteractionTestMode::Or
-}
-
-/// Whether the shapes of two colliders intersect.
-#[cfg(test)]
-pub(super) fn intersect(a: &Collider, b: &Collider) -> bool {
-    let test = intersection_test(a.position(), a.shape(), b.position(), b.shape());
-    test.is_ok_and(|found| found.intersecting)
-}
-
-/// A half-space.
-#[cfg(test)]
-pub(super) fn half_space() -> SharedShape {
-    SharedShape::halfspace(Vector::Y)
 }
 
 /// The origin of a pose.

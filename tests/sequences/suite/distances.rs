@@ -87,8 +87,16 @@ impl Colliders {
 
     fn shape(&mut self) -> (usize, SharedShape) {
         let (kind, shape) = self.random.shape();
-        if kind != HALF_SPACE || !self.are_stretched {
+        if !self.are_stretched {
             return (kind, shape);
+        }
+        if let Some(compound) = shape.as_compound() {
+            let parts = compound.shapes().iter();
+            let parts = parts.map(|(pose, part)| {
+                let length = self.length_of_rotation();
+                (version::stretched(*pose, length), part.clone())
+            });
+            return (kind, SharedShape::compound(parts.collect()));
         }
         let length = (10.0 as Real).powf(self.random.triple(1.0)[0].into());
         (kind, version::stretched_half_space(shape, length))
@@ -199,14 +207,17 @@ impl Colliders {
     }
 }
 
-/// Whether the rotation of a collider, or its normal, is not of unit length.
+/// Whether the rotation of a collider, or of a part of it, or its normal, is not of unit length.
 fn is_stretched(collider: &Collider) -> bool {
     let normal = collider.shape().as_halfspace().map(version::normal);
     let normal = normal.map_or(1.0, |it| {
         let coordinates = <[Real; DIM]>::from(it);
         coordinates.iter().map(|x| x * x).sum()
     });
-    let norms = [version::norm_squared(collider.position()), normal];
+    let parts = collider.shape().as_compound().into_iter();
+    let parts = parts.flat_map(|compound| compound.shapes());
+    let mut norms: Vec<_> = parts.map(|(pose, _)| version::norm_squared(pose)).collect();
+    norms.extend([version::norm_squared(collider.position()), normal]);
     let is_off = |norm: &Real| (norm - 1.0).abs() > 8.0 * Real::EPSILON;
     norms.iter().any(is_off)
 }

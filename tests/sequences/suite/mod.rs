@@ -10,6 +10,8 @@ mod distances;
 mod model;
 #[cfg(test)]
 mod shapes;
+#[cfg(test)]
+mod sizes;
 mod volume;
 mod world;
 
