@@ -15,8 +15,9 @@ pub(crate) struct VolumesChunk<'a, R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> VolumesChunk<'_, R, D> {
-    /// Notes that the collider of the slot `i` is in this box now, if volumes are in use. A ball follows its box, and other volumes become stale. `has_only_moved` is
-    /// false if the collider may have changed in any other way. Returns whether the next update must look at the slot.
+    /// Notes that the collider of the slot `i` is in this box now, if volumes are in use. A ball follows its box, and other volumes become
+    /// stale. `has_only_moved` is false if the collider may have changed in any other way. Returns whether the next update must look at the
+    /// slot.
     #[inline(always)]
     pub(in crate::pair_tracker) fn follow(
         &mut self,
