@@ -104,9 +104,6 @@ pub(crate) mod kernel {
     /// large ones. If smaller: large boxes among small ones.
     pub(crate) const VISIT: usize = 32;
 
-    /// The same for a tube without an entry nearby along the first axis.
-    pub(crate) const PASSED_OVER: usize = 8;
-
     /// Shares of the boxes. The grid covers the space between these two quantiles. Nearer 0 and 1: a few boxes far out make the strips too
     /// wide. Nearer the middle: more boxes are outside of it.
     pub(crate) const GRID_PLACE_QUANTILES: [f64; 2] = [0.02, 0.98];
@@ -130,10 +127,6 @@ pub(crate) mod kernel {
     /// How many times narrower strips become, at most, where boxes are dense. If larger: most boxes are on a border. If smaller: boxes have
     /// more candidates than a block decides.
     pub(crate) const NARROWED_UP_TO: f64 = 4.0;
-
-    /// Boxes per tube, where boxes have no size that could decide the width of the strips. If larger: more candidates per box. If smaller:
-    /// tubes of a few points, each of which costs more than it saves.
-    pub(crate) const POINTS_A_TUBE: f64 = 16.0;
 
     /// Comparisons for each entry of a tube, and for each pair among them. A sample says whether a tube takes more: then it is crowded,
     /// and its boxes are left to further classes. Where a sweep takes more nevertheless, a segment tree takes over. If larger: crowds are swept.

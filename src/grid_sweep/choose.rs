@@ -7,7 +7,7 @@ use crate::parallel::start_of_part;
 use crate::real::Real;
 use crate::tuning::kernel::{
     Aim, BOXES_A_TUBE, BOXES_PER_STRIP, CANDIDATES_A_BOX, COMPARED_A_PAIR, FITTING,
-    GRID_PLACE_QUANTILES, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, POINTS_A_TUBE, Sample,
+    GRID_PLACE_QUANTILES, GRID_SPARE, LONG_FROM, NARROWED_UP_TO, Sample,
 };
 
 impl<R: Real> Grid<R> {
@@ -66,7 +66,7 @@ impl<R: Real> Grid<R> {
         let mut strips = [1; 2];
         let spread_axes = cut_samples.iter().filter(|axis| axis.spread > 0.0).count();
         for (cut, axis) in cut_samples.iter().enumerate() {
-            // Points have no size: aim at some points per tube.
+            // Points have no size: aim at some points a tube.
             let width = match axis.size > 0.0 {
                 true => axis.size * width_in_boxes,
                 false => {
@@ -75,7 +75,7 @@ impl<R: Real> Grid<R> {
                         // Most of them have the same coordinate.
                         false => axis.spread,
                     };
-                    spread / root(n / POINTS_A_TUBE, spread_axes).max(1.0)
+                    spread / root(n / BOXES_A_TUBE, spread_axes).max(1.0)
                 }
             };
             // Where all of them have, any width will do.

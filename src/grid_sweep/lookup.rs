@@ -17,7 +17,7 @@ use super::worker::Worker;
 use crate::aabb::{Aabb, max, min};
 use crate::parallel::Section;
 use crate::real::Real;
-use crate::tuning::kernel::{PASSED_OVER, VISIT};
+use crate::tuning::kernel::VISIT;
 use crate::tuning::prices::SLOT;
 
 /// How many entries are compared between two looks at the budget.
@@ -136,7 +136,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
         let (aabb, index, span) = (query.aabb, query.index, query.span);
         let [first, last] = tube.reach;
         if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            worker.compared += PASSED_OVER;
+            worker.compared += VISIT;
             return;
         }
         worker.compared += VISIT;
