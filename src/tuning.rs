@@ -100,8 +100,8 @@ pub(crate) mod kernel {
     /// boxes among large ones.
     pub(crate) const QUERY: f64 = 400.0;
 
-    /// The cost of visiting a tube, in comparisons: the search for the first entry to compare. If larger: small boxes are looked up among
-    /// large ones. If smaller: large boxes among small ones.
+    /// The cost of visiting a tube, also if it is passed over, in comparisons: the search for the first entry to compare. If larger: small
+    /// boxes are looked up among large ones. If smaller: large boxes among small ones.
     pub(crate) const VISIT: usize = 32;
 
     /// Shares of the boxes. The grid covers the space between these two quantiles. Nearer 0 and 1: a few boxes far out make the strips too
@@ -116,8 +116,8 @@ pub(crate) mod kernel {
     /// border, which are entered twice. Best between 8 and 16, and between 4 and 8.
     pub(crate) const BOXES_PER_STRIP: [f64; 2] = [12.0, 6.0];
 
-    /// Boxes. Strips are wider where tubes would have fewer than these on average. If larger: more comparisons in tubes that are crowded. If
-    /// smaller: tubes of a few boxes, each of which costs more than it saves.
+    /// Boxes. Strips are wider where tubes would have fewer than these on average, and so wide for boxes without a size. If larger: more
+    /// comparisons in tubes that are crowded. If smaller: tubes of a few boxes, each of which costs more than it saves.
     pub(crate) const BOXES_A_TUBE: f64 = 32.0;
 
     /// Candidates per box. Strips are narrower where boxes are so dense that each would have more, because the sweep decides them in blocks

@@ -135,11 +135,10 @@ impl<R: Real, const D: usize> Slab<R, D> {
     ) {
         let (aabb, index, span) = (query.aabb, query.index, query.span);
         let [first, last] = tube.reach;
+        worker.compared += VISIT;
         if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            worker.compared += VISIT;
             return;
         }
-        worker.compared += VISIT;
         let emit = |owner: Owner, aabb: &Aabb<R, D>, worker: &mut Worker| {
             let home = query.grid.tube_span(aabb).first;
             let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));

@@ -38,7 +38,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which another tube
     /// reports. The pairs are in the order of the entries and of those that follow each.
     ///
-    /// Gives up and returns false once the emitter's budget for the tube is exceeded.
+    /// Gives up and returns false once the budget for the tube is exceeded.
     pub(super) fn sweep(self, tube: Range<usize>, worker: &mut Worker) -> bool {
         match ARE_VECTORS {
             true => self.sweep_by_eights(tube, worker),

@@ -40,8 +40,7 @@ pub(super) struct Cost {
 }
 
 impl Cost {
-    /// Adds an update. The sum is at most a price times the square of the number of slots, because a full search is due once as many slots
-    /// as there are have been recent.
+    /// Adds an update. Sums do not overflow: they count work that was done, in tenths of a nanosecond, of which 2⁶⁴ are 58 years.
     pub(super) fn add(&mut self, work: &Work) {
         let counts = [work.looked_up, work.visited, work.searched, work.found];
         let [looked_up, visited, searched, found] = counts.map(|count| count as u64);
@@ -63,8 +62,9 @@ impl Cost {
         // Each finds all of its candidates, and each of these belongs to another slot as well.
         let found_by_look_ups = found.min(found.saturating_mul(2 * leavers) / slots);
         let look_up = LOOKED_UP + VISITED * (self.visited / self.looked_up.max(1));
-        let look_ups =
-            look_up * leavers + SEARCHED * (recent as u64 + leavers) + FOUND * found_by_look_ups;
+        let others = SEARCHED * (recent as u64 + leavers) + FOUND * found_by_look_ups;
+        // This is work that is not done yet.
+        let look_ups = look_up.saturating_mul(leavers).saturating_add(others);
         // As long as an update costs less than the mean since the last full search, that search still pays. Fat boxes made at one time
         // tend to be left at one time; then it no longer does.
         let tolerated = full_search / FULL_SEARCH_TOLERANCE_ONE_IN;
@@ -80,4 +80,26 @@ impl Cost {
 /// Whether so many slots were touched, repeats included, that going through all slots in order is faster than visiting these.
 pub(super) fn are_many_touched(touched: usize, slots: usize) -> bool {
     touched >= slots / IN_ORDER_FROM_ONE_IN
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_search_is_due_once_the_layers_or_look_ups_cost_as_much() {
+        let cost = |recent, visited| Cost {
+            updates: 1,
+            searching: 1000 * SEARCHED + 4000 * FOUND,
+            looked_up: 1,
+            visited,
+            recent,
+        };
+        let is_due = |cost: Cost, leavers| cost.is_full_search_due(0, [leavers, 1000, 4000]);
+        assert!(!is_due(cost(1000, 0), 1) && is_due(cost(1001, 0), 1));
+        assert!(!is_due(cost(0, 0), 200) && is_due(cost(0, 0), 400));
+        // Each look-up visits everything, and all slots have left.
+        let slots = 1 << 29;
+        assert!(cost(0, 86 << 29).is_full_search_due(0, [slots, slots, 0]));
+    }
 }

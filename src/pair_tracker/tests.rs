@@ -276,8 +276,9 @@ fn drifting_boxes_agree_with_brute_force() {
                     let aabb = Aabb::new(*corner, corner.map(|x| x + 1.0));
                     world.tracker.proxies.place(slot, aabb);
                 }
+                let before = world.tracker.cost.looked_up;
                 world.update();
-                look_ups += u64::from(world.tracker.cost.looked_up > 0);
+                look_ups += u64::from(world.tracker.cost.looked_up > before);
                 let candidates = &world.tracker.candidates;
                 let are_partly_cold =
                     0 < candidates.first_cold && candidates.first_cold < candidates.len();

@@ -48,7 +48,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
 
     /// Moves proxies in parts, each of which goes through all boxes for those of its slots. Returns the ascending indices of the boxes that it
     /// has not applied: those that need more than a move, and later ones of the same slots, so that the boxes of a collider are applied in order.
-    pub(super) fn follow<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
+    fn follow<H: Handle, B: Copy + Into<Aabb<R, D>> + Sync>(
         &mut self,
         section: Section,
         boxes: &[(H, B)],

@@ -22,7 +22,7 @@ pub(super) struct Reader {
     listed: BitSet,
     /// One for each chunk of slots.
     pub(super) notes: Vec<Notes>,
-    /// For each chunk of slots, the slot and the generation of the colliders that need more than a move.
+    /// For each chunk of slots, the slot and the generation of the colliders that need more than a move; in the first, also unknown ones.
     deferred: Vec<Vec<(u32, u32)>>,
 }
 

@@ -1,4 +1,4 @@
-//! Volumes that touch must meet, at every distance from the origin. `src/adapter/outline.rs` has shapes of every size. `tests/sequences`
+//! Volumes that touch must meet, at every distance from the origin. `tests/sequences/suite/sizes.rs` has shapes of every size. `tests/sequences`
 //! compares separated volumes with a model, and shapes of all kinds with Parry's distances.
 
 use oorandom::Rand64;

@@ -6,7 +6,7 @@
 //! checked by `CheckedBroadPhase`, which forwards it and compares the answer with that of `Model`: the contract by
 //! brute force, written without regard to the implementation.
 //!
-//! `distances` needs no model: it asks Parry how far apart the colliders are that a broad phase tells apart by their shapes.
+//! `distances` and `sizes` need no model: they ask Parry about the colliders that a broad phase tells apart by their shapes.
 //!
 //! A failure shows the shortest sequence found that still fails. Raise `PROPTEST_CASES` for more sequences. `fuzzed` reads
 //! sequences from bytes, the fuzzer's as well, and `replay` plays the inputs that the fuzzer has kept.

@@ -1,7 +1,7 @@
 //! Parry's own distance between all pairs that are not held, shape by shape: with `PairFilter::Shapes` it is never within
 //! reach, whatever the shapes, their sizes and their poses.
 //!
-//! In other worlds, rotations and the normals of half-spaces need not be of unit length. There the boxes may not overlap either, and a pair
+//! In other worlds, rotations, also of a compound's parts, and the normals of half-spaces need not be of unit length. There the boxes may not overlap either, and a pair
 //! whose boxes do is held whenever Parry finds a contact. Rotations of nearly unit length make no difference.
 //!
 //! Many are put on the brink: as far from another collider as Parry says that they are within reach, to the last bit.
