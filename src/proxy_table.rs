@@ -111,32 +111,47 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         pairs.map(|pair| handles(&self.generations, pair))
     }
 
-    /// Visits the colliders whose pairs volumes may have suppressed: calls `visit` with each listed collider whose box has ever overlapped
-    /// that of another collider that it may meet; and with each pair of such a collider and a neighbor whose boxes overlapped at the end of
-    /// the last update, and that only their volumes keep from being a pair. Does nothing if volumes are not in use.
-    pub(crate) fn visit_unreported<H: Handle>(
+    /// Replaces `unreported` by the colliders to wake whose pairs volumes may have suppressed, in the order of slots: each felt collider whose
+    /// box has ever overlapped that of another one that it may meet; and both colliders of each pair of a felt or removed one whose boxes
+    /// overlapped at the end of the last update, and that only their volumes keep from being a pair. There are none if volumes are not in use.
+    pub(crate) fn find_unreported<H: Handle>(
         &mut self,
-        listed: &[H],
-        mut visit: impl FnMut(H, Option<H>),
+        felt: &[H],
+        removed: &[H],
+        unreported: &mut Vec<H>,
     ) {
-        if listed.is_empty() || !self.tracker.proxies.volumes.are_used() {
+        unreported.clear();
+        let count = felt.len() + removed.len();
+        if count == 0 || !self.tracker.proxies.volumes.are_used() {
             return;
         }
-        let mut slots = Vec::with_capacity(listed.len());
-        for &handle in listed {
+        let mut slots = Vec::with_capacity(count);
+        let mut woken = std::mem::take(&mut self.reader.listed);
+        woken.resize(self.generations.len());
+        for (i, &handle) in felt.iter().chain(removed).enumerate() {
             let slot = self.slot_of(handle);
             if let Some(slot) = slot.filter(|&slot| self.tracker.is_acquainted(slot)) {
                 slots.push(slot);
-                visit(handle, None);
+                // Removing a collider wakes its body only if it has a neighbor.
+                if i < felt.len() {
+                    woken.insert(slot as usize);
+                }
             }
         }
         let generations = &self.generations;
         self.tracker.visit_near(&slots, |pair| {
             if generations[pair[1] as usize].is_some() {
-                let [first, second] = handles(generations, pair);
-                visit(first, Some(second));
+                for slot in pair {
+                    woken.insert(slot as usize);
+                }
             }
         });
+        unreported.extend(woken.iter().filter_map(|slot| {
+            let generation = generations[slot]?;
+            Some(H::from_raw_parts(slot as u32, generation))
+        }));
+        woken.clear();
+        self.reader.listed = woken;
     }
 
     /// The slot of a known collider.

@@ -55,8 +55,8 @@ pub struct UnisizeBroadPhase {
     /// Scratch: the changes of the pair set.
     pub(super) changes: Changes,
     pub(super) query_tree: QueryTree,
-    /// The colliders and neighbors that the last update in a pipeline [visited](ProxyTable::visit_unreported), for the pipeline to wake.
-    pub(crate) unreported: Vec<(ColliderHandle, Option<ColliderHandle>)>,
+    /// The colliders that the last update in a pipeline has [found](ProxyTable::find_unreported), for the pipeline to wake.
+    pub(crate) unreported: Vec<ColliderHandle>,
 }
 
 impl std::fmt::Debug for UnisizeBroadPhase {
@@ -213,19 +213,9 @@ impl UnisizeBroadPhase {
         input: &Input<'_>,
         events: &mut Vec<BroadPhasePairEvent>,
     ) {
-        self.unreported.clear();
-        for (listed, are_removed) in [(input.felt, false), (input.lists.removed, true)] {
-            self.table.visit_unreported(listed, |collider, neighbor| {
-                // Removing a collider wakes its body only if it has a pair, or would have one without volumes.
-                if neighbor.is_some() || !are_removed {
-                    self.unreported.push((collider, neighbor));
-                }
-            });
-        }
-        // The order of candidates depends on threads and on earlier updates; that in which bodies wake must not.
-        let raw = |handle: ColliderHandle| handle.into_raw_parts();
-        let key = |&(collider, neighbor): &(_, Option<_>)| (raw(collider), neighbor.map(raw));
-        self.unreported.sort_unstable_by_key(key);
+        let removed = input.lists.removed;
+        self.table
+            .find_unreported(input.felt, removed, &mut self.unreported);
         self.run(input, events);
     }
 

@@ -19,7 +19,7 @@ use crate::tuning::prices::READ;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reader {
     /// The slots to read in the order of slots.
-    listed: BitSet,
+    pub(super) listed: BitSet,
     /// One for each chunk of slots.
     pub(super) notes: Vec<Notes>,
     /// For each chunk of slots, the slot and the generation of the colliders that need more than a move; in the first, also unknown ones.

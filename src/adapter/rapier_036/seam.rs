@@ -156,8 +156,8 @@ macro_rules! impl_custom_broad_phase {
 
 impl_custom_broad_phase! { UnisizeBroadPhase, run_in_pipeline,
     fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
-        for &(collider, neighbor) in &self.unreported {
-            visit(collider, neighbor);
+        for &collider in &self.unreported {
+            visit(collider, None);
         }
     }
 
