@@ -38,28 +38,10 @@ impl BitSet {
         }
     }
 
-    /// Adds these numbers, which must be below `capacity`, and makes room for all below it.
-    pub(crate) fn insert_all(&mut self, numbers: &[u32], capacity: usize) {
-        self.resize(capacity);
-        for &i in numbers {
-            self.insert(i as usize);
-        }
-    }
-
     /// Whether a number, which must be below the capacity, is in the set.
     #[inline(always)]
     pub(crate) fn contains(&self, i: usize) -> bool {
         self.words[i / 64] >> (i % 64) & 1 == 1
-    }
-
-    /// Whether one of two numbers is in the set, without a branch. Beyond the capacity, which must not be 0, the answer is unspecified.
-    #[inline(always)]
-    pub(crate) fn has_any(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|i| {
-            let word = self.words[(i as usize / 64).min(self.words.len() - 1)];
-            word >> (i % 64) & 1 == 1
-        });
-        a | b
     }
 
     /// The numbers in the set, ascending.

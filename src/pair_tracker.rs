@@ -125,8 +125,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// that might touch it, and with which it is not a pair only because of their volumes. Passes over the candidates that are not cold.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
-        let slots = self.proxies.len();
-        self.candidates.visit_near(listed, slots, |pair| {
+        self.candidates.visit_near(listed, |pair| {
             let [a, b] = pair.map(|slot| keys[slot as usize]);
             if a.may_touch(b) {
                 visit(pair);

@@ -30,6 +30,12 @@ impl SlotSet {
         self.is_member.get(slot as usize) == Some(&true)
     }
 
+    /// Whether one of a pair is in the set, without a branch on which one.
+    #[inline(always)]
+    pub(crate) fn has_any(&self, [a, b]: [u32; 2]) -> bool {
+        self.contains(a) | self.contains(b)
+    }
+
     /// The slots, in the order of their insertion.
     pub(crate) fn slots(&self) -> &[u32] {
         &self.slots

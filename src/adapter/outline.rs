@@ -224,11 +224,14 @@ fn unusual_volume(shape: &SharedShape, pose: &version::Pose, distance: Real) -> 
 fn turned_halves(pose: &version::Pose, half_extents: Vector) -> [[Real; DIM]; DIM] {
     let halves: [Real; DIM] = half_extents.into();
     let least = halves.into_iter().fold(0.0, Real::max) * FLATTEST;
-    std::array::from_fn(|k| {
+    // Not `from_fn`: the compiler leaves that closure a function, and what it stores number by number is then loaded as vectors, which stalls.
+    let mut turned = [[0.0; DIM]; DIM];
+    for (k, turned) in turned.iter_mut().enumerate() {
         let mut half = [0.0; DIM];
         half[k] = halves[k].max(least);
-        (pose.rotation * Vector::from(half)).into()
-    })
+        *turned = (pose.rotation * Vector::from(half)).into();
+    }
+    turned
 }
 
 /// The minimum ratio of a half extent of a volume to the largest one.

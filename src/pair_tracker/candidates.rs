@@ -11,6 +11,7 @@ use super::proxies::overlap;
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather};
 use crate::real::Real;
+use crate::slot_set::SlotSet;
 use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
 use comparing::RowChange;
@@ -32,10 +33,8 @@ pub(super) struct Candidates {
     pub(super) overlapping_count: usize,
     /// The first cold row.
     pub(super) first_cold: usize,
-    /// Whether any slot is warm.
-    are_some_warm: bool,
     /// The slots that have no cold rows.
-    warm: BitSet,
+    warm: SlotSet,
     /// In an update, held pairs that were retired and whose boxes overlap.
     retired: RetiredPairs,
     /// In an update, pairs that were retired, whose boxes overlap, and that their keys have come to forbid.
@@ -43,9 +42,9 @@ pub(super) struct Candidates {
     /// The slots of proxies whose box has ever overlapped that of another one that they might meet. Has room only if volumes are in use.
     pub(super) acquainted: BitSet,
     /// Scratch: the slots whose candidates are picked.
-    slots: BitSet,
+    slots: SlotSet,
     /// Scratch: the slots of which the near candidates are picked.
-    revolumed: BitSet,
+    revolumed: SlotSet,
     /// Scratch: answers about rows.
     answers: BitSet,
     /// In an update, the rows that cannot be answered before volumes are read.
@@ -59,8 +58,10 @@ pub(super) struct Candidates {
 impl Candidates {
     /// Makes room for this number of slots.
     pub(super) fn make_room(&mut self, slots: usize, volumes: bool) {
-        self.warm.resize(slots);
+        self.warm.make_room(slots);
+        self.slots.make_room(slots);
         if volumes {
+            self.revolumed.make_room(slots);
             self.acquainted.resize(slots);
         }
     }
@@ -113,36 +114,31 @@ impl Candidates {
 
     /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first. The rows
     /// of these slots become warm.
-    pub(super) fn visit_near(
-        &mut self,
-        listed: &[u32],
-        slots: usize,
-        mut visit: impl FnMut([u32; 2]),
-    ) {
+    pub(super) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         if listed.is_empty() || self.overlapping_count == self.held_count {
             return;
         }
         self.warm(listed);
-        self.slots.insert_all(listed, slots);
+        self.slots.extend(listed);
         let warm = self.pairs[..self.first_cold].iter().zip(&self.states);
         for (&[a, b], _) in warm.filter(|(_, state)| **state == PairState::Near) {
             for pair in [[a, b], [b, a]] {
-                if self.slots.contains(pair[0] as usize) {
+                if self.slots.contains(pair[0]) {
                     visit(pair);
                 }
             }
         }
-        self.slots.clear_around(listed);
+        self.slots.clear();
     }
 
     /// Moves the cold rows of these slots before the others. Takes a pass over the cold rows if there is a slot that was not warm.
     fn warm(&mut self, listed: &[u32]) {
-        let is_new = |slot: &u32| self.warm.insert(*slot as usize);
-        let new: Vec<_> = listed.iter().copied().filter(is_new).collect();
+        let known = self.warm.len();
+        self.warm.extend(listed);
+        let new = &self.warm.slots()[known..];
         if new.is_empty() {
             return;
         }
-        self.are_some_warm = true;
         let (first, warm) = (self.first_cold, &self.warm);
         let cold = &self.pairs[first..];
         // Without a branch, so that the compiler compares many slots at once.
@@ -185,7 +181,7 @@ impl Candidates {
 
     /// Moves the rows from `first` on before those that are cold, if any slot is warm.
     fn warm_from(&mut self, first: usize) {
-        if self.are_some_warm {
+        if self.warm.len() > 0 {
             for row in first..self.pairs.len() {
                 self.swap_with_first_cold(row);
                 self.first_cold += 1;
@@ -229,7 +225,7 @@ impl Candidates {
             .filter(|state| **state != PairState::Apart);
         assert_eq!(overlapping.count(), self.overlapping_count);
         let mut cold = self.pairs[self.first_cold..].as_flattened().iter();
-        assert!(!cold.any(|&slot| self.warm.contains(slot as usize)));
+        assert!(!cold.any(|&slot| self.warm.contains(slot)));
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {
             let overlaps = overlap(now, pair);
             assert_eq!(state != PairState::Apart, overlaps, "{pair:?} overlaps");

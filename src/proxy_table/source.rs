@@ -109,10 +109,11 @@ where
     #[inline(always)]
     fn volume(&self, slot: u32) -> Volume<R, D> {
         let i = slot as usize;
-        self.generations[i].map_or(Volume::BOX, |generation| {
-            let handle = S::Handle::from_raw_parts(slot, generation);
-            self.source.volume(handle, &self.memos[i], self.extension)
-        })
+        let Some(generation) = self.generations[i] else {
+            return Volume::BOX;
+        };
+        let handle = S::Handle::from_raw_parts(slot, generation);
+        self.source.volume(handle, &self.memos[i], self.extension)
     }
 
     fn is_active(&self, pair: [u32; 2]) -> bool {

@@ -38,9 +38,11 @@ impl<'a> Contacts<'a> {
             let intersecting = intersections.filter(|&(_, _, is_intersecting)| is_intersecting);
             let pairs = active.chain(intersecting.map(|(first, second, _)| [first, second]));
             let indices: Vec<u32> = pairs.flatten().map(index).collect();
-            let capacity = indices.iter().max().map_or(0, |&last| last as usize + 1);
             let mut touching = BitSet::default();
-            touching.insert_all(&indices, capacity);
+            touching.resize(indices.iter().max().map_or(0, |&last| last as usize + 1));
+            for i in indices {
+                touching.insert(i as usize);
+            }
             touching
         })
     }

@@ -68,7 +68,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         let candidates = &mut *self.candidates;
         (candidates.pairs, candidates.states, candidates.answers) = (pairs, states, answers);
         (candidates.held_count, candidates.overlapping_count) = (0, 0);
-        (candidates.first_cold, candidates.are_some_warm) = (0, false);
+        candidates.first_cold = 0;
         candidates.warm.clear();
         self.extend(found);
         self.candidates.retired.free_if_large();
@@ -118,7 +118,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             // Which boxes overlap is practically random, so there is no branch on it, only on whether any of many has toggled.
             let pick = |proxies: &Proxies<R, D, K>, pairs: &[_], states: &[_]| {
                 let leavers = &proxies.leavers;
-                let has_left = |&[a, b]: &[u32; 2]| leavers.contains(a) | leavers.contains(b);
+                let has_left = |&pair: &[u32; 2]| leavers.has_any(pair);
                 match leavers.len() {
                     0 => proxies.toggled(pairs, states),
                     _ => gather(pairs, has_left) | proxies.toggled(pairs, states),
@@ -135,8 +135,8 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             let rows = 0..candidates.first_cold;
             let [mut moved, mut changed] =
                 [&mut candidates.slots, &mut candidates.revolumed].map(std::mem::take);
-            moved.insert_all(touched, slots);
-            changed.insert_all(revolumed, slots);
+            moved.extend(touched);
+            changed.extend(revolumed);
             // Each candidate has two slots.
             let share_picked = (2 * touched.len()).min(slots) as u64;
             let price = PICKED + COMPARED * share_picked / slots.max(1) as u64;
@@ -152,8 +152,8 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             self.ask_and_apply(rows, price, |all, rows, changes| {
                 all.ask(rows, changes, pick)
             });
-            moved.clear_around(touched);
-            changed.clear_around(revolumed);
+            moved.clear();
+            changed.clear();
             (self.candidates.slots, self.candidates.revolumed) = (moved, changed);
         }
         self.proxies.notes = notes;
@@ -284,12 +284,11 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
     #[inline(never)]
     fn ask_picked(&self, start: usize, picked: u64, changes: &mut Vec<RowChange>) {
         let leavers = &self.proxies.leavers;
-        let has_left = |pair: [u32; 2]| pair.iter().any(|&slot| leavers.contains(slot));
         for i in ones(picked) {
             let row = start + i;
             let pair = self.candidates.pairs[row];
             let former = self.candidates.states[row];
-            let outcome = match has_left(pair) {
+            let outcome = match leavers.has_any(pair) {
                 true => Outcome::Gone,
                 false => self.outcome(pair, former),
             };
