@@ -7,13 +7,7 @@
 /// `PhysicsPipeline` lists a collider whenever a property that the filter reads has changed, except for a body's soft CCD in 0.27. A
 /// reported pair that bodies, types or groups come to forbid stays until its boxes part, as with the own broad phase of Rapier 0.36.
 ///
-/// | world | filter |
-/// |---|---|
-/// | a map of many fixed colliders that touch, in 0.27 | [`Bodies`](Self::Bodies) |
-/// | bodies of hundreds of colliders, in 0.27 | [`Bodies`](Self::Bodies) |
-/// | crowds of which most members ignore each other, in 0.27 | [`Groups`](Self::Groups) |
-/// | stacks of boxes that have settled, in 0.36 | [`Groups`](Self::Groups) |
-/// | all others in 0.36 | [`Shapes`](Self::Shapes) |
+/// `docs/guide.md` says which filter suits which world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(
     feature = "serde-serialize",
