@@ -26,7 +26,6 @@
 mod assignment;
 mod choose;
 mod class;
-mod emitter;
 mod entry;
 mod grid;
 mod lookup;
@@ -87,9 +86,8 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct GridSweep<R, const D: usize> {
-    /// The size classes of the last search, smallest boxes first. Those past `class_count` are kept for their memory.
+    /// The size classes of the last search, smallest boxes first.
     classes: Vec<Class<R, D>>,
-    class_count: usize,
     assignment: Assignment,
     /// Scratch: the members of two classes.
     members: [Vec<u32>; 2],
@@ -172,25 +170,26 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         const { assert!(D > 0, "boxes have at least one axis") };
         let (boxes, assignment) = (search.boxes, &mut self.assignment);
         let [rest, oversized] = &mut self.members;
-        self.class_count = 0;
+        let mut count = 0;
         loop {
-            let indices = match self.class_count {
+            let indices = match count {
                 0 => indices,
                 _ => Some(&rest[..]),
             };
-            if self.class_count == self.classes.len() {
+            if count == self.classes.len() {
                 self.classes.push(Class::default());
             }
             let members = Members { boxes, indices };
-            search.is_last_class = self.class_count + 1 == MOST_CLASSES;
-            self.classes[self.class_count].search(members, oversized, assignment, search)?;
-            self.class_count += 1;
+            search.is_last_class = count + 1 == MOST_CLASSES;
+            self.classes[count].search(members, oversized, assignment, search)?;
+            count += 1;
             if oversized.is_empty() || search.is_over() {
                 break;
             }
             std::mem::swap(rest, oversized);
         }
-        for coarse in 1..self.class_count {
+        self.classes.truncate(count);
+        for coarse in 1..count {
             for fine in 0..coarse {
                 if search.is_over() {
                     return Ok(());
@@ -208,13 +207,12 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         let (left, right) = self.classes.split_at_mut(coarse);
         let (fine, coarse) = (&mut left[fine], &mut right[0]);
         let boxes = search.boxes;
-        let look_up = |class: &Class<R, D>, i: u32, worker: &mut Worker| {
-            class.look_up_box(&boxes[i as usize], i, worker);
-        };
         coarse.list_members(coarser);
         fine.prepare_lookup();
         if coarser.len() <= FEW_QUERIES {
-            search.run_queries(coarser, usize::MAX, |i, worker| look_up(fine, i, worker));
+            search.run_queries(coarser, usize::MAX, |i, worker| {
+                fine.look_up(boxes, i, worker);
+            });
             return;
         }
         coarse.prepare_lookup();
@@ -226,7 +224,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
         let price = TREE_FROM * (queries.len() + members.len()) as f64;
         let budget = (price / queries.len() as f64) as usize;
-        let look_up = |i: u32, worker: &mut Worker| look_up(class, i, worker);
+        let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
         let costly = match efforts[0].min(efforts[1]) > price {
             true => std::mem::take(queries),
             false => search.run_queries(queries, budget, look_up),
@@ -238,20 +236,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         }
     }
 
-    /// Prepares for [`look_up_queries`](Self::look_up_queries), until the next search.
-    pub(crate) fn prepare_lookup(&mut self) {
-        for class in &mut self.classes[..self.class_count] {
-            class.prepare_lookup();
-        }
-    }
-
     /// Frees memory that only a search needs, and that is otherwise kept for the next one.
     pub(crate) fn free_scratch(&mut self) {
         self.assignment.parts = Vec::new();
-        self.classes.truncate(self.class_count);
-        let slabs = self.classes.iter_mut().flat_map(|class| &mut class.slabs);
-        slabs.for_each(|slab| slab.free_scratch());
         self.members = Default::default();
+        for slab in self.classes.iter_mut().flat_map(|class| &mut class.slabs) {
+            slab.entries = Vec::new();
+            slab.sorter = Default::default();
+        }
     }
 
     /// Appends the wanted pairs of each query, an index of a valid box, with the members of the last search that its box overlaps.
@@ -260,13 +252,14 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Computes in about **O(log n + pairs)** time per query of the members' size; a larger query takes a binary search for each tube
     /// that it reaches. Stops early if more than `most` pairs overlap, wanted or not.
     pub(crate) fn look_up_queries(
-        &self,
+        &mut self,
         boxes: &[Aabb<R, D>],
         queries: &[u32],
         wanted: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
     ) -> Tally {
+        self.classes.iter_mut().for_each(Class::prepare_lookup);
         let filter = filter(wanted);
         let mut search = Search {
             filter: Some(&filter),
@@ -274,19 +267,10 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
             ..Search::new(boxes, pairs)
         };
         search.run_queries(queries, usize::MAX, |i, worker| {
-            self.look_up_box(&boxes[i as usize], i, worker);
+            let classes = self.classes.iter();
+            classes.for_each(|class| class.look_up(boxes, i, worker));
         });
         search.tally
-    }
-
-    /// Emits the pair of a box with every member that it overlaps.
-    fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, worker: &mut Worker) {
-        for class in &self.classes[..self.class_count] {
-            if worker.is_budget_exceeded() {
-                return;
-            }
-            class.look_up_box(aabb, index, worker);
-        }
     }
 }
 

@@ -77,7 +77,10 @@ impl Assignment {
     /// How many pairs of entries share a tube, counted twice and with each entry paired with itself. Only between counting and placing.
     pub(super) fn comparisons(&self) -> u64 {
         (0..self.tube_count as usize).fold(0, |squares, tube| {
-            let counts = self.parts.iter().map(|part| u64::from(part.ends[tube]));
+            let counts = self
+                .parts
+                .iter()
+                .map(|part| u64::from(part.starts[tube + 1]));
             squares + counts.sum::<u64>().pow(2)
         })
     }
@@ -123,8 +126,8 @@ impl Assignment {
 
     /// How many entries the tubes before this one have.
     pub(super) fn entries_before(&self, tube: u32) -> usize {
-        let counts = self.parts.iter().map(|part| part.entries_before(tube));
-        counts.map(|count| count as usize).sum()
+        let starts = self.parts.iter().map(|part| part.starts[tube as usize]);
+        starts.map(|start| start as usize).sum()
     }
 
     /// Divides the tubes into ranges with about as many entries each.
@@ -201,8 +204,8 @@ pub(super) struct Part {
     /// The ghosts; those past their count are unspecified.
     ghosts: Vec<Ghost>,
     ghost_count: usize,
-    /// By tube, and for the tube past the last: first the number of entries, then where they end in `owners`.
-    ends: Vec<u32>,
+    /// By tube, and for the tube past the last: first the number of entries, one place further on; then where they start in `owners`.
+    starts: Vec<u32>,
     /// The owners of the entries, tube after tube.
     owners: Vec<Owner>,
 }
@@ -213,13 +216,13 @@ impl Part {
     /// Whether a box has a ghost is practically random, so there is no branch on it: every box writes to the list of ghosts, which
     /// grows by those that exist.
     fn count<R: Real, const D: usize>(&mut self, members: Members<R, D>, grid: &Grid<R>) {
-        let (oversized, counts) = (&mut self.oversized, &mut self.ends);
+        let (oversized, counts) = (&mut self.oversized, &mut self.starts);
         let (range, homes, ghosts) = (&self.range, &mut self.homes, &mut self.ghosts);
         let tube_count = grid.tube_count();
         oversized.clear();
         counts.clear();
-        counts.resize(tube_count as usize + 1, 0);
-        let counts = &mut counts[..];
+        counts.resize(tube_count as usize + 2, 0);
+        let counts = &mut counts[1..];
         homes.resize(range.len(), 0);
         let mut ghost_count = 0;
         let mut is_invalid = false;
@@ -259,7 +262,7 @@ impl Part {
 
     /// Places the counted entries.
     fn place<R: Real, const D: usize>(&mut self, members: Members<R, D>) {
-        let next = &mut self.ends[..];
+        let next = &mut self.starts[1..];
         let total = starts_from_counts(next) as usize;
         // Every entry that is read later is written below, so old ones need not be cleared.
         if self.owners.len() < total {
@@ -274,14 +277,10 @@ impl Part {
         }
     }
 
-    fn entries_before(&self, tube: u32) -> u32 {
-        tube.checked_sub(1)
-            .map_or(0, |last| self.ends[last as usize])
-    }
-
     /// The owners of a tube's entries.
     #[inline]
     fn tube(&self, tube: u32) -> &[Owner] {
-        &self.owners[self.entries_before(tube) as usize..self.ends[tube as usize] as usize]
+        let [start, end] = [tube, tube + 1].map(|tube| self.starts[tube as usize] as usize);
+        &self.owners[start..end]
     }
 }

@@ -1,6 +1,6 @@
 //! How a grid is chosen: by a sample of the boxes, for their sizes and places.
 
-use super::grid::{Grid, Strips};
+use super::grid::{Grid, Strips, cut_axes};
 use super::search::Members;
 use crate::aabb::Aabb;
 use crate::parallel::start_of_part;
@@ -11,9 +11,10 @@ use crate::tuning::kernel::{
 };
 
 impl<R: Real> Grid<R> {
-    /// A grid for boxes up to some size, with so many axes cut into strips. The quantiles are the shares of the members that do not
+    /// A grid for boxes up to some size. The quantiles are the shares of the members that do not
     /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips.
-    pub(super) fn choose<const D: usize>(members: Members<R, D>, cuts: usize, aim: Aim) -> Self {
+    pub(super) fn choose<const D: usize>(members: Members<R, D>, aim: Aim) -> Self {
+        let cuts = cut_axes::<D>();
         let [cut_quantile, first_quantile] = aim.sizes;
         let n = members.count() as f64;
         let sample = sample_indices(members.count(), aim.sample);
@@ -65,30 +66,19 @@ impl<R: Real> Grid<R> {
         let mut longest = first.size;
         let mut strips = [1; 2];
         let spread_axes = cut_samples.iter().filter(|axis| axis.spread > 0.0).count();
+        let points = root(n / BOXES_A_TUBE, spread_axes).max(1.0);
         for (cut, axis) in cut_samples.iter().enumerate() {
-            // Points have no size: aim at some points a tube.
-            let width = match axis.size > 0.0 {
-                true => axis.size * width_in_boxes,
-                false => {
-                    let spread = match axis.inner_spread > 0.0 {
-                        true => axis.inner_spread,
-                        // Most of them have the same coordinate.
-                        false => axis.spread,
-                    };
-                    spread / root(n / BOXES_A_TUBE, spread_axes).max(1.0)
-                }
-            };
-            // Where all of them have, any width will do.
-            let width = if width > 0.0 { width } else { 1.0 };
+            // Points have no size: aim at some points a tube, also where most have the same coordinate. Where all have, any width will do.
+            let [inner, outer] = [axis.inner_spread, axis.spread].map(|spread| spread / points);
+            let widths = [axis.size * width_in_boxes, inner, outer];
+            let width = widths.into_iter().find(|&w| w > 0.0).unwrap_or(1.0);
             if width.is_finite() {
                 longest = longest.max(width);
             }
             strips[cut] = (GRID_SPARE * axis.spread / width) as u64;
             grid.axes[cut] = Strips::new(axis.middle, width);
         }
-        if D > 1 {
-            grid.longest = Some(R::from_f64(LONG_FROM * longest));
-        }
+        grid.longest = (D > 1).then(|| R::from_f64(LONG_FROM * longest));
         grid.number_tubes(cuts, strips, members.count());
         grid
     }
@@ -112,10 +102,9 @@ pub(super) fn excess<R: Real, const D: usize>(
     let range = [size.max(16); 2];
     let sample = sample_indices(members.count(), Sample { one_in: 1, range });
     let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
-    let is_one = |aabb: &&_| !grid.is_oversized(aabb, &grid.tube_span(aabb));
     // Collected first, so that memory is allocated once.
     let mut sample: Vec<_> = sample.collect();
-    sample.retain(is_one);
+    sample.retain(|aabb| !grid.is_oversized(aabb, &grid.tube_span(aabb)));
     let [overlaps, pairs] = overlaps_and_pairs(sample);
     overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
 }

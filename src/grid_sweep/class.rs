@@ -2,7 +2,7 @@
 
 use super::assignment::Assignment;
 use super::choose::{excess, sample_indices};
-use super::grid::{Grid, cut_axes};
+use super::grid::Grid;
 use super::search::{Members, Search};
 use super::slab::Slab;
 use super::worker::{Tally, Worker};
@@ -45,16 +45,14 @@ impl<R: Real, const D: usize> Class<R, D> {
             }
         }
         search.keeps |= !oversized.is_empty();
-        let ranges = assignment.split();
+        let (keeps, section, ranges) = (search.keeps, assignment.section, assignment.split());
         self.slabs.resize_with(ranges.len(), Slab::default);
         for (slab, range) in self.slabs.iter_mut().zip(ranges) {
-            slab.reset(range, search.keeps);
+            slab.range = range;
         }
-        let (slabs, section) = (&mut self.slabs, assignment.section);
-        let sweep = |slab: &mut Slab<R, D>, worker: &mut Worker| {
-            slab.sweep(members.boxes, assignment, worker);
-        };
-        search.collect(section, slabs, |slab| &mut slab.found, sweep);
+        search.collect(section, self.slabs.iter_mut(), |slab, worker| {
+            slab.sweep(members.boxes, assignment, keeps, worker);
+        });
         Ok(())
     }
 
@@ -82,7 +80,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             if best.is_some() && aim.sample == SECOND_SAMPLE {
                 break;
             }
-            self.grid = Grid::choose(members, cut_axes::<D>(), *aim);
+            self.grid = Grid::choose(members, *aim);
             assignment.count(members, &self.grid, oversized)?;
             let taken = count - oversized.len();
             if taken <= count / 8 {
@@ -96,9 +94,7 @@ impl<R: Real, const D: usize> Class<R, D> {
                 best = Some((excess, aim));
             }
         }
-        self.grid = best.map_or_else(Grid::default, |(_, aim)| {
-            Grid::choose(members, cut_axes::<D>(), *aim)
-        });
+        self.grid = best.map_or_else(Grid::default, |(_, aim)| Grid::choose(members, *aim));
         assignment.count(members, &self.grid, oversized)
     }
 
@@ -119,7 +115,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let (mut pairs, mut count) = (Vec::new(), 0);
         let mut worker = Worker::new(&mut pairs, usize::MAX);
         for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
-            self.look_up_box(&boxes[queries[i] as usize], queries[i], &mut worker);
+            self.look_up(boxes, queries[i], &mut worker);
             count += 1;
         }
         let Tally { compared, emitted } = worker.finish();

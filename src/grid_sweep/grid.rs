@@ -37,27 +37,10 @@ impl<R: Real> Strips<R> {
             false => Self::default(),
         }
     }
-
-    /// The range of strips, from strip 1 on, that tell boxes apart. Strip 0 less one wraps around, so it is not in the range, unless it
-    /// is the only one.
-    fn farthest(self) -> u32 {
-        match self.per_length == R::ZERO {
-            true => u32::MAX,
-            false => LAST_STRIP - 2,
-        }
-    }
-
-    /// The distance from the origin in strips. Non-decreasing if `origin` is finite and `per_length` not negative: subtraction and
-    /// multiplication round monotonically, and [`Lanes::truncated`] is monotone. The NaN of 0 · ∞ becomes strip 0, which agrees:
-    /// then negative offsets are in strip 0 too, and positive ones in the last.
-    #[inline(always)]
-    fn offset(&self, coordinate: R) -> R {
-        (coordinate - self.origin) * self.per_length
-    }
 }
 
 /// The strips of the second axis and, in three dimensions, of the third. By default there is one tube.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Grid<R> {
     pub(super) axes: [Strips<R>; 2],
     /// The greatest length of a box along the first axis, if it is limited. One long box lengthens the windows of all look-ups in its tube.
@@ -66,20 +49,6 @@ pub(super) struct Grid<R> {
     stride: u32,
     /// The number of tubes, a power of two, less one.
     mask: u32,
-    /// For each cut axis, [`Strips::farthest`].
-    farthest: [u32; 2],
-}
-
-impl<R: Default> Default for Grid<R> {
-    fn default() -> Self {
-        Self {
-            axes: Default::default(),
-            longest: None,
-            stride: 1,
-            mask: 0,
-            farthest: [u32::MAX; 2],
-        }
-    }
 }
 
 /// The tubes that a box reaches: from `first` to `last` on each cut axis.
@@ -94,11 +63,6 @@ impl TubeSpan {
     pub(super) fn contains(&self, strips: [u32; 2]) -> bool {
         let is_within = |cut: usize| (self.first[cut]..=self.last[cut]).contains(&strips[cut]);
         is_within(0) & is_within(1)
-    }
-
-    pub(super) fn count(&self) -> u64 {
-        let [rows, columns] = self.beyond().map(|beyond| u64::from(beyond) + 1);
-        rows * columns
     }
 
     /// How many strips the box reaches besides the first. Inverted boxes, which are refused later, wrap around to large numbers.
@@ -118,23 +82,21 @@ impl<R: Real> Grid<R> {
     pub(super) fn number_tubes(&mut self, cuts: usize, [rows, columns]: [u64; 2], count: usize) {
         // A table of the tubes must not cost more than the boxes do.
         let most = (count as u64).next_power_of_two().clamp(64, 1 << 29);
-        let tubes = match cuts {
+        let (stride, tubes) = match cuts {
             0 => return,
-            1 => rows.clamp(2 * REACH, most),
+            1 => (1, rows.clamp(2 * REACH, most)),
             _ => {
                 // One row after the other if they fit, with two columns more for boxes outside.
                 let stride = columns.saturating_add(2).max(2 * REACH + 1);
-                let tubes = stride.saturating_mul(rows.max(REACH + 1));
-                self.stride = match tubes <= most {
-                    true => stride as u32,
+                match stride.saturating_mul(rows.max(REACH + 1)) {
+                    tubes if tubes <= most => (stride as u32, tubes),
                     // Otherwise rows begin as far from each other as they can: at multiples of the golden ratio.
-                    false => (most as f64 * 0.618_034) as u32 | 1,
-                };
-                tubes.min(most)
+                    _ => ((most as f64 * 0.618_034) as u32 | 1, most),
+                }
             }
         };
+        self.stride = stride;
         self.mask = (tubes.next_power_of_two() - 1) as u32;
-        self.farthest = self.axes.map(Strips::farthest);
     }
 
     /// How many numbers tubes have.
@@ -163,7 +125,9 @@ impl<R: Real> Grid<R> {
         let is_long = self.longest.is_some_and(|longest| length > longest);
         let mut is_far = false;
         for cut in 0..cut_axes::<D>() {
-            is_far |= span.first[cut].wrapping_sub(1) > self.farthest[cut];
+            // The first strip and the last do not tell boxes apart, unless there is only one. The first less one wraps around.
+            let is_cut = self.axes[cut].per_length != R::ZERO;
+            is_far |= is_cut & (span.first[cut].wrapping_sub(1) > LAST_STRIP - 2);
         }
         ((rows | columns) > 1) | is_long | is_far
     }
@@ -176,19 +140,17 @@ impl<R: Real> Grid<R> {
         if cuts == 0 {
             return span;
         }
-        // All four lanes hold an offset, also if nobody reads it: other contents may be subnormal numbers, with which processors
-        // calculate a hundred times slower.
-        let offset = |corner: &[R; D], cut: usize| {
+        // The distance from the origin in strips. Non-decreasing if `origin` is finite and `per_length` not negative: subtraction and
+        // multiplication round monotonically, and [`Lanes::truncated`] is monotone. The NaN of 0 · ∞ becomes strip 0, which agrees:
+        // then negative offsets are in strip 0 too, and positive ones in the last. All four lanes hold an offset, also if nobody reads it:
+        // other contents may be subnormal numbers, with which processors calculate a hundred times slower.
+        let at = |corner: &[R; D], cut: usize| {
             let cut = cut.min(cuts - 1);
-            self.axes[cut].offset(corner[cut + 1])
+            let Strips { origin, per_length } = self.axes[cut];
+            (corner[cut + 1] - origin) * per_length
         };
         let Aabb { mins, maxs } = aabb;
-        let strips = R::Lanes::truncated([
-            offset(mins, 0),
-            offset(mins, 1),
-            offset(maxs, 0),
-            offset(maxs, 1),
-        ]);
+        let strips = R::Lanes::truncated([at(mins, 0), at(mins, 1), at(maxs, 0), at(maxs, 1)]);
         span.first[..cuts].copy_from_slice(&strips[..cuts]);
         span.last[..cuts].copy_from_slice(&strips[2..2 + cuts]);
         span
@@ -198,11 +160,7 @@ impl<R: Real> Grid<R> {
 /// How many axes are cut in `D` dimensions.
 #[inline(always)]
 pub(super) const fn cut_axes<const D: usize>() -> usize {
-    match D {
-        0 | 1 => 0,
-        2 => 1,
-        _ => 2,
-    }
+    if D > 2 { 2 } else { D.saturating_sub(1) }
 }
 
 #[cfg(test)]
@@ -211,34 +169,30 @@ mod tests {
 
     #[test]
     fn tubes_that_overlapping_boxes_reach_have_different_numbers() {
+        let strips = [1, 2, 3, 4, 5, 31, 63, 64, 1023, 1024, 1025, 1 << 20];
         for count in [25, 63, 64, 65, 1000, 4096, 5000, 1 << 20] {
-            for rows in [1, 2, 3, 4, 5, 31, 64, 1023, 1 << 20] {
-                let mut grid = Grid::<f32>::default();
-                grid.number_tubes(1, [rows, 1], count);
-                check(&grid, 0);
-                for columns in [1, 2, 3, 4, 5, 63, 64, 1023, 1024, 1025, 1 << 20] {
-                    let mut grid = Grid::<f32>::default();
-                    grid.number_tubes(2, [rows, columns], count);
-                    assert!(u64::from(grid.tube_count()) <= 2 * count.max(64) as u64);
-                    check(&grid, REACH as i32);
+            for rows in strips {
+                check(1, [rows, 1], count);
+                for columns in strips {
+                    check(2, [rows, columns], count);
                 }
             }
         }
     }
 
-    fn check(grid: &Grid<f32>, columns: i32) {
-        let rows = REACH as i32;
-        for row in -rows..=rows {
-            for column in -columns..=columns {
-                let [number, other] = [[0, 0], [row, column]]
-                    .map(|[r, c]| grid.tube([1000 + r, 2000 + c].map(|strip: i32| strip as u32)));
-                assert_eq!(number == other, [row, column] == [0, 0], "{grid:?}");
+    fn check(cuts: usize, strips: [u64; 2], count: usize) {
+        let mut grid = Grid::<f32>::default();
+        grid.number_tubes(cuts, strips, count);
+        assert!(u64::from(grid.tube_count()) <= 2 * count.max(64) as u64);
+        let rows = REACH as u32;
+        let columns = rows * (cuts as u32 - 1);
+        for row in 1000 - rows..=1000 + rows {
+            for column in 2000 - columns..=2000 + columns {
+                let is_same = grid.tube([row, column]) == grid.tube([1000, 2000]);
+                assert_eq!(is_same, [row, column] == [1000, 2000], "{grid:?}");
             }
         }
-        let [row, column, both] = grid.next_tubes(grid.tube([7, 8]));
-        assert_eq!(row, grid.tube([8, 8]));
-        if columns > 0 {
-            assert_eq!([column, both], [grid.tube([7, 9]), grid.tube([8, 9])]);
-        }
+        let next = [[8, 8], [7, 9], [8, 9]].map(|strips| grid.tube(strips));
+        assert_eq!(grid.next_tubes(grid.tube([7, 8])), next);
     }
 }

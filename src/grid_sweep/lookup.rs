@@ -11,7 +11,7 @@
 use super::class::Class;
 use super::entry::Owner;
 use super::grid::{Grid, REACH, TubeSpan};
-use super::slab::{NOWHERE, Slab, Tube};
+use super::slab::{Slab, Tube};
 use super::sweep::many;
 use super::worker::Worker;
 use crate::aabb::{Aabb, max, min};
@@ -23,51 +23,40 @@ use crate::tuning::prices::SLOT;
 /// How many entries are compared between two looks at the budget.
 const COMPARED_AT_ONCE: usize = 1024;
 
-/// A box to look up.
-struct Query<'a, R, const D: usize> {
-    aabb: &'a Aabb<R, D>,
-    index: u32,
-    grid: &'a Grid<R>,
-    /// The tubes that it reaches.
-    span: TubeSpan,
-}
-
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Prepares for [`look_up_box`](Self::look_up_box), unless that is done.
+    /// Prepares for [`look_up`](Self::look_up), unless that is done.
     pub(super) fn prepare_lookup(&mut self) {
         let (grid, slabs) = (&self.grid, &mut self.slabs);
         if slabs.iter().any(|slab| slab.table.is_empty()) {
             let entries = slabs.iter().map(|slab| slab.owners.len()).sum();
             Section::of(entries, SLOT).for_each(slabs, |slab| slab.prepare_lookup(grid));
-            let bounds = slabs.iter().map(|slab| slab.bounds);
+            let tubes = slabs.iter().flat_map(|slab| &slab.tubes);
+            let bounds = tubes.map(|tube| tube.bounds);
             self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
         }
     }
 
-    /// Emits the pair of a box with every box of the class that it overlaps.
-    pub(super) fn look_up_box(&self, aabb: &Aabb<R, D>, index: u32, worker: &mut Worker) {
-        let (grid, slabs) = (&self.grid, &self.slabs);
+    /// Emits the pair of the box `i` with every box of the class that it overlaps.
+    pub(super) fn look_up(&self, boxes: &[Aabb<R, D>], i: u32, worker: &mut Worker) {
+        let (grid, slabs, aabb) = (&self.grid, &self.slabs, &boxes[i as usize]);
         let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
             return;
         };
         let span = grid.tube_span(&near);
-        let query = Query {
-            aabb,
-            index,
-            grid,
-            span,
-        };
+        let query = (aabb, i, span);
+        let [rows, columns] = span.beyond().map(|beyond| u64::from(beyond) + 1);
+        let reached = rows * columns;
         let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
         // Most of them may be empty, or not reached.
-        worker.compared += span.count().min(tubes) as usize;
-        if span.count() > tubes {
+        worker.compared += reached.min(tubes) as usize;
+        if reached > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {
                     if worker.is_budget_exceeded() {
                         return;
                     }
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {
-                        slab.look_up_in_tube(tube, &query, None, worker);
+                        self.look_up_in_tube((slab, tube), query, None, worker);
                     }
                 }
             }
@@ -86,9 +75,57 @@ impl<R: Real, const D: usize> Class<R, D> {
                 let position = slab.table[(number - slab.range.start) as usize];
                 let tube = slab.tubes.get(position as usize);
                 if let Some(tube) = tube.filter(|tube| tube.strips.is_none_or(|s| s == strips)) {
-                    slab.look_up_in_tube(tube, &query, Some(strips), worker);
+                    self.look_up_in_tube((slab, tube), query, Some(strips), worker);
                 }
             }
+        }
+    }
+
+    /// Emits the pairs of a query, a box with its index and the tubes that it reaches, with the entries of a tube: those that are at `strips`,
+    /// or if that is `None`, those of all tubes that share the number.
+    #[inline(always)]
+    fn look_up_in_tube(
+        &self,
+        (slab, tube): (&Slab<R, D>, &Tube<R, D>),
+        (aabb, index, span): (&Aabb<R, D>, u32, TubeSpan),
+        strips: Option<[u32; 2]>,
+        worker: &mut Worker,
+    ) {
+        worker.compared += VISIT;
+        if (aabb.maxs[0] < tube.bounds.mins[0]) | (aabb.mins[0] > tube.bounds.maxs[0]) {
+            return;
+        }
+        let columns = slab.columns();
+        let maxs = &slab.running_maxs[tube.start as usize..tube.end as usize];
+        let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
+        // A small box does not reach other tubes with the same number.
+        let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
+        let known = tube.strips.or(strips.filter(|_| is_small));
+        let owner = known.map(|strips| Owner::of(index, strips, span.first));
+        loop {
+            let window = start..start.saturating_add(COMPARED_AT_ONCE);
+            let (compared, is_done) = match owner {
+                Some(owner) => columns.window::<true>(window, aabb, |first, hits| {
+                    worker.emit(owner, many(columns.owners, first), hits);
+                }),
+                None => columns.window::<true>(window, aabb, |first, mut hits| {
+                    while hits != 0 {
+                        let entry = first + hits.trailing_zeros() as usize;
+                        hits &= hits - 1;
+                        let other = columns.owners[entry];
+                        let home = self.grid.tube_span(&columns.entry(entry)).first;
+                        let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
+                        let is_here =
+                            later == other.strips(home) && strips.is_none_or(|s| s == later);
+                        worker.emit_one(Owner(index), other, is_here);
+                    }
+                }),
+            };
+            worker.compared += compared;
+            if is_done || worker.is_budget_exceeded() {
+                return;
+            }
+            start += compared;
         }
     }
 }
@@ -97,8 +134,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     fn prepare_lookup(&mut self, grid: &Grid<R>) {
         let len = self.tubes.last().map_or(0, |tube| tube.end as usize);
         self.running_maxs.resize(len, R::ZERO);
-        self.table.resize(self.range.len(), NOWHERE);
-        self.bounds = Aabb::EMPTY;
+        self.table.resize(self.range.len(), u32::MAX);
         for (position, tube) in (0..).zip(&mut self.tubes) {
             self.table[(tube.number - self.range.start) as usize] = position;
             let entries = tube.start as usize..tube.end as usize;
@@ -113,65 +149,12 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 }
                 *running_max = bounds.maxs[0];
             }
-            self.bounds = self.bounds.around(&bounds);
-            tube.reach = [bounds.mins[0], bounds.maxs[0]];
+            tube.bounds = bounds;
             // Tubes that share a number lie farther apart.
             let beyond = grid.tube_span(&bounds).beyond();
             let is_one = beyond.iter().all(|&beyond| u64::from(beyond) <= REACH);
             let first = Aabb::new(mins.map(|column| column[0]), maxs.map(|column| column[0]));
             tube.strips = is_one.then(|| owner.strips(grid.tube_span(&first).first));
-        }
-    }
-
-    /// Emits the pairs of the query with the entries of a tube: those that are at `strips`, or if that is `None`, those of all tubes
-    /// that share the number.
-    #[inline(always)]
-    fn look_up_in_tube(
-        &self,
-        tube: &Tube<R>,
-        query: &Query<R, D>,
-        strips: Option<[u32; 2]>,
-        worker: &mut Worker,
-    ) {
-        let (aabb, index, span) = (query.aabb, query.index, query.span);
-        let [first, last] = tube.reach;
-        worker.compared += VISIT;
-        if (aabb.maxs[0] < first) | (aabb.mins[0] > last) {
-            return;
-        }
-        let emit = |owner: Owner, aabb: &Aabb<R, D>, worker: &mut Worker| {
-            let home = query.grid.tube_span(aabb).first;
-            let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
-            let is_here =
-                later == owner.strips(home) && strips.is_none_or(|strips| strips == later);
-            worker.pairs.emit_one(Owner(index), owner, is_here);
-        };
-        let maxs = &self.running_maxs[tube.start as usize..tube.end as usize];
-        let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
-        let columns = self.columns();
-        // A small box does not reach other tubes with the same number.
-        let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
-        let strips = tube.strips.or(strips.filter(|_| is_small));
-        let owner = strips.map(|strips| Owner::of(index, strips, span.first));
-        loop {
-            let window = start..start.saturating_add(COMPARED_AT_ONCE);
-            let (compared, is_done) = match owner {
-                Some(owner) => columns.window::<true>(window, aabb, |first, hits| {
-                    worker.pairs.emit(owner, many(columns.owners, first), hits);
-                }),
-                None => columns.window::<true>(window, aabb, |first, mut hits| {
-                    while hits != 0 {
-                        let entry = first + hits.trailing_zeros() as usize;
-                        hits &= hits - 1;
-                        emit(columns.owners[entry], &columns.entry(entry), worker);
-                    }
-                }),
-            };
-            worker.compared += compared;
-            if is_done || worker.is_budget_exceeded() {
-                return;
-            }
-            start += compared;
         }
     }
 }

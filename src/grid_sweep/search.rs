@@ -44,13 +44,6 @@ pub(super) struct Search<'a, R, const D: usize> {
     pub(super) tally: Tally,
 }
 
-/// The pairs that a part of a search has found.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Found {
-    pairs: Vec<[u32; 2]>,
-    tally: Tally,
-}
-
 impl<'a, R, const D: usize> Search<'a, R, D> {
     /// A search for all pairs, after which nothing is looked up.
     pub(super) fn new(boxes: &'a [Aabb<R, D>], pairs: &'a mut Vec<[u32; 2]>) -> Self {
@@ -71,33 +64,30 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
     }
 
     /// Calls `find` with each part, on several threads if there are several parts, and appends the pairs in the order of the parts.
-    /// `found` is where a part keeps its pairs meanwhile.
     pub(super) fn collect<T: Send>(
         &mut self,
         section: Section,
-        parts: &mut [T],
-        found: fn(&mut T) -> &mut Found,
+        parts: impl IntoIterator<Item = T>,
         find: impl Fn(&mut T, &mut Worker) + Send + Sync,
-    ) {
-        let most = self.most.saturating_sub(self.tally.emitted);
+    ) -> Vec<T> {
+        let (most, filter) = (self.most.saturating_sub(self.tally.emitted), self.filter);
+        let parts = parts.into_iter();
+        let parts = parts.map(|part| (part, Vec::new(), Tally::default()));
+        let mut parts: Vec<_> = parts.collect();
         // The pairs of the first part need not be copied.
-        if let Some(first) = parts.first_mut() {
-            std::mem::swap(&mut found(first).pairs, self.pairs);
+        if let Some((_, pairs, _)) = parts.first_mut() {
+            std::mem::swap(pairs, self.pairs);
         }
-        let filter = self.filter;
-        section.for_each(parts, |part| {
-            let mut pairs = std::mem::take(&mut found(part).pairs);
+        section.for_each(&mut parts, |(part, pairs, tally)| {
             let start = pairs.len();
-            let mut worker = Worker::new(&mut pairs, most);
+            let mut worker = Worker::new(pairs, most);
             find(part, &mut worker);
-            let tally = worker.finish();
+            *tally = worker.finish();
             if let Some(filter) = filter {
-                filter(&mut pairs, start);
+                filter(pairs, start);
             }
-            *found(part) = Found { pairs, tally };
         });
-        for (i, part) in parts.iter_mut().enumerate() {
-            let Found { pairs, tally } = found(part);
+        for (i, (_, pairs, tally)) in parts.iter_mut().enumerate() {
             self.tally.emitted += tally.emitted;
             self.tally.compared += tally.compared;
             match i {
@@ -105,6 +95,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
                 _ => self.pairs.append(pairs),
             }
         }
+        parts.into_iter().map(|(part, ..)| part).collect()
     }
 
     /// Calls `look_up` with each query, and appends the pairs in the order of the queries. Returns the queries that took more comparisons than
@@ -117,15 +108,12 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
     ) -> Vec<u32> {
         let section = Section::of(queries.len(), LOOKED_UP);
         let queries_a_part = queries.len().div_ceil(section.parts()).max(1);
-        let parts = queries.chunks(queries_a_part);
-        let mut parts: Vec<_> = parts
-            .map(|part| (part, Vec::new(), Found::default()))
-            .collect();
-        let find = |(queries, costly, _): &mut (&[u32], Vec<u32>, _), worker: &mut Worker| {
+        let parts = queries.chunks(queries_a_part).map(|part| (part, vec![]));
+        let parts = self.collect(section, parts, |(queries, costly), worker| {
             for &query in *queries {
                 worker.begin_task(budget);
                 look_up(query, worker);
-                if worker.pairs.is_over() {
+                if worker.is_over() {
                     break;
                 }
                 if worker.is_budget_exceeded() {
@@ -133,11 +121,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
                     costly.push(query);
                 }
             }
-        };
-        self.collect(section, &mut parts, |(.., found)| found, find);
-        parts
-            .into_iter()
-            .flat_map(|(_, costly, _)| costly)
-            .collect()
+        });
+        parts.into_iter().flat_map(|(_, costly)| costly).collect()
     }
 }

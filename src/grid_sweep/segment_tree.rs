@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 
 use super::choose::sample_indices;
 use super::entry::{Entry, Owner};
-use super::search::{Found, Search};
+use super::search::Search;
 use super::worker::Worker;
 use crate::parallel::{Section, join};
 use crate::real::Real;
@@ -39,13 +39,12 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
         for (intervals, points) in [(&lists[1], &mut left), (&lists[0], &mut right)] {
             let points_a_part = points.len().div_ceil(section.parts()).max(1);
             let points = points.chunks_mut(points_a_part);
-            parts.extend(points.map(|points| (intervals, points, Found::default())));
+            parts.extend(points.map(|points| (intervals, points)));
         }
-        let find = |(intervals, points, _): &mut (&Vec<_>, &mut [_], _), worker: &mut Worker| {
-            descend(&mut intervals.to_vec(), points, axes[0], &axes[1..], worker);
-        };
         let first = self.pairs.len();
-        self.collect(section, &mut parts, |(.., found)| found, find);
+        self.collect(section, parts, |(intervals, points), worker| {
+            descend(&mut intervals.to_vec(), points, axes[0], &axes[1..], worker);
+        });
         // The number of parts makes no difference.
         self.pairs[first..].sort_unstable();
     }
@@ -90,9 +89,9 @@ fn stab<R: Real, const D: usize>(
     } else {
         for i in intervals {
             for point in &*points {
-                worker.pairs.emit_one(i.owner, point.owner, true);
+                worker.emit_one(i.owner, point.owner, true);
             }
-            if worker.pairs.is_over() {
+            if worker.is_over() {
                 return;
             }
         }
@@ -110,7 +109,7 @@ fn descend<R: Real, const D: usize>(
     let [Some(&first), Some(&last)] = [points.first(), points.last()] else {
         return;
     };
-    if worker.pairs.is_over() {
+    if worker.is_over() {
         return;
     }
     worker.compared += intervals.len();
@@ -126,7 +125,7 @@ fn descend<R: Real, const D: usize>(
                         & (point.aabb.mins[k] <= i.aabb.maxs[k])
                 };
                 let is_pair = others.iter().fold(holds(i, point, point, axis), overlap);
-                worker.pairs.emit_one(i.owner, point.owner, is_pair);
+                worker.emit_one(i.owner, point.owner, is_pair);
             }
         }
         return;

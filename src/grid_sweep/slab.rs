@@ -10,7 +10,6 @@ use std::ops::Range;
 
 use super::assignment::Assignment;
 use super::entry::{Entry, Owner};
-use super::search::Found;
 use super::segment_tree::match_all;
 use super::worker::Worker;
 use crate::aabb::Aabb;
@@ -24,13 +23,13 @@ const PADDING: usize = LANES + 64;
 
 /// A tube that has entries.
 #[derive(Clone, Debug)]
-pub(super) struct Tube<R> {
+pub(super) struct Tube<R, const D: usize> {
     pub(super) number: u32,
     /// Its entries are `start..end`, and the sentinel is at `end`.
     pub(super) start: u32,
     pub(super) end: u32,
-    /// The interval of its boxes along the first axis; for look-ups.
-    pub(super) reach: [R; 2],
+    /// A box around its boxes; for look-ups.
+    pub(super) bounds: Aabb<R, D>,
     /// Its strips, if it holds the entries of a single tube and not of several that share a number; for look-ups.
     pub(super) strips: Option<[u32; 2]>,
 }
@@ -40,62 +39,37 @@ pub(super) struct Tube<R> {
 pub(super) struct Slab<R, const D: usize> {
     /// The numbers of the tubes.
     pub(super) range: Range<u32>,
-    /// Whether tubes are kept.
-    keeps: bool,
     /// The tubes that are kept, by number.
-    pub(super) tubes: Vec<Tube<R>>,
-    /// For each tube of the range its position in `tubes`, or [`NOWHERE`]; empty until look-ups are prepared.
+    pub(super) tubes: Vec<Tube<R, D>>,
+    /// For each tube of the range its position in `tubes`, or `u32::MAX`; empty until look-ups are prepared.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
     pub(super) owners: Vec<Owner>,
     /// By entry, the greatest `maxs[0]` up to it in its tube; for look-ups.
     pub(super) running_maxs: Vec<R>,
-    /// A box around all entries; for look-ups.
-    pub(super) bounds: Aabb<R, D>,
-    /// Scratch: the entries of one tube, their order, and the pairs.
-    entries: Vec<Entry<R, D>>,
-    sorter: BucketSort<R>,
-    pub(super) found: Found,
+    /// Scratch: the entries of one tube, and their order.
+    pub(super) entries: Vec<Entry<R, D>>,
+    pub(super) sorter: BucketSort<R>,
 }
-
-/// The position of a tube without entries.
-pub(super) const NOWHERE: u32 = u32::MAX;
 
 impl<R: Real, const D: usize> Default for Slab<R, D> {
     fn default() -> Self {
         Self {
             range: 0..0,
-            keeps: false,
             tubes: Vec::new(),
             table: Vec::new(),
             mins: core::array::from_fn(|_| Vec::new()),
             maxs: core::array::from_fn(|_| Vec::new()),
             owners: Vec::new(),
             running_maxs: Vec::new(),
-            bounds: Aabb::EMPTY,
             entries: Vec::new(),
             sorter: BucketSort::default(),
-            found: Found::default(),
         }
     }
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Removes all tubes. Those to come have numbers of this range.
-    pub(super) fn reset(&mut self, range: Range<u32>, keeps: bool) {
-        (self.range, self.keeps) = (range, keeps);
-        self.tubes.clear();
-        self.table.clear();
-    }
-
-    /// Frees the memory that only a search needs.
-    pub(super) fn free_scratch(&mut self) {
-        self.entries = Vec::new();
-        self.sorter = BucketSort::default();
-        self.found = Found::default();
-    }
-
     /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
     ///
     /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more
@@ -104,10 +78,13 @@ impl<R: Real, const D: usize> Slab<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
+        keeps: bool,
         worker: &mut Worker,
     ) {
+        self.tubes.clear();
+        self.table.clear();
         let range = self.range.clone();
-        if self.keeps {
+        if keeps {
             let before = |tube| assignment.entries_before(tube);
             let is_occupied = |tube: &u32| before(*tube) < before(tube + 1);
             let tubes = range.clone().filter(is_occupied).count();
@@ -121,13 +98,22 @@ impl<R: Real, const D: usize> Slab<R, D> {
             if entries.is_empty() {
                 continue;
             }
-            let sorted = self.push(tube, &entries);
+            let sorted = self.sort(&entries);
+            if keeps {
+                self.tubes.push(Tube {
+                    number: tube,
+                    start: sorted.start as u32,
+                    end: sorted.end as u32,
+                    bounds: Aabb::EMPTY,
+                    strips: None,
+                });
+            }
             worker.begin_task(match entries.len() {
                 ..=NO_CROWD_UP_TO => usize::MAX,
                 many => COMPARED_AN_ENTRY.saturating_mul(many),
             });
             let is_swept = self.columns().sweep(sorted, worker);
-            if worker.pairs.is_over() {
+            if worker.is_over() {
                 break;
             }
             if !is_swept {
@@ -136,25 +122,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
             }
         }
         self.entries = entries;
-    }
-
-    /// Adds the next tube that has entries, and returns where they are. Inlined into the loop over tubes, it would compile to slower code.
-    #[inline(never)]
-    pub(super) fn push(&mut self, number: u32, entries: &[Entry<R, D>]) -> Range<usize> {
-        let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
-        let end = start + entries.len();
-        self.make_room(end + 1 + PADDING);
-        self.sort(start, entries);
-        if self.keeps {
-            self.tubes.push(Tube {
-                number,
-                start: start as u32,
-                end: end as u32,
-                reach: [R::ZERO; 2],
-                strips: None,
-            });
-        }
-        start..end
     }
 
     /// Makes the arrays at least this long. What follows the last sentinel is unspecified.
@@ -167,13 +134,16 @@ impl<R: Real, const D: usize> Slab<R, D> {
         }
     }
 
-    /// Sorts entries by `mins[0]` into the arrays, and puts a sentinel after them.
-    fn sort(&mut self, start: usize, entries: &[Entry<R, D>]) {
-        let (mins, maxs, owners) = (&mut self.mins, &mut self.maxs, &mut self.owners);
-        let order = self
-            .sorter
-            .sort(entries.iter().map(|entry| entry.aabb.mins[0]));
+    /// Sorts entries by `mins[0]` into the arrays after the tubes that are kept, puts a sentinel after them, and returns where they are.
+    /// Inlined into the loop over tubes, it would compile to slower code.
+    #[inline(never)]
+    pub(super) fn sort(&mut self, entries: &[Entry<R, D>]) -> Range<usize> {
+        let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
         let end = start + entries.len();
+        self.make_room(end + 1 + PADDING);
+        let (mins, maxs, owners) = (&mut self.mins, &mut self.maxs, &mut self.owners);
+        let numbers = entries.iter().map(|entry| entry.aabb.mins[0]);
+        let order = self.sorter.sort(numbers);
         // Slices of one length need one bounds check.
         let lows = mins.each_mut().map(|column| &mut column[start..end]);
         let highs = maxs.each_mut().map(|column| &mut column[start..end]);
@@ -190,5 +160,6 @@ impl<R: Real, const D: usize> Slab<R, D> {
             column[end] = R::NAN;
         }
         owners[end] = Owner::NOBODY;
+        start..end
     }
 }

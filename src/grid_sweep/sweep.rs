@@ -38,32 +38,15 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which another tube
     /// reports. The pairs are in the order of the entries and of those that follow each.
     ///
-    /// Gives up and returns false once the budget for the tube is exceeded.
-    pub(super) fn sweep(self, tube: Range<usize>, worker: &mut Worker) -> bool {
-        match ARE_VECTORS {
-            true => self.sweep_by_eights(tube, worker),
-            false => self.sweep_singly(tube, worker),
-        }
-    }
-
-    /// Compares each entry with those that follow it.
-    fn sweep_singly(self, tube: Range<usize>, worker: &mut Worker) -> bool {
-        for i in tube {
-            let window = i + 1..self.owners.len();
-            let (compared, _) = self.window_singly::<false>(window, &self.entry(i), |j, _| {
-                worker.pairs.emit_one(self.owners[i], self.owners[j], true);
-            });
-            worker.compared += compared;
-            if worker.is_budget_exceeded() {
-                return false;
-            }
-        }
-        true
-    }
-
     /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
-    /// until none of the eight reaches that far along the first axis.
-    fn sweep_by_eights(self, tube: Range<usize>, worker: &mut Worker) -> bool {
+    /// until none of the eight reaches that far along the first axis. Gives up and returns false once the budget is exceeded.
+    pub(super) fn sweep(self, mut tube: Range<usize>, worker: &mut Worker) -> bool {
+        if !ARE_VECTORS {
+            return tube.all(|i| {
+                self.follow(i, i + 1, worker);
+                !worker.is_budget_exceeded()
+            });
+        }
         let mut first = tube.start;
         while first < tube.end {
             let eight = Aabb {
@@ -80,14 +63,10 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             }
             worker.compared += depth * LANES * LANES;
             if depth == 1 {
-                worker
-                    .pairs
-                    .emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
+                worker.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
             } else if depth == 2 {
                 for (first, hits) in (first..).step_by(4).zip(interleaved(blocks[0], blocks[1])) {
-                    worker
-                        .pairs
-                        .emit_shifted::<16, 20>(many(self.owners, first), hits);
+                    worker.emit_shifted::<16, 20>(many(self.owners, first), hits);
                 }
             } else {
                 self.emit_blocks(first, &blocks, alive, worker);
@@ -134,19 +113,21 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 .iter()
                 .rev()
                 .fold(0, |hits, block| hits << LANES | (block >> shift & 0xFF));
-            worker
-                .pairs
-                .emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
+            worker.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
             if alive >> lane & 1 == 1 {
-                let i = first + lane;
-                let (start, owner) = (i + 1 + BLOCKS * LANES, self.owners[i]);
-                let window = start..self.owners.len();
-                let (compared, _) = self.window::<false>(window, &self.entry(i), |j, hits| {
-                    worker.pairs.emit(owner, many(self.owners, j), hits);
-                });
-                worker.compared += compared;
+                self.follow(first + lane, first + lane + 1 + BLOCKS * LANES, worker);
             }
         }
+    }
+
+    /// Reports the pairs of an entry with those from `start` on.
+    #[inline(always)]
+    fn follow(self, i: usize, start: usize, worker: &mut Worker) {
+        let (window, owner) = (start..self.owners.len(), self.owners[i]);
+        let (compared, _) = self.window::<false>(window, &self.entry(i), |j, hits| {
+            worker.emit(owner, many(self.owners, j), hits);
+        });
+        worker.compared += compared;
     }
 
     /// The box of an entry.
@@ -162,18 +143,44 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// whether there is such an entry.
     ///
     /// Calls `visit` with the position of an entry and with a bit for it and each of the seven that follow, which is set if they
-    /// overlap. Without `BOTH_SIDES`, all entries must reach the box along the first axis.
+    /// overlap. Without `BOTH_SIDES`, all entries must reach the box along the first axis. With vectors, it visits eight entries at a time, also
+    /// some past the range.
     #[inline(always)]
     pub(super) fn window<const BOTH_SIDES: bool>(
         self,
         range: Range<usize>,
         aabb: &Aabb<R, D>,
-        visit: impl FnMut(usize, u32),
+        mut visit: impl FnMut(usize, u32),
     ) -> (usize, bool) {
-        match ARE_VECTORS {
-            true => self.window_by_eights::<BOTH_SIDES>(range, aabb, visit),
-            false => self.window_singly::<BOTH_SIDES>(range, aabb, visit),
+        if !ARE_VECTORS {
+            return self.window_singly::<BOTH_SIDES>(range, aabb, visit);
         }
+        let mins = aabb.mins.map(R::Lanes::splat);
+        let maxs = aabb.maxs.map(R::Lanes::splat);
+        let mut j = range.start;
+        // The padding after the last sentinel is long enough.
+        let end = range.end.min((self.owners.len() + 1).saturating_sub(LANES));
+        while j < end {
+            let reached = load::<R>(self.mins[0], j).le(maxs[0]);
+            let mut overlap = reached;
+            if BOTH_SIDES {
+                overlap = overlap & load::<R>(self.maxs[0], j).ge(mins[0]);
+            }
+            for k in 1..D {
+                overlap = overlap
+                    & load::<R>(self.mins[k], j).le(maxs[k])
+                    & load::<R>(self.maxs[k], j).ge(mins[k]);
+            }
+            let reached = reached.bits();
+            // The lanes before the first that is not reached.
+            let in_window = (reached ^ (reached + 1)) >> 1;
+            visit(j, overlap.bits() & in_window);
+            j += LANES;
+            if reached != (1 << LANES) - 1 {
+                return (j - range.start, true);
+            }
+        }
+        (j - range.start, false)
     }
 
     /// A window that visits each overlapping entry alone.
@@ -201,42 +208,6 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             }
         }
         (count, false)
-    }
-
-    /// A window that visits eight entries at a time, also some past the range.
-    #[inline(always)]
-    fn window_by_eights<const BOTH_SIDES: bool>(
-        self,
-        range: Range<usize>,
-        aabb: &Aabb<R, D>,
-        mut visit: impl FnMut(usize, u32),
-    ) -> (usize, bool) {
-        let mins = aabb.mins.map(R::Lanes::splat);
-        let maxs = aabb.maxs.map(R::Lanes::splat);
-        let mut j = range.start;
-        // The padding after the last sentinel is long enough.
-        let end = range.end.min((self.owners.len() + 1).saturating_sub(LANES));
-        while j < end {
-            let reached = load::<R>(self.mins[0], j).le(maxs[0]);
-            let mut overlap = reached;
-            if BOTH_SIDES {
-                overlap = overlap & load::<R>(self.maxs[0], j).ge(mins[0]);
-            }
-            for k in 1..D {
-                overlap = overlap
-                    & load::<R>(self.mins[k], j).le(maxs[k])
-                    & load::<R>(self.maxs[k], j).ge(mins[k]);
-            }
-            let reached = reached.bits();
-            // The lanes before the first that is not reached.
-            let in_window = (reached ^ (reached + 1)) >> 1;
-            visit(j, overlap.bits() & in_window);
-            j += LANES;
-            if reached != (1 << LANES) - 1 {
-                return (j - range.start, true);
-            }
-        }
-        (j - range.start, false)
     }
 }
 
@@ -302,24 +273,25 @@ mod tests {
             };
             let entries: Vec<_> = (0..count).map(&mut entry).collect();
             let mut slab = Slab::<f32, 3>::default();
-            let tube = slab.push(0, &entries);
+            let tube = slab.sort(&entries);
             let columns = slab.columns();
-            let [by_eights, singly] = [true, false].map(|is_by_eights| {
-                let mut pairs = Vec::new();
-                let mut worker = Worker::new(&mut pairs, usize::MAX);
-                let is_done = match is_by_eights {
-                    true => columns.sweep_by_eights(tube.clone(), &mut worker),
-                    false => columns.sweep_singly(tube.clone(), &mut worker),
-                };
-                assert!(is_done);
-                worker.finish();
-                pairs
-            });
+            let [mut by_eights, mut singly] = [Vec::new(), Vec::new()];
+            let mut worker = Worker::new(&mut by_eights, usize::MAX);
+            assert!(columns.sweep(tube.clone(), &mut worker));
+            worker.finish();
+            let mut worker = Worker::new(&mut singly, usize::MAX);
+            for i in tube.clone() {
+                let window = i + 1..columns.owners.len();
+                columns.window_singly::<false>(window, &columns.entry(i), |j, hits| {
+                    worker.emit(columns.owners[i], many(columns.owners, j), hits);
+                });
+            }
+            worker.finish();
             assert_eq!(by_eights, singly);
             let Entry { aabb, .. } = entry(count);
             let [mut by_eights, mut singly] = [Vec::new(), Vec::new()];
             let window = tube.start..columns.owners.len();
-            columns.window_by_eights::<true>(window.clone(), &aabb, |j, hits| {
+            columns.window::<true>(window.clone(), &aabb, |j, hits| {
                 by_eights.extend((0..LANES).filter(|i| hits >> i & 1 == 1).map(|i| j + i));
             });
             columns.window_singly::<true>(window, &aabb, |j, _| singly.push(j));

@@ -31,13 +31,16 @@ fn queries_within_their_budget_have_all_their_pairs() {
     let mut kernel = GridSweep::<f32, 3>::default();
     let none = None::<fn([u32; 2]) -> bool>;
     kernel.find_among(&boxes, &members, none, usize::MAX, &mut vec![]);
-    assert!(kernel.class_count > 1);
-    kernel.prepare_lookup();
+    assert!(kernel.classes.len() > 1);
+    kernel.classes.iter_mut().for_each(Class::prepare_lookup);
     let mut given_up = Vec::new();
     for budget in (0..20).map(|i| 100 * i).chain([usize::MAX]) {
         let mut found = Vec::new();
         let mut search = Search::new(&boxes, &mut found);
-        let look_up = |i, worker: &mut Worker| kernel.look_up_box(&boxes[i as usize], i, worker);
+        let look_up = |i, worker: &mut Worker| {
+            let classes = kernel.classes.iter();
+            classes.for_each(|class| class.look_up(&boxes, i, worker));
+        };
         let costly = search.run_queries(&members, budget, look_up);
         let mut expected = Vec::new();
         for &i in members.iter().filter(|i| costly.binary_search(i).is_err()) {
@@ -80,7 +83,6 @@ fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
                 assert!(found.iter().all(|pair| all.binary_search(pair).is_ok()));
             }
         }
-        kernel.prepare_lookup();
         let mut found = Vec::new();
         // Each pair by both of its boxes, and each box with itself.
         let both = 2 * count + boxes.len();

@@ -1,7 +1,15 @@
-//! What one thread does of a search: it sweeps tubes or looks queries up, one task after the other, and counts the work.
+//! What one thread does of a search: it sweeps tubes or looks queries up, one task after the other, counts the work, and buffers the pairs.
+//!
+//! Most boxes have a few candidates, and how many of them are hits is practically random: a branch on it would be mispredicted for every
+//! other box. So one loop goes through the hits of several boxes, and a single candidate is written to the buffer whether it is a hit or not.
 
-use super::emitter::Emitter;
+use super::entry::Owner;
+use crate::lanes::LANES;
+use crate::pair_finder::ordered;
 use crate::tuning::kernel::COMPARED_A_PAIR;
+
+/// How many pairs the buffer holds.
+const BUFFER: usize = 512;
 
 /// The work of a search.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,9 +21,16 @@ pub(crate) struct Tally {
     pub(crate) compared: usize,
 }
 
-/// The pairs of a thread, and the comparisons that it makes for them.
+/// Collects the pairs of a thread and appends them to a list. Leaves out the pairs of ghosts on the same axis: another tube reports them.
+///
+/// After more than `most` pairs it only counts them, until whoever emits them asks [`is_over`](Self::is_over).
 pub(super) struct Worker<'a> {
-    pub(super) pairs: Emitter<'a>,
+    pairs: &'a mut Vec<[u32; 2]>,
+    most: usize,
+    buffer: [[u32; 2]; BUFFER],
+    len: usize,
+    /// The pairs emitted, without those in the buffer.
+    flushed: usize,
     pub(super) compared: usize,
     /// The most comparisons by the end of the present task, besides some for each of its pairs.
     budget: usize,
@@ -27,7 +42,11 @@ impl<'a> Worker<'a> {
     /// Appends at most so many pairs to the list.
     pub(super) fn new(pairs: &'a mut Vec<[u32; 2]>, most: usize) -> Self {
         Self {
-            pairs: Emitter::new(pairs, most),
+            pairs,
+            most,
+            buffer: [[0; 2]; BUFFER],
+            len: 0,
+            flushed: 0,
             compared: 0,
             budget: usize::MAX,
             before_task: 0,
@@ -36,28 +55,95 @@ impl<'a> Worker<'a> {
 
     /// Begins a task, with this many comparisons besides some for each of its pairs.
     pub(super) fn begin_task(&mut self, budget: usize) {
-        self.before_task = self.pairs.count();
+        self.before_task = self.flushed + self.len;
         self.budget = self.compared.saturating_add(budget);
     }
 
     /// Whether the task has taken more comparisons than it may, or more pairs were emitted than may be appended. Then the task must end.
     #[inline(always)]
     pub(super) fn is_budget_exceeded(&self) -> bool {
-        let pairs = self.pairs.count() - self.before_task;
+        let pairs = self.flushed + self.len - self.before_task;
         let for_pairs = COMPARED_A_PAIR.saturating_mul(pairs);
-        self.compared >= self.budget.saturating_add(for_pairs) || self.pairs.is_over()
+        self.compared >= self.budget.saturating_add(for_pairs) || self.is_over()
     }
 
-    /// Takes the pairs of the task back, unless more were emitted than may be appended.
+    /// Emits the pairs of `owner` with those of the eight others whose bit in `hits` is set.
+    #[inline(always)]
+    pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], mut hits: u32) {
+        if self.len > BUFFER - LANES {
+            self.flush();
+        }
+        while hits != 0 {
+            let other = others[hits.trailing_zeros() as usize % LANES];
+            hits &= hits - 1;
+            self.append(owner, other, true);
+        }
+    }
+
+    /// Emits one pair if it is a hit.
+    #[inline(always)]
+    pub(super) fn emit_one(&mut self, owner: Owner, other: Owner, is_hit: bool) {
+        if self.len == BUFFER {
+            self.flush();
+        }
+        self.append(owner, other, is_hit);
+    }
+
+    /// Emits one pair if it is a hit. The buffer must have room.
+    #[inline(always)]
+    fn append(&mut self, owner: Owner, other: Owner, is_hit: bool) {
+        self.buffer[self.len % BUFFER] = ordered(owner.index(), other.index());
+        // A branch would be mispredicted.
+        self.len += usize::from(is_hit & !owner.shares_axis(other));
+    }
+
+    /// Emits the pairs of a few entries with those that follow them. Each entry `i` has `SHIFTS` bits: bit `s` for entry `i + 1 + s`.
+    #[inline(always)]
+    pub(super) fn emit_shifted<const SHIFTS: usize, const N: usize>(
+        &mut self,
+        owners: &[Owner; N],
+        mut hits: u64,
+    ) {
+        const { assert!(N >= 64 / SHIFTS + SHIFTS, "each entry has `SHIFTS` others") };
+        if self.len > BUFFER - 64 {
+            self.flush();
+        }
+        while hits != 0 {
+            let hit = hits.trailing_zeros() as usize % 64;
+            hits &= hits - 1;
+            let first = hit / SHIFTS;
+            let other = first + 1 + hit % SHIFTS;
+            self.append(owners[first], owners[other], true);
+        }
+    }
+
+    /// Takes back the pairs of the task. No more may have been emitted than may be appended.
     pub(super) fn take_back(&mut self) {
-        self.pairs.take_back(self.before_task);
+        let appended = self.flushed.saturating_sub(self.before_task);
+        self.pairs.truncate(self.pairs.len() - appended);
+        self.len = self.before_task.saturating_sub(self.flushed);
+        self.flushed -= appended;
+    }
+
+    /// Whether more pairs were emitted than may be appended.
+    pub(super) fn is_over(&self) -> bool {
+        self.flushed > self.most
+    }
+
+    /// Appends the pairs in the buffer to the list.
+    fn flush(&mut self) {
+        self.flushed += self.len;
+        if !self.is_over() {
+            self.pairs.extend_from_slice(&self.buffer[..self.len]);
+        }
+        self.len = 0;
     }
 
     /// Appends the rest of the pairs, and returns the work of all tasks.
     pub(super) fn finish(mut self) -> Tally {
-        self.pairs.flush();
+        self.flush();
         Tally {
-            emitted: self.pairs.count(),
+            emitted: self.flushed,
             compared: self.compared,
         }
     }

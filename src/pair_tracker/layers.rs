@@ -122,7 +122,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
         found.clear();
         outdated.make_room(boxes.len());
         outdated.extend(leavers.slots());
-        base.prepare_lookup();
         let is_current = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
             a != b && may_meet(pair)
