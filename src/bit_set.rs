@@ -14,18 +14,9 @@ impl BitSet {
         self.words.resize(capacity.div_ceil(64), 0);
     }
 
-    /// Adds a number, which must be below the capacity. Returns whether it is new.
-    #[inline(always)]
-    pub(crate) fn insert(&mut self, i: usize) -> bool {
-        let (word, bit) = (&mut self.words[i / 64], 1 << (i % 64));
-        let is_new = *word & bit == 0;
-        *word |= bit;
-        is_new
-    }
-
     /// Adds a number if it is below the capacity.
     #[inline(always)]
-    pub(crate) fn insert_if_room(&mut self, i: usize) {
+    pub(crate) fn insert(&mut self, i: usize) {
         if let Some(word) = self.words.get_mut(i / 64) {
             *word |= 1 << (i % 64);
         }

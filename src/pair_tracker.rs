@@ -41,6 +41,8 @@ use policy::Cost;
 pub(crate) use proxies::{Proxies, ProxyChunk};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
+#[cfg(test)]
+pub(crate) use tests::Side;
 
 /// What an update asks about colliders.
 pub(crate) trait Colliders<R, const D: usize>: Sync {
@@ -74,7 +76,7 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 }
 
 /// The proxies and the pairs they form.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
@@ -88,14 +90,9 @@ pub(crate) struct PairTracker<R: Real, const D: usize, K> {
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// A tracker without proxies. With `volumes`, a pair is held only if its volumes meet.
     pub(crate) fn new(volumes: bool) -> Self {
-        Self {
-            proxies: Proxies::new(volumes),
-            foresight: Foresight::default(),
-            cost: Cost::default(),
-            full_searches: 0,
-            candidates: Candidates::default(),
-            layers: Layers::default(),
-        }
+        let mut tracker = Self::default();
+        tracker.proxies.volumes.are_used = volumes;
+        tracker
     }
 
     /// The held pairs, by slots, smaller first.
@@ -106,7 +103,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Makes room for this number of slots, at most [`MAX_BOXES`](crate::grid_sweep::MAX_BOXES), if there is less.
     pub(crate) fn make_room(&mut self, slots: usize) {
         self.proxies.make_room(slots);
-        let volumes = self.proxies.volumes.are_used();
+        let volumes = self.proxies.volumes.are_used;
         self.candidates.make_room(self.proxies.len(), volumes);
     }
 

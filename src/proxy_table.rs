@@ -11,7 +11,6 @@
 mod passing;
 mod reading;
 mod refusals;
-mod slot_chunk;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 mod source;
@@ -21,14 +20,14 @@ mod tests;
 use std::collections::BTreeMap;
 
 use crate::aabb::Aabb;
+use crate::bit_set::BitSet;
 use crate::grid_sweep::MAX_BOXES;
-use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, PairTracker};
+use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, Notes, PairTracker};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::tuning::update::ROOM_AHEAD;
 use passing::Pending;
-use reading::Reader;
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TableSnapshot;
 use source::Known;
@@ -38,7 +37,7 @@ pub(crate) use source::{ColliderSource, Handle, IsActive, Lists, Memo, Reading};
 const MOST_KNOWN_SLOTS: usize = MAX_BOXES - ROOM_AHEAD;
 
 /// The proxies of all colliders, and the pairs that they form.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     tracker: PairTracker<R, D, K>,
     /// By slot, the generation of the known collider.
@@ -59,7 +58,10 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     /// Whether an update has begun that [finish](Self::finish) ends.
     is_begun: bool,
     pending: Pending,
-    reader: Reader,
+    /// Scratch: the slots to read, or to wake.
+    listed: BitSet,
+    /// Scratch: one for each chunk of slots.
+    notes: Vec<Notes>,
 }
 
 impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
@@ -67,17 +69,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     pub(crate) fn new(volumes: bool) -> Self {
         Self {
             tracker: PairTracker::new(volumes),
-            generations: Vec::new(),
-            known_slots: 0,
-            memos: Vec::new(),
-            known: 0,
             most_known_slots: MOST_KNOWN_SLOTS,
-            beyond: BTreeMap::new(),
-            stats: Stats::default(),
-            has_warned: false,
-            is_begun: false,
-            pending: Pending::new(),
-            reader: Reader::default(),
+            ..Self::default()
         }
     }
 
@@ -122,11 +115,11 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     ) {
         unreported.clear();
         let count = felt.len() + removed.len();
-        if count == 0 || !self.tracker.proxies.volumes.are_used() {
+        if count == 0 || !self.tracker.proxies.volumes.are_used {
             return;
         }
         let mut slots = Vec::with_capacity(count);
-        let mut woken = std::mem::take(&mut self.reader.listed);
+        let mut woken = std::mem::take(&mut self.listed);
         woken.resize(self.generations.len());
         for (i, &handle) in felt.iter().chain(removed).enumerate() {
             let slot = self.slot_of(handle);
@@ -151,7 +144,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             Some(H::from_raw_parts(slot as u32, generation))
         }));
         woken.clear();
-        self.reader.listed = woken;
+        self.listed = woken;
     }
 
     /// The slot of a known collider.
@@ -201,15 +194,12 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
 
     /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
     /// some may repeat. **O(listed colliders)**, or O(n) if all volumes become stale.
-    pub(crate) fn update<S>(
+    pub(crate) fn update<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         lists: &Lists<'_, S::Handle>,
         source: &S,
         margin: R,
-    ) -> &[u32]
-    where
-        S: ColliderSource<R, D, Memo = M, Key = K>,
-    {
+    ) -> &[u32] {
         self.is_begun = true;
         let touched = self.touched().len();
         // Removals first: a listed collider may already have the slot of a removed one.
@@ -269,37 +259,26 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             return self.refuse_slot(handle);
         };
         self.memos[slot as usize] = memo;
-        let Reading {
-            aabb,
-            key,
-            has_only_moved,
-            is_skipped,
-        } = reading;
         let proxies = &mut self.tracker.proxies;
-        let former = proxies.key(slot);
-        let (is_same_key, renews_box) = (key == former, key.renews_box(former));
+        let (key, former) = (reading.key, proxies.key(slot));
         proxies.set_key(slot, key);
         let present = proxies.boxes[slot as usize];
-        let is_refused = is_skipped && !present.is_valid();
-        let aabb = if is_skipped && !is_refused {
-            present
-        } else {
-            aabb
-        };
-        let update = BoxUpdate::of(&present, &aabb, margin);
-        let renewed = match update {
+        let is_refused = reading.is_skipped && !present.is_valid();
+        let stays = reading.is_skipped && !is_refused;
+        let aabb = if stays { present } else { reading.aabb };
+        let renews_box = key.renews_box(former);
+        let renewed = match BoxUpdate::of(&present, &aabb, margin) {
             BoxUpdate::Keep if !renews_box => None,
             BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
             // A new box gets no margin, as in Rapier: a collider that never moves never needs one.
             _ => Some(aabb),
         };
-        let (mut all, i) = (proxies.all(), slot as usize);
-        all.follow_volume(i, &aabb, has_only_moved && is_same_key);
+        let has_only_moved = reading.has_only_moved && key == former;
+        let mut all = proxies.all();
+        all.follow_volume(slot as usize, &aabb, has_only_moved);
         match renewed {
             None => {}
-            Some(renewed) if renewed.is_valid() && !is_refused => {
-                self.place(slot, renewed);
-            }
+            Some(renewed) if renewed.is_valid() && !is_refused => self.place(slot, renewed),
             Some(_) => self.refuse(handle, aabb),
         }
     }
@@ -334,16 +313,14 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
 
     /// Ends an update: reads volumes, and calls `event` for each change of the pair set, with whether the pair begins, in the order of
     /// [`Changes`]. If volumes are in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
-    pub(crate) fn finish<S>(
+    pub(crate) fn finish<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         source: &S,
         slack: R,
         is_active: Option<IsActive<'_, S::Handle>>,
         changes: &mut Changes,
         mut event: impl FnMut(bool, [S::Handle; 2]),
-    ) where
-        S: ColliderSource<R, D, Memo = M, Key = K>,
-    {
+    ) {
         let known = Known {
             source,
             is_active,
@@ -377,7 +354,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// The number of known colliders with a box; `None` if a box has neither a known nor a pending collider.
     fn count_proxies(&self) -> Option<usize> {
         let mut count = 0;
-        for (slot, _) in self.tracker.proxies.iter() {
+        for (slot, _) in (0..).zip(self.boxes()).filter(|(_, aabb)| aabb.is_valid()) {
             if self.generations[slot as usize].is_some() {
                 count += 1;
             } else {

@@ -249,7 +249,7 @@ impl UnisizeBroadPhase {
             filter: Self::filter(&self.settings),
             ..*input
         };
-        if input.lists.are_empty() && !self.table.is_due(margin, input.reach()) {
+        if input.lists.len() == 0 && !self.table.is_due(margin, input.reach()) {
             return;
         }
         let push = |is_added, [first, second]: [_; 2]| {

@@ -19,7 +19,9 @@ impl<R: Real, const D: usize> BoxUpdate<R, D> {
     /// loosened by `margin`.
     #[inline(always)]
     pub(crate) fn of(present: &Aabb<R, D>, aabb: &Aabb<R, D>, margin: R) -> Self {
-        if as_one_branch(present.contains(aabb) & aabb.is_valid()) {
+        // Which side of a box is passed first is practically random. So `black_box` keeps the compiler from making a branch of each comparison:
+        // one branch on the whole condition is predicted better.
+        if std::hint::black_box(present.contains(aabb) & aabb.is_valid()) {
             return Self::Keep;
         }
         if !(present.is_valid() & aabb.is_valid()) {
@@ -29,11 +31,4 @@ impl<R: Real, const D: usize> BoxUpdate<R, D> {
         // An infinite side minus an infinite margin would be NaN.
         Self::Renew(if loosened.is_valid() { loosened } else { *aabb })
     }
-}
-
-/// Keeps the compiler from making a branch of each comparison in a condition. Which side of a box is passed first is practically random,
-/// so one branch on the whole condition is predicted better.
-#[inline(always)]
-fn as_one_branch(condition: bool) -> bool {
-    std::hint::black_box(condition)
 }

@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
-use comparing::RowChange;
+use comparing::Outcome;
 use retired::RetiredPairs;
 
 /// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a bit is
@@ -25,7 +25,7 @@ const FEW_NEW: usize = 8;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
     /// By row, the two slots, smaller first.
-    pairs: Vec<[u32; 2]>,
+    pub(super) pairs: Vec<[u32; 2]>,
     /// By row.
     states: Vec<PairState>,
     pub(super) held_count: usize,
@@ -50,7 +50,7 @@ pub(super) struct Candidates {
     /// In an update, the rows that cannot be answered before volumes are read.
     unread: Vec<usize>,
     /// Scratch: the changes of rows, by parts of the rows.
-    row_changes: Vec<Vec<RowChange>>,
+    row_changes: Vec<Vec<(usize, Outcome)>>,
     /// In an update, the rows whose candidates are retired, ascending.
     gone: Vec<usize>,
 }
@@ -67,10 +67,7 @@ impl Candidates {
     }
 
     /// Makes candidates of the pairs that were `found`, whose boxes all overlap. Those in `near`, in ascending order, are not held. There must
-    /// be room for the acquainted slots.
-    ///
-    /// # Errors
-    /// A message, if a pair was found twice, or if one in `near` was not found or is out of order.
+    /// be room for the acquainted slots. Fails if a pair was found twice, or if one in `near` was not found or is out of order.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
@@ -94,17 +91,13 @@ impl Candidates {
         self.overlapping_count = found.len();
         (self.pairs, self.states) = (found, states);
         for &slot in acquainted.iter().chain(self.pairs.as_flattened()) {
-            self.acquainted.insert_if_room(slot as usize);
+            self.acquainted.insert(slot as usize);
         }
         Ok(())
     }
 
     pub(super) fn len(&self) -> usize {
         self.pairs.len()
-    }
-
-    pub(super) fn iter(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.pairs.iter().copied()
     }
 
     pub(super) fn of_state(&self, wanted: PairState) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -169,7 +162,7 @@ impl Candidates {
         let [was_held, is_held] = [former, state].map(|state| state == PairState::Held);
         if overlaps && !overlapped {
             for slot in self.pairs[row] {
-                self.acquainted.insert_if_room(slot as usize);
+                self.acquainted.insert(slot as usize);
             }
         }
         self.overlapping_count += usize::from(overlaps);
@@ -219,11 +212,8 @@ impl Candidates {
     ) {
         assert_eq!(self.pairs.len(), self.states.len());
         assert_eq!(self.of_state(PairState::Held).count(), self.held_count);
-        let overlapping = self
-            .states
-            .iter()
-            .filter(|state| **state != PairState::Apart);
-        assert_eq!(overlapping.count(), self.overlapping_count);
+        let apart = self.of_state(PairState::Apart).count();
+        assert_eq!(self.len() - apart, self.overlapping_count);
         let mut cold = self.pairs[self.first_cold..].as_flattened().iter();
         assert!(!cold.any(|&slot| self.warm.contains(slot)));
         for (&pair, &state) in self.pairs.iter().zip(&self.states) {

@@ -38,7 +38,7 @@ pub(super) struct Layers<R: Real, const D: usize> {
     members: Vec<u32>,
 }
 
-/// Far more pairs overlap than foresight can be worth.
+/// Far more pairs overlap than foresight can be worth: so many more than in the last full search as `most` says. Only some were found.
 pub(super) struct TooMany;
 
 impl<R: Real, const D: usize> Layers<R, D> {
@@ -55,9 +55,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
     /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
     /// [clique](super::FilterKey::clique) of a slot. The list of [pairs](Self::found) must be empty. Returns how many overlap, whether they may
     /// meet or not, except within a clique that is [left out](leave_out).
-    ///
-    /// # Errors
-    /// If so many more overlap than in the last full search as `most` says. Then only some were found.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -68,7 +65,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.forget();
         self.outdated.clear();
         if boxes.len() <= BRUTE_FORCE_UP_TO {
-            compare_all(boxes, &mut self.found);
+            for (b, second) in (0..).zip(boxes) {
+                let before = (0..b).zip(boxes);
+                let overlapping = before.filter(|(_, first)| first.intersects(second));
+                self.found.extend(overlapping.map(|(a, _)| [a, b]));
+            }
             let overlapping = self.found.len();
             if let Some(may_meet) = may_meet {
                 self.found.retain(|&pair| may_meet(pair));
@@ -100,9 +101,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
 
     /// Finds the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
     /// have changed since the last search. The base layer must be [sorted](Self::recent). Returns the work it took.
-    ///
-    /// # Errors
-    /// If so many more overlap than in the last full search as `most` says. Then only some were found.
     pub(super) fn find_pairs_of_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -110,10 +108,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         may_meet: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
     ) -> Result<Work, TooMany> {
-        let is_new = |pair: [u32; 2]| {
-            let [a, b] = pair.map(|slot| leavers.contains(slot));
-            (a | b) && may_meet(pair)
-        };
+        let is_new = |pair| leavers.has_any(pair) && may_meet(pair);
         let is_valid = |&slot: &u32| boxes[slot as usize].is_valid();
         let mut queries = leavers.slots().to_vec();
         queries.retain(is_valid);
@@ -147,16 +142,6 @@ impl<R: Real, const D: usize> Layers<R, D> {
     }
 }
 
-/// Appends the overlapping pairs of a few boxes. Invalid boxes overlap nothing.
-fn compare_all<R: Real, const D: usize>(boxes: &[Aabb<R, D>], found: &mut Vec<[u32; 2]>) {
-    for (b, second) in (0..).zip(boxes) {
-        let overlapping = (0..b)
-            .zip(boxes)
-            .filter(|(_, first)| first.intersects(second));
-        found.extend(overlapping.map(|(a, _)| [a, b]));
-    }
-}
-
 /// If nearly all of these slots are of one clique, leaves out those of them that cannot meet another slot: whose boxes do not overlap the box
 /// around all others. So a body of thousands of colliders that all overlap each other need not be searched. Leaves out none if few would be
 /// left out. **O(slots)**.
@@ -178,16 +163,13 @@ fn leave_out<R: Real, const D: usize>(
     if members.iter().filter(is_other).nth(few).is_some() {
         return;
     }
-    let around = |slots: &mut dyn Iterator<Item = &u32>| {
+    let around = |is_in: &dyn Fn(&&u32) -> bool| {
+        let slots = members.iter().filter(is_in);
         slots.fold(Aabb::ABSENT, |all, &slot| all.around(&boxes[slot as usize]))
     };
-    let all = around(&mut members.iter().filter(|slot| !is_other(slot)));
+    let all = around(&|slot| !is_other(slot));
     let overlap = |slot: &&u32, aabb| boxes[**slot as usize].intersects(aabb);
-    let reach = around(
-        &mut members
-            .iter()
-            .filter(|slot| is_other(slot) && overlap(slot, &all)),
-    );
+    let reach = around(&|slot| is_other(slot) && overlap(slot, &all));
     let enters = |slot: &&u32| is_other(slot) || overlap(slot, &reach);
     let entering = members.iter().filter(enters).copied();
     let entering: Vec<_> = entering.take(few + 1).collect();

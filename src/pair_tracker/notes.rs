@@ -13,10 +13,6 @@ pub(crate) struct Notes {
 }
 
 impl Notes {
-    pub(super) fn are_empty(&self) -> bool {
-        self.touched.is_empty() && self.revolumed.is_empty()
-    }
-
     fn lists(&mut self) -> [&mut Vec<u32>; 3] {
         [&mut self.touched, &mut self.leavers, &mut self.revolumed]
     }

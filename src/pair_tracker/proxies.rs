@@ -47,14 +47,6 @@ pub(crate) struct Proxies<R, const D: usize, K> {
 }
 
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
-    /// Proxies without slots. `volumes` says whether volumes are in use.
-    pub(super) fn new(volumes: bool) -> Self {
-        Self {
-            volumes: Volumes::new(volumes),
-            ..Self::default()
-        }
-    }
-
     /// The number of slots that there is room for.
     pub(crate) fn len(&self) -> usize {
         self.boxes.len()
@@ -63,11 +55,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// The box under this slot, if there is a proxy.
     pub(crate) fn get(&self, slot: u32) -> Option<&Aabb<R, D>> {
         self.boxes.get(slot as usize).filter(|b| b.is_valid())
-    }
-
-    /// The slots that have a proxy, with their boxes.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &Aabb<R, D>)> {
-        (0..).zip(&self.boxes).filter(|(_, b)| b.is_valid())
     }
 
     /// The filter key of a slot.
@@ -91,16 +78,13 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// All slots, to be written in place.
     #[inline(always)]
     pub(crate) fn all(&mut self) -> ProxyChunk<'_, R, D, K> {
+        let volumes = self.volumes.chunks(usize::MAX).next();
         ProxyChunk {
             first_slot: 0,
             boxes: &mut self.boxes,
             fat_boxes: &self.fat_boxes,
             keys: &self.keys,
-            volumes: self
-                .volumes
-                .chunks(usize::MAX)
-                .next()
-                .expect("chunks never end"),
+            volumes: volumes.expect("chunks never end"),
             notes: &mut self.notes,
         }
     }
@@ -181,7 +165,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         // Pairs of volumes without half axes are tested without a look at whether they are stale, so these are read here in any case.
         self.volumes.pull(&mut self.notes.revolumed, colliders);
         self.leavers.extend(&self.notes.leavers);
-        if self.volumes.are_used() {
+        if self.volumes.are_used {
             let (boxes, previous) = (&self.boxes, &self.previous);
             let slots = boxes.len();
             if are_many_touched(self.notes.touched.len(), slots) {
@@ -238,7 +222,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
         }
-        if self.volumes.are_used() {
+        if self.volumes.are_used {
             self.renewed.clear_around(touched);
         }
         self.notes.clear();

@@ -43,44 +43,28 @@ pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
 impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// The serialized form of a tracker between two updates.
     pub(crate) fn snapshot(&self) -> TrackerSnapshot<R, D, K> {
-        let proxies = &self.proxies;
+        let (proxies, notes) = (&self.proxies, &self.proxies.notes);
         let boxes = proxies.previous.iter().copied();
-        // In the order of slots, so that equal states have equal snapshots with any number of threads.
-        let [mut touched, mut revolumed] =
-            [&proxies.notes.touched, &proxies.notes.revolumed].map(Vec::clone);
-        touched.sort_unstable();
-        revolumed.sort_unstable();
+        let touched = sorted(notes.touched.iter().copied()).into_iter();
+        let touched = touched.map(|slot| (slot, proxies.get(slot).copied()));
         let of_state = |state| self.candidates.of_state(state);
-        let mut near: Vec<_> = of_state(PairState::Near).collect();
-        near.sort_unstable();
         let overlapping = of_state(PairState::Held).chain(of_state(PairState::Near));
-        let forbidden = overlapping.filter(|&pair| !proxies.may_meet(pair));
-        let mut forbidden: Vec<_> = match proxies.are_rekeyed {
-            true => forbidden.collect(),
-            false => Vec::new(),
-        };
-        forbidden.sort_unstable();
+        let is_forbidden = |&pair: &_| proxies.are_rekeyed && !proxies.may_meet(pair);
         let acquainted = self.candidates.acquainted.iter();
         TrackerSnapshot {
             boxes: boxes.map(|b| b.is_valid().then_some(b)).collect(),
             keys: proxies.keys.clone(),
-            touched: touched
-                .into_iter()
-                .map(|slot| (slot, proxies.get(slot).copied()))
-                .collect(),
+            touched: touched.collect(),
             volumes: proxies.volumes.snapshot(),
-            revolumed,
-            near,
-            forbidden,
+            revolumed: sorted(notes.revolumed.iter().copied()),
+            near: sorted(of_state(PairState::Near)),
+            forbidden: sorted(overlapping.filter(is_forbidden)),
             acquainted: acquainted.map(|slot| slot as u32).collect(),
             full_searches: self.full_searches,
         }
     }
 
-    /// Restores a tracker from its serialized form. This one must be new.
-    ///
-    /// # Errors
-    /// A message, if no tracker has this serialized form.
+    /// Restores a tracker from its serialized form, or says why no tracker has it. This one must be new.
     pub(crate) fn restore(
         &mut self,
         snapshot: TrackerSnapshot<R, D, K>,
@@ -116,7 +100,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
         }
         let mut listed = snapshot.revolumed.iter().chain(&snapshot.acquainted);
-        if listed.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used()) {
+        if listed.any(|&slot| slot as usize >= slots || !proxies.volumes.are_used) {
             return Err(
                 "snapshot: a slot has another volume or is acquainted, and is out of range or none is in use",
             );
@@ -135,27 +119,31 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         }
         proxies.are_rekeyed = !snapshot.forbidden.is_empty();
         found.extend(snapshot.forbidden);
-        if !(snapshot.near.is_empty() || proxies.volumes.are_used()) {
+        if !(snapshot.near.is_empty() || proxies.volumes.are_used) {
             return Err("snapshot: a pair is near, and no volume is in use");
         }
         self.candidates
             .restore(found, &snapshot.near, &snapshot.acquainted)?;
-        for &pair in &snapshot.near {
-            proxies.volumes.note_near(pair, true);
-        }
         let notes = &proxies.notes;
         let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
-        let is_noted = |pair: [u32; 2]| pair.iter().any(|&slot| are_noted.contains(slot));
-        let mut near = self.candidates.of_state(PairState::Near);
-        let volumes = &proxies.volumes;
-        let may_begin = |pair| proxies.may_meet(pair) && volumes.meet(pair, R::ZERO);
-        // A volume whose slot is noted is read, or has changed since the last update.
-        let is_known_apart = |pair| !(volumes.are_stale(pair) || may_begin(pair));
-        match near.all(|pair| is_noted(pair) || is_known_apart(pair)) {
-            true => Ok(()),
-            false => {
-                Err("snapshot: a pair is not held although its volumes meet, or are not known")
+        for &pair in &snapshot.near {
+            proxies.volumes.note_near(pair, true);
+            let volumes = &proxies.volumes;
+            let may_begin = proxies.may_meet(pair) && volumes.meet(pair, R::ZERO);
+            // A volume whose slot is noted is read, or has changed since the last update.
+            if !are_noted.has_any(pair) && (volumes.are_stale(pair) || may_begin) {
+                return Err(
+                    "snapshot: a pair is not held although its volumes meet, or are not known",
+                );
             }
         }
+        Ok(())
     }
+}
+
+/// In order, so that equal states have equal snapshots with any number of threads.
+fn sorted<T: Ord>(items: impl Iterator<Item = T>) -> Vec<T> {
+    let mut sorted: Vec<_> = items.collect();
+    sorted.sort_unstable();
+    sorted
 }

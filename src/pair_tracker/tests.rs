@@ -12,7 +12,7 @@ use crate::volume::{Volume, VolumeKind};
 
 /// Proxies of one side may not meet, except those of side 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Side(u32);
+pub(crate) struct Side(pub(crate) u32);
 
 impl FilterKey for Side {
     fn may_meet(self, other: Self) -> bool {
@@ -100,7 +100,7 @@ impl World {
         assert!(self.tracker.pairs().collect::<BTreeSet<_>>() == self.held);
         self.tracker.validate(&mut BruteForce);
         let proxies = &self.tracker.proxies;
-        let are_used = proxies.volumes.are_used();
+        let are_used = proxies.volumes.are_used;
         let is_renewed = |slot: u32| {
             let [now, before] = [&proxies.boxes, &self.before].map(|b| b[slot as usize]);
             now != before && now.is_valid()
@@ -124,12 +124,9 @@ impl World {
         self.near_or_held = known;
         let mut begin = self.near_or_held.difference(&self.held);
         assert!(!begin.any(|&pair| proxies.may_meet(pair) && meet(pair, 0.0)));
-        let candidates = &self.tracker.candidates;
-        let near_or_held: BTreeSet<_> = [PairState::Near, PairState::Held]
-            .into_iter()
-            .flat_map(|state| candidates.of_state(state))
-            .collect();
-        assert!(near_or_held == self.near_or_held);
+        let of_state = |state| self.tracker.candidates.of_state(state);
+        let found = of_state(PairState::Near).chain(of_state(PairState::Held));
+        assert!(found.collect::<BTreeSet<_>>() == self.near_or_held);
         self.before = proxies.boxes.clone();
     }
 
@@ -239,10 +236,8 @@ fn a_forbidden_pair_that_has_parted_is_no_neighbor_again() {
         }
         world.update();
     }
-    assert_eq!(
-        world.tracker.candidates.of_state(PairState::Near).count(),
-        0
-    );
+    let mut near = world.tracker.candidates.of_state(PairState::Near);
+    assert_eq!(near.next(), None);
 }
 
 /// Boxes that keep their direction, so that fat boxes are of use. The share of them that moves goes back and forth over each threshold.
@@ -280,8 +275,7 @@ fn drifting_boxes_agree_with_brute_force() {
                 world.update();
                 look_ups += u64::from(world.tracker.cost.looked_up > before);
                 let candidates = &world.tracker.candidates;
-                let are_partly_cold =
-                    0 < candidates.first_cold && candidates.first_cold < candidates.len();
+                let are_partly_cold = (1..candidates.len()).contains(&candidates.first_cold);
                 partly_cold += u64::from(are_partly_cold);
             }
         }
@@ -312,13 +306,8 @@ fn a_few_that_change_among_many_at_rest_cost_no_pass_over_all() {
         world.update();
         let candidates = &world.tracker.candidates;
         assert!(candidates.len() > 3_000 && world.held.is_empty());
-        let listed: Vec<_> = slots
-            .iter()
-            .copied()
-            .skip(500)
-            .step_by(97)
-            .take(changing)
-            .collect();
+        let listed = slots.iter().copied().skip(500).step_by(97);
+        let listed: Vec<_> = listed.take(changing).collect();
         for update in 0..200 {
             let mut neighbors = 0;
             world.tracker.visit_near(&listed, |_| neighbors += 1);

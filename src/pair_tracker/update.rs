@@ -40,7 +40,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         changes: &mut Changes,
         colliders: &impl Colliders<R, D>,
     ) {
-        if self.proxies.notes.are_empty() {
+        let notes = &self.proxies.notes;
+        if notes.touched.is_empty() && notes.revolumed.is_empty() {
             return;
         }
         self.proxies.begin_update(slack, colliders);
@@ -138,9 +139,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Finds the pairs that may meet among all fat boxes that overlap.
-    ///
-    /// # Errors
-    /// If so many more overlap than in the last full search as `most` says.
     fn search(&mut self, most: usize, work: &mut Work) -> Result<(), TooMany> {
         let proxies = &self.proxies;
         let may_meet = |pair| proxies.may_meet(pair);

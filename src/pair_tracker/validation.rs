@@ -37,18 +37,14 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let mut are_noted = touched;
         are_noted.extend(&notes.revolumed);
         let should_be_held = |pair: [u32; 2], is_held: bool| {
-            let is_noted = pair.iter().any(|&slot| are_noted.contains(slot));
-            let volumes_meet = match proxies.volumes.are_used() {
-                true => !is_noted && proxies.volumes.meet(pair, R::ZERO),
-                false => true,
-            };
-            is_held || (volumes_meet && proxies.may_meet(pair))
+            let meet = || !are_noted.has_any(pair) && proxies.volumes.meet(pair, R::ZERO);
+            is_held || ((!proxies.volumes.are_used || meet()) && proxies.may_meet(pair))
         };
         self.candidates.validate(&proxies.previous, should_be_held);
         // All pairs that overlap are among the candidates, because fat boxes contain boxes. A candidate that its keys have come to forbid is no
         // longer searched for.
         let mut expected = overlapping(finder, &proxies.fat_boxes, &proxies.keys);
-        let mut candidates: Vec<_> = self.candidates.iter().collect();
+        let mut candidates = self.candidates.pairs.clone();
         if proxies.are_rekeyed {
             candidates.retain(|&pair| proxies.may_meet(pair));
         }

@@ -4,9 +4,6 @@
 //! reads it once a pair asks for it: a pair whose boxes overlap and that is not held, or one that is held and whose box was renewed. So the
 //! volumes of *near* pairs, whose boxes overlap and that are not held, are always those of the colliders.
 //!
-//! Each volume has a skin: it is loosened by a small distance, and stays while the collider's volume differs by no more than that. So the pairs
-//! of colliders that hardly move are not asked again.
-//!
 //! A ball takes a kind, a centre and a radius. Half axes are kept only up to the highest slot that has ever had some.
 
 mod chunk;
@@ -30,7 +27,7 @@ const GROWTH: f64 = 2.0;
 /// Volumes by slot; none unless they are in use.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Volumes<R, const D: usize> {
-    are_used: bool,
+    pub(crate) are_used: bool,
     kinds: Vec<VolumeKind>,
     balls: Vec<Ball<R, D>>,
     /// Of the first slots; no volume of a higher slot has any.
@@ -38,7 +35,7 @@ pub(crate) struct Volumes<R, const D: usize> {
     /// Whether the collider may have moved, or changed, since its volume was read.
     are_stale: Vec<bool>,
     /// In how many pairs each slot is near another one.
-    near: Vec<u32>,
+    pub(super) near: Vec<u32>,
     /// The largest skin so far.
     skin: R,
     /// The largest distance so far by which all shapes are extended, without the skin. Volumes are read with it even while the parameters ask
@@ -61,13 +58,6 @@ pub(crate) struct VolumesSnapshot<R> {
 }
 
 impl<R: Real, const D: usize> Volumes<R, D> {
-    pub(super) fn new(are_used: bool) -> Self {
-        Self {
-            are_used,
-            ..Self::default()
-        }
-    }
-
     /// Notes the margin of boxes, and the distance by which they are extended. Returns whether either [has
     /// grown](Self::have_longer_extents); then all volumes are stale, and [`pull`](Self::pull) must read them.
     pub(super) fn note_extents(&mut self, margin: R, reach: R) -> bool {
@@ -105,21 +95,9 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     pub(super) fn note_near(&mut self, pair: [u32; 2], is_near: bool) {
         for slot in pair {
             if let Some(near) = self.near.get_mut(slot as usize) {
-                match is_near {
-                    true => *near += 1,
-                    false => *near -= 1,
-                }
+                *near = if is_near { *near + 1 } else { *near - 1 };
             }
         }
-    }
-
-    /// No pair is near.
-    pub(super) fn forget_near(&mut self) {
-        self.near.fill(0);
-    }
-
-    pub(crate) fn are_used(&self) -> bool {
-        self.are_used
     }
 
     /// The price of an item of work, given its price where all volumes are balls.
@@ -178,16 +156,12 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         let mut parts: Vec<_> = parts.collect();
         let volumes = &*self;
         section.for_each(&mut parts, |(slots, read)| {
-            let stale = slots
-                .iter()
-                .filter(|&&slot| volumes.are_stale[slot as usize]);
+            let is_stale = |slot: &&u32| volumes.are_stale[**slot as usize];
+            let stale = slots.iter().filter(is_stale);
             read.extend(stale.map(|&slot| colliders.volume(slot)));
         });
-        let mut read = parts
-            .into_iter()
-            .flat_map(|(_, read)| read)
-            .collect::<Vec<_>>()
-            .into_iter();
+        let read: Vec<_> = parts.into_iter().flat_map(|(_, read)| read).collect();
+        let mut read = read.into_iter();
         slots.retain(|&slot| {
             let is_stale = std::mem::take(&mut self.are_stale[slot as usize]);
             let volume = if is_stale { read.next() } else { None };
@@ -250,32 +224,23 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         }
     }
 
-    /// Restores the volumes of this number of slots.
-    ///
-    /// # Errors
-    /// A message, if no volumes have this serialized form.
+    /// Restores the volumes of this number of slots, for which there must be room, or says why none have this serialized form.
     #[cfg(feature = "serde-serialize")]
     pub(super) fn restore(
         &mut self,
         snapshot: VolumesSnapshot<R>,
         slots: usize,
     ) -> Result<(), &'static str> {
-        let VolumesSnapshot {
-            skin,
-            reach,
-            by_slot,
-        } = snapshot;
-        if by_slot.len() != if self.are_used { slots } else { 0 } {
+        if snapshot.by_slot.len() != if self.are_used { slots } else { 0 } {
             return Err("snapshot: there is not one volume for each slot");
         }
-        self.skin = skin.unwrap_or(R::INFINITY);
-        self.reach = reach.unwrap_or(R::INFINITY);
+        self.skin = snapshot.skin.unwrap_or(R::INFINITY);
+        self.reach = snapshot.reach.unwrap_or(R::INFINITY);
         let are_distances = self.skin >= R::ZERO && self.reach >= R::ZERO;
         if !are_distances {
             return Err("snapshot: the skin or the reach of volumes is not a distance");
         }
-        self.make_room(by_slot.len());
-        for (slot, (kind, is_stale, numbers)) in (0..).zip(by_slot) {
+        for (slot, (kind, is_stale, numbers)) in (0..).zip(snapshot.by_slot) {
             let volume = Volume::of_numbers(kind, &numbers);
             let volume =
                 volume.ok_or("snapshot: a volume has other numbers than its kind can have")?;
@@ -331,9 +296,16 @@ fn at_least<R: Real>(noted: R, wanted: R) -> R {
 mod tests {
     use super::*;
 
+    fn volumes_in_use() -> Volumes<f32, 2> {
+        Volumes {
+            are_used: true,
+            ..Volumes::default()
+        }
+    }
+
     /// At which of these margins and reaches, noted one after the other, all volumes become stale.
     fn grown_at(extents: impl IntoIterator<Item = [f32; 2]>) -> Vec<usize> {
-        let mut volumes = Volumes::<f32, 2>::new(true);
+        let mut volumes = volumes_in_use();
         let extents = extents.into_iter().enumerate();
         let grown = extents.filter(|&(_, [margin, reach])| volumes.note_extents(margin, reach));
         grown.map(|(i, _)| i).collect()
@@ -357,7 +329,7 @@ mod tests {
 
     #[test]
     fn a_ball_stays_within_its_skin_unless_its_radius_changes() {
-        let mut volumes = Volumes::<f32, 2>::new(true);
+        let mut volumes = volumes_in_use();
         volumes.make_room(1);
         volumes.note_extents(1.0, 0.0);
         let ball = |x: f32, radius: f32| Volume::new(VolumeKind::Ball, [x, 0.0], radius, &[]);

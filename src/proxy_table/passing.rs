@@ -8,8 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use super::slot_chunk::slot_chunks;
-use super::{ColliderSource, Handle, Memo, ProxyTable, Reading};
+use super::{ColliderSource, Handle, Memo, ProxyTable, Reading, is_known};
 use crate::aabb::Aabb;
 use crate::pair_tracker::FilterKey;
 use crate::parallel::Section;
@@ -56,40 +55,35 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     ) -> Vec<usize> {
         // At least one, so that there is a part.
         self.make_room(1);
-        let (proxies, notes) = (&mut self.tracker.proxies, &mut self.reader.notes);
-        let slots_a_part = self.generations.len().div_ceil(section.parts());
-        let chunks = slot_chunks(
-            proxies,
-            &self.generations,
-            &mut self.memos,
-            notes,
-            slots_a_part,
-        );
-        let starts = (0..).step_by(slots_a_part).zip(chunks);
-        let parts = starts.map(|(start, chunk)| (start..start + slots_a_part, chunk, Vec::new()));
-        let mut parts: Vec<_> = parts.collect();
-        if let Some((range, ..)) = parts.last_mut() {
+        let room = self.generations.len();
+        let slots = room.div_ceil(section.parts());
+        let starts = (0..room).step_by(slots);
+        let ranges = starts.map(|start| match start + slots < room {
+            true => start..start + slots,
             // Those of slots without room need more than a move.
-            range.end = usize::MAX;
-        }
-        section.for_each(&mut parts, |(range, chunk, unusual)| {
-            let mut slots = BTreeSet::new();
-            for (place, &(handle, aabb)) in boxes.iter().enumerate() {
-                let (slot, _) = handle.into_raw_parts();
-                if range.contains(&(slot as usize))
-                    && (slots.contains(&slot) || !chunk.follow(handle, &aabb.into(), margin))
-                {
-                    slots.insert(slot);
-                    unusual.push(place);
-                }
-            }
+            false => start..usize::MAX,
         });
-        let unusual = parts.into_iter().flat_map(|(.., unusual)| unusual);
-        let mut unusual: Vec<_> = unusual.collect();
+        let mut unusual = self.for_chunks(section, slots, ranges, |range, chunk| {
+            let (proxies, (generations, _)) = chunk;
+            let (mut unusual, mut slots) = (Vec::new(), BTreeSet::new());
+            for (place, &(handle, aabb)) in boxes.iter().enumerate() {
+                let (slot, generation) = handle.into_raw_parts();
+                if !range.contains(&(slot as usize)) {
+                    continue;
+                }
+                let (i, aabb): (_, Aabb<R, D>) = (slot as usize - range.start, aabb.into());
+                if !slots.contains(&slot) && is_known(generations, i as u32, generation) {
+                    proxies.follow_volume(i, &aabb, true);
+                    if proxies.follow(i, &aabb, margin) {
+                        continue;
+                    }
+                }
+                slots.insert(slot);
+                unusual.push(place);
+            }
+            unusual
+        });
         unusual.sort_unstable();
-        for notes in notes {
-            self.tracker.proxies.notes.append(notes);
-        }
         unusual
     }
 

@@ -7,39 +7,16 @@
 //! The order only affects speed: events are sorted afterwards. A collider that needs more than a move, such as a new one, is deferred until all
 //! others have been read.
 
-use super::slot_chunk::{SlotChunk, slot_chunks};
-use super::{ColliderSource, Handle, Memo, ProxyTable, is_known};
-use crate::bit_set::{BitSet, ones};
-use crate::pair_tracker::{FilterKey, Notes};
+use super::{ColliderSource, Handle, Memo, ProxyTable, Reading};
+use crate::bit_set::ones;
+use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::READ;
 
-/// Buffers for reading, reused by every update.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Reader {
-    /// The slots to read in the order of slots.
-    pub(super) listed: BitSet,
-    /// One for each chunk of slots.
-    pub(super) notes: Vec<Notes>,
-    /// For each chunk of slots, the slot and the generation of the colliders that need more than a move; in the first, also unknown ones.
-    deferred: Vec<Vec<(u32, u32)>>,
-}
-
-impl Reader {
-    /// Lists the slots of known colliders, and defers the other handles.
-    fn list<H: Handle>(&mut self, handles: &[H], generations: &[Option<u32>], parts: usize) {
-        self.deferred.resize_with(parts, Vec::new);
-        self.listed.resize(generations.len());
-        for &handle in handles {
-            let (slot, generation) = handle.into_raw_parts();
-            match is_known(generations, slot, generation) {
-                true => _ = self.listed.insert(slot as usize),
-                false => self.deferred[0].push((slot, generation)),
-            }
-        }
-    }
-}
+/// A chunk of consecutive slots, all of them or those of one thread: the proxies, generations and memos.
+type SlotChunk<'a, R, const D: usize, M, K> =
+    (ProxyChunk<'a, R, D, K>, (&'a [Option<u32>], &'a mut [M]));
 
 impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Reads the boxes and filter keys of listed colliders.
@@ -47,35 +24,45 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     where
         S: ColliderSource<R, D, Memo = M, Key = K>,
     {
-        self.visit(handles, |chunk, i, handle| {
-            chunk.read(i, handle, source, margin)
+        let deferred = self.visit(handles, |proxies, memo, i, handle| {
+            let Some(reading) = source.read(handle, memo) else {
+                return false;
+            };
+            let Reading { aabb, key, .. } = reading;
+            // Even if this returns false: the memo is up to date now, so a second reading could not tell that more than the pose has changed.
+            proxies.follow_volume(i, &aabb, reading.has_only_moved);
+            !reading.is_skipped && key == *proxies.key(i) && proxies.follow(i, &aabb, margin)
         });
-        self.for_deferred(|table, handle| {
-            table.admit(handle, margin, |memo| source.read(handle, memo));
-        });
+        for handle in deferred {
+            self.admit(handle, margin, |memo| source.read(handle, memo));
+        }
     }
 
     /// Reads the filter key of each listed collider that `has_changed`, and has the update read its volume. Boxes stay, and unknown colliders
     /// are skipped.
-    pub(super) fn read_in_place<S>(
+    pub(super) fn read_in_place<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         handles: &[S::Handle],
         source: &S,
         has_changed: impl Fn(S::Handle, &M, &K) -> bool + Send + Sync,
-    ) where
-        S: ColliderSource<R, D, Memo = M, Key = K>,
-    {
-        self.visit(handles, |chunk, i, handle| {
-            chunk.read_in_place(i, handle, source, &has_changed)
-        });
-        self.for_deferred(|table, handle| {
-            let Some(slot) = table.slot_of(handle) else {
-                return;
-            };
-            if let Some(reading) = source.read(handle, &mut table.memos[slot as usize]) {
-                table.tracker.proxies.set_key(slot, reading.key);
+    ) {
+        let deferred = self.visit(handles, |proxies, memo, i, handle| {
+            if !has_changed(handle, memo, proxies.key(i)) {
+                return true;
             }
+            source.read(handle, memo).is_none_or(|reading| {
+                proxies.follow_volume(i, &reading.aabb, false);
+                reading.key == *proxies.key(i)
+            })
         });
+        for handle in deferred {
+            let Some(slot) = self.slot_of(handle) else {
+                continue;
+            };
+            if let Some(reading) = source.read(handle, &mut self.memos[slot as usize]) {
+                self.tracker.proxies.set_key(slot, reading.key);
+            }
+        }
     }
 
     /// The work of reading this many colliders, or of setting their boxes.
@@ -83,59 +70,69 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         Section::of(colliders, self.tracker.proxies.volumes.price(READ))
     }
 
-    /// Calls `visit` with each known collider, in the order of slots, in one chunk of slots or in one for each thread: with the chunk, the index
-    /// in it, and the handle. Defers the colliders for which it returns false, and unknown ones.
+    /// Calls `visit` with each known collider, in the order of slots, in one chunk of slots or in one for each thread: with the chunk, its memo,
+    /// its index in the chunk, and its handle. Returns the colliders for which `visit` returned false, and the unknown ones.
     fn visit<H: Handle>(
         &mut self,
         handles: &[H],
-        visit: impl Fn(&mut SlotChunk<'_, R, D, M, K>, usize, H) -> bool + Send + Sync,
-    ) {
+        visit: impl Fn(&mut ProxyChunk<'_, R, D, K>, &mut M, usize, H) -> bool + Send + Sync,
+    ) -> Vec<H> {
+        let mut deferred = Vec::new();
         if handles.is_empty() {
-            return;
+            return deferred;
         }
         let section = self.reading_section(handles.len());
-        let parts = section.parts();
-        self.reader.list(handles, &self.generations, parts);
-        let Reader {
-            listed,
-            notes,
-            deferred,
-        } = &mut self.reader;
-        let words_a_part = listed.words().len().div_ceil(parts).max(1);
-        let words = listed.words().chunks(words_a_part).zip(deferred);
-        let chunks = slot_chunks(
-            &mut self.tracker.proxies,
-            &self.generations,
-            &mut self.memos,
-            notes,
-            64 * words_a_part,
-        );
-        let mut parts: Vec<_> = words.zip(chunks).collect();
-        section.for_each(&mut parts, |((words, deferred), chunk)| {
+        let mut listed = std::mem::take(&mut self.listed);
+        listed.resize(self.generations.len());
+        for &handle in handles {
+            match self.slot_of(handle) {
+                Some(slot) => listed.insert(slot as usize),
+                None => deferred.push(handle),
+            }
+        }
+        let slots = 64 * listed.words().len().div_ceil(section.parts()).max(1);
+        let words = listed.words().chunks(slots / 64);
+        deferred.extend(self.for_chunks(section, slots, words, |words, chunk| {
+            let (proxies, (generations, memos)) = chunk;
+            let mut deferred = Vec::new();
             for (first, &word) in (0..).step_by(64).zip(*words) {
                 for i in ones(word).map(|bit| first + bit) {
-                    if let Some(handle) = chunk.handle::<H>(i) {
-                        if !visit(chunk, i, handle) {
-                            deferred.push(handle.into_raw_parts());
+                    if let Some(generation) = generations[i] {
+                        let handle = H::from_raw_parts(proxies.slot(i), generation);
+                        if !visit(proxies, &mut memos[i], i, handle) {
+                            deferred.push(handle);
                         }
                     }
                 }
             }
-        });
-        drop(parts);
+            deferred
+        }));
         listed.clear();
-        for notes in notes {
-            self.tracker.proxies.notes.append(notes);
-        }
+        self.listed = listed;
+        deferred
     }
 
-    /// Calls `work` with each deferred collider.
-    fn for_deferred<H: Handle>(&mut self, mut work: impl FnMut(&mut Self, H)) {
-        let mut deferred = std::mem::take(&mut self.reader.deferred);
-        for (slot, generation) in deferred.iter_mut().flat_map(|part| part.drain(..)) {
-            work(self, H::from_raw_parts(slot, generation));
+    /// Calls `work` with each of the `parts` and the next chunk of this many slots, on several threads. Returns all that it returned.
+    pub(super) fn for_chunks<T: Send, U: Send>(
+        &mut self,
+        section: Section,
+        slots: usize,
+        parts: impl Iterator<Item = T>,
+        work: impl Fn(&T, &mut SlotChunk<'_, R, D, M, K>) -> Vec<U> + Send + Sync,
+    ) -> Vec<U> {
+        let count = self.generations.len().div_ceil(slots);
+        self.notes.resize_with(count, Notes::default);
+        let memos = self.memos.chunks_mut(slots);
+        let known = self.generations.chunks(slots).zip(memos);
+        let chunks = self.tracker.proxies.chunks(slots, &mut self.notes);
+        let parts = parts.zip(chunks.zip(known));
+        let mut parts: Vec<_> = parts.map(|part| (part, Vec::new())).collect();
+        section.for_each(&mut parts, |((part, chunk), out)| *out = work(part, chunk));
+        let out = parts.into_iter().flat_map(|(_, out)| out).collect();
+        for notes in &mut self.notes {
+            self.tracker.proxies.notes.append(notes);
         }
-        self.reader.deferred = deferred;
+        out
     }
 
     /// Replaces the boxes of known colliders by new ones without a margin.

@@ -37,10 +37,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         }
     }
 
-    /// The table that continues from a snapshot. `volumes` says whether volumes are in use.
-    ///
-    /// # Errors
-    /// A description of the first inconsistency, if no table can have written the snapshot.
+    /// The table that continues from a snapshot, or the first inconsistency. `volumes` says whether volumes are in use.
     pub(crate) fn restored(
         volumes: bool,
         snapshot: TableSnapshot<R, D, K>,

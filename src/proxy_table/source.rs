@@ -42,10 +42,6 @@ impl<'a, H> Lists<'a, H> {
         }
     }
 
-    pub(crate) fn are_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// The number of listed colliders. The reinserted ones count as modified.
     pub(crate) fn len(&self) -> usize {
         self.modified.len() + self.unmoved.len() + self.swept.len() + self.removed.len()
@@ -102,9 +98,8 @@ pub(super) struct Known<'a, S, H, M, R> {
     pub(super) extension: R,
 }
 
-impl<R: Real, const D: usize, S, M: Sync> Colliders<R, D> for Known<'_, S, S::Handle, M, R>
-where
-    S: ColliderSource<R, D, Memo = M>,
+impl<R: Real, const D: usize, S: ColliderSource<R, D>> Colliders<R, D>
+    for Known<'_, S, S::Handle, S::Memo, R>
 {
     #[inline(always)]
     fn volume(&self, slot: u32) -> Volume<R, D> {

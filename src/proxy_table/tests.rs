@@ -2,9 +2,10 @@
 
 use oorandom::Rand32;
 
-use super::{Changes, ColliderSource, FilterKey, Handle, Lists, ProxyTable, Reading};
+use super::{Changes, ColliderSource, Handle, Lists, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
+use crate::pair_tracker::Side;
 use crate::parallel::with_threads;
 use crate::tuning::update::{MOST_NOTES_A_SLOT, ROOM_AHEAD};
 use crate::volume::{Volume, VolumeKind};
@@ -21,16 +22,6 @@ impl Handle for Id {
 
     fn into_raw_parts(self) -> (u32, u32) {
         self
-    }
-}
-
-/// Two proxies of the same side may not meet, except on side 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Side(u32);
-
-impl FilterKey for Side {
-    fn may_meet(self, other: Self) -> bool {
-        self.0 != other.0 || self.0 == 0
     }
 }
 
@@ -96,10 +87,7 @@ fn table(filter: PairFilter) -> Table {
     Table::new(filter == PairFilter::Shapes)
 }
 
-fn finish<S>(table: &mut Table, source: &S) -> Vec<(bool, [Id; 2])>
-where
-    S: ColliderSource<f32, 2, Handle = Id, Memo = Memo, Key = Side>,
-{
+fn finish(table: &mut Table, source: &Colliders) -> Vec<(bool, [Id; 2])> {
     let mut events = Vec::new();
     let changes = &mut Changes::new(1);
     table.finish(source, 2.0 * MARGIN, None, changes, |is_added, ids| {

@@ -13,16 +13,9 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, HELD, PICKED};
 
-/// The change of a row.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RowChange {
-    row: usize,
-    outcome: Outcome,
-}
-
 /// What becomes of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Outcome {
+pub(super) enum Outcome {
     /// It is in this state.
     Is(PairState),
     /// It is asked again once its volumes have been read.
@@ -44,22 +37,19 @@ pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, C> {
 impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R, D, K, C> {
     /// Replaces all candidates by those that were `found`. Leaves that list empty, with the memory of the former candidates.
     pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
-        self.proxies.volumes.forget_near();
+        self.proxies.volumes.near.fill(0);
         let (candidates, proxies) = (&mut *self.candidates, &*self.proxies);
         let mut pairs = std::mem::take(&mut candidates.pairs);
         let mut states = std::mem::take(&mut candidates.states);
         let mut answers = std::mem::take(&mut candidates.answers);
         answers.fill_from(pairs.len(), COMPARED, |rows| {
             let [near, held] = near_and_held(&states[rows.clone()]);
-            let asked = if proxies.are_rekeyed {
-                near | held
-            } else {
-                held
-            };
+            let asked = held | if proxies.are_rekeyed { near } else { 0 };
             let existed = |i: usize| proxies.both_existed(pairs[rows.start + i]);
             ones(asked).fold(0, |word, i| word | u64::from(existed(i)) << i)
         });
-        candidates.retired.reserve(candidates.held_count);
+        let held = candidates.held_count;
+        candidates.retired.entries.reserve_exact(held);
         for row in answers.iter() {
             self.retire(pairs[row], states[row]);
         }
@@ -87,7 +77,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         candidates.states.resize(rows.end, PairState::Apart);
         candidates.retired.index();
         self.ask_and_apply(rows, HELD, Self::ask_found);
-        self.candidates.retired.clear();
+        self.candidates.retired.entries.clear();
         self.answer_unread();
         self.candidates.warm_from(first);
     }
@@ -102,14 +92,12 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         for row in unread.drain(..) {
             let former = self.candidates.states[row];
             let outcome = self.outcome(self.candidates.pairs[row], former);
-            self.apply(RowChange { row, outcome });
+            self.apply((row, outcome));
         }
         self.candidates.unread = unread;
     }
 
     /// Brings the candidates of touched proxies, and of those with another volume, up to date, and retires the candidates of leavers.
-    ///
-    /// If many proxies were touched, it goes through all candidates, in order. Otherwise it picks theirs out of those that are not cold.
     pub(in crate::pair_tracker) fn compare(&mut self) {
         let notes = std::mem::take(&mut self.proxies.notes);
         let (touched, revolumed) = (&notes.touched, &notes.revolumed);
@@ -125,9 +113,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
                 }
             };
             let rows = 0..self.candidates.len();
-            self.ask_and_apply(rows, COMPARED, |all, rows, changes| {
-                all.ask(rows, changes, pick)
-            });
+            self.ask_and_apply(rows, COMPARED, |all, rows, to| all.ask(rows, to, pick));
         } else {
             let candidates = &mut *self.candidates;
             candidates.warm(touched);
@@ -149,9 +135,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
                     false => picked | proxies.changed_of_near(pairs, states, has_changed),
                 }
             };
-            self.ask_and_apply(rows, price, |all, rows, changes| {
-                all.ask(rows, changes, pick)
-            });
+            self.ask_and_apply(rows, price, |all, rows, to| all.ask(rows, to, pick));
             moved.clear();
             changed.clear();
             (self.candidates.slots, self.candidates.revolumed) = (moved, changed);
@@ -166,7 +150,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         &mut self,
         rows: Range<usize>,
         price: u64,
-        ask: impl Fn(&Self, Range<usize>, &mut Vec<RowChange>) + Send + Sync,
+        ask: impl Fn(&Self, Range<usize>, &mut Vec<(usize, Outcome)>) + Send + Sync,
     ) {
         let mut parts = std::mem::take(&mut self.candidates.row_changes);
         let section = Section::of(rows.len(), self.proxies.volumes.price(price));
@@ -191,7 +175,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
 
     /// Changes a row: sets its state and reports if a pair begins or ends, or retires its candidate.
     #[inline(always)]
-    fn apply(&mut self, RowChange { row, outcome }: RowChange) {
+    fn apply(&mut self, (row, outcome): (usize, Outcome)) {
         let (candidates, proxies) = (&mut *self.candidates, &mut *self.proxies);
         let pair = candidates.pairs[row];
         let state = match outcome {
@@ -226,38 +210,33 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
     /// to forbid it. The pairs of removed proxies end without an event.
     fn retire(&mut self, pair: [u32; 2], former: PairState) {
         let (candidates, proxies) = (&mut *self.candidates, &*self.proxies);
-        let is_held = former == PairState::Held;
         if former == PairState::Apart || !proxies.both_existed(pair) {
             return;
         }
-        if !proxies.overlap(pair) {
-            if is_held {
-                self.changes.delete(pair);
-            }
-            return;
+        let overlap = proxies.overlap(pair);
+        match (former, overlap) {
+            (PairState::Held, true) => candidates.retired.insert(pair),
+            (PairState::Held, false) => self.changes.delete(pair),
+            _ => {}
         }
-        if is_held {
-            candidates.retired.insert(pair);
-        }
-        if proxies.is_forbidden(pair) {
+        if overlap && proxies.is_forbidden(pair) {
             candidates.forbidden.push(pair);
         }
     }
 
     /// Asks rows that a search has found, in place of those that were retired.
-    fn ask_found(&self, rows: Range<usize>, changes: &mut Vec<RowChange>) {
+    fn ask_found(&self, rows: Range<usize>, changes: &mut Vec<(usize, Outcome)>) {
         for start in rows.clone().step_by(64) {
             let pairs = &self.candidates.pairs[start..rows.end.min(start + 64)];
             for i in ones(self.proxies.overlapping(pairs)) {
                 let row = start + i;
                 let was_held = self.candidates.retired.contains(pairs[i]);
                 if was_held {
-                    let outcome = Outcome::FoundAgain;
-                    changes.push(RowChange { row, outcome });
+                    changes.push((row, Outcome::FoundAgain));
                 }
                 let outcome = self.outcome_if_overlapping(pairs[i], was_held);
                 if !was_held || outcome != Outcome::Is(PairState::Held) {
-                    changes.push(RowChange { row, outcome });
+                    changes.push((row, outcome));
                 }
             }
         }
@@ -267,7 +246,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
     fn ask(
         &self,
         all: Range<usize>,
-        changes: &mut Vec<RowChange>,
+        changes: &mut Vec<(usize, Outcome)>,
         pick: impl Fn(&Proxies<R, D, K>, &[[u32; 2]], &[PairState]) -> u64,
     ) {
         for start in all.clone().step_by(64) {
@@ -282,7 +261,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
 
     /// Asks the rows from `start` on whose bit is set.
     #[inline(never)]
-    fn ask_picked(&self, start: usize, picked: u64, changes: &mut Vec<RowChange>) {
+    fn ask_picked(&self, start: usize, picked: u64, changes: &mut Vec<(usize, Outcome)>) {
         let leavers = &self.proxies.leavers;
         for i in ones(picked) {
             let row = start + i;
@@ -293,7 +272,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
                 false => self.outcome(pair, former),
             };
             if outcome != Outcome::Is(former) {
-                changes.push(RowChange { row, outcome });
+                changes.push((row, outcome));
             }
         }
     }

@@ -10,21 +10,16 @@ const END: u32 = u32::MAX;
 pub(super) struct RetiredPairs {
     /// By hash, the first entry of a list. Their number is a power of two, and at least the number of entries.
     heads: Vec<u32>,
-    entries: Vec<Entry>,
+    pub(super) entries: Vec<Entry>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+pub(super) struct Entry {
     pair: [u32; 2],
     next: u32,
 }
 
 impl RetiredPairs {
-    /// Makes room for this number of pairs in an empty set.
-    pub(super) fn reserve(&mut self, pairs: usize) {
-        self.entries.reserve_exact(pairs);
-    }
-
     /// Adds a pair that is not in the set.
     pub(super) fn insert(&mut self, pair: [u32; 2]) {
         self.entries.push(Entry { pair, next: END });
@@ -52,10 +47,6 @@ impl RetiredPairs {
             link = entry.next;
         }
         false
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.entries.clear();
     }
 
     /// Frees the memory of an empty set if it is large.

@@ -34,12 +34,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.are_rekeyed && self.both_existed(pair) && !self.may_meet(pair)
     }
 
-    /// Whether the present keys let a candidate become a pair. Until a key changes, all candidates may.
-    #[inline(always)]
-    fn may_begin(&self, pair: [u32; 2]) -> bool {
-        !self.are_rekeyed || self.may_meet(pair)
-    }
-
     /// Whether one of two boxes differs from that at the end of the last update.
     #[inline(always)]
     fn is_renewed(&self, pair: [u32; 2]) -> bool {
@@ -53,10 +47,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     #[inline(always)]
     pub(in crate::pair_tracker) fn holds(&self, pair: [u32; 2], was_held: bool) -> Option<bool> {
         let volumes = &self.volumes;
-        if !was_held && !self.may_begin(pair) {
+        // Until a key changes, all candidates may become pairs.
+        if !was_held && self.are_rekeyed && !self.may_meet(pair) {
             return Some(false);
         }
-        if !volumes.are_used() {
+        if !volumes.are_used {
             return Some(true);
         }
         let slack = if was_held { self.slack } else { R::ZERO };
@@ -85,7 +80,7 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         let [near, held] = near_and_held(states);
         // Where boxes have begun or ceased to overlap, the state changes in any case.
         let toggled = overlap ^ (near | held);
-        if !self.volumes.are_used() {
+        if !self.volumes.are_used {
             return toggled;
         }
         toggled | self.changed(overlap & !toggled, held, pairs)
