@@ -48,7 +48,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     memos: Vec<M>,
     /// The number of known colliders.
     known: usize,
-    /// [`MOST_KNOWN_SLOTS`], or less in tests.
+    /// [`MOST_KNOWN_SLOTS`], or less in tests; 0 by default, so only [`new`](Self::new) makes a table.
     most_known_slots: usize,
     /// Slot and generation of each collider beyond these slots. It is refused, and is not a known collider.
     beyond: BTreeMap<u32, u32>,

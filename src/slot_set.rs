@@ -2,7 +2,8 @@
 
 /// A set of slots, as a list and as flags. Iterating and clearing take time in proportion to the members, everything else takes constant time.
 ///
-/// Flags take eight times the memory of a [`BitSet`](crate::bit_set::BitSet), but testing all candidates against them takes a tenth less time.
+/// They take up to five bytes for each slot, where a [`BitSet`](crate::bit_set::BitSet) takes a bit. But testing all candidates against flags
+/// takes less time: a settled pile's broad phase is 5 % faster.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotSet {
     slots: Vec<u32>,

@@ -204,7 +204,8 @@ pub(super) struct Part {
     /// The ghosts; those past their count are unspecified.
     ghosts: Vec<Ghost>,
     ghost_count: usize,
-    /// By tube, and for the tube past the last: first the number of entries, one place further on; then where they start in `owners`.
+    /// By tube, for the tube past the last, and for the end: first the number of entries, one place further on; then where they start in
+    /// `owners`.
     starts: Vec<u32>,
     /// The owners of the entries, tube after tube.
     owners: Vec<Owner>,

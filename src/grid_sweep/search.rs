@@ -64,6 +64,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
     }
 
     /// Calls `find` with each part, on several threads if there are several parts, and appends the pairs in the order of the parts.
+    /// Returns the parts.
     pub(super) fn collect<T: Send>(
         &mut self,
         section: Section,

@@ -38,7 +38,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which another tube
     /// reports. The pairs are in the order of the entries and of those that follow each.
     ///
-    /// Compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
+    /// With vectors, compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
     /// until none of the eight reaches that far along the first axis. Gives up and returns false once the budget is exceeded.
     pub(super) fn sweep(self, mut tube: Range<usize>, worker: &mut Worker) -> bool {
         if !ARE_VECTORS {

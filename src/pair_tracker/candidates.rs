@@ -1,6 +1,6 @@
 //! The candidates: pairs of proxies whose fat boxes overlap.
 //!
-//! When many proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a bit for each slot.
+//! When many proxies were touched, all candidates are compared, in order. When few were, their candidates are picked by a flag for each slot.
 //! Candidates of slots that nobody has asked about since the last full search are *cold*: they stand behind the others, and are not looked at.
 
 mod comparing;
@@ -17,8 +17,8 @@ pub(super) use comparing::Comparing;
 use comparing::Outcome;
 use retired::RetiredPairs;
 
-/// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a bit is
-/// looked up for each row.
+/// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a flag
+/// is looked up for each row.
 const FEW_NEW: usize = 8;
 
 /// The candidates by rows, and the state of each.

@@ -71,7 +71,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     }
 
     /// Calls `visit` with each known collider, in the order of slots, in one chunk of slots or in one for each thread: with the chunk, its memo,
-    /// its index in the chunk, and its handle. Returns the colliders for which `visit` returned false, and the unknown ones.
+    /// its index in the chunk, and its handle. Returns the unknown colliders, then those for which `visit` returned false, in the
+    /// order of slots.
     fn visit<H: Handle>(
         &mut self,
         handles: &[H],
@@ -112,7 +113,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         deferred
     }
 
-    /// Calls `work` with each of the `parts` and the next chunk of this many slots, on several threads. Returns all that it returned.
+    /// Calls `work` with each of the `parts` and the next chunk of this many slots, on several threads. Returns what it
+    /// returned, in the order of the chunks.
     pub(super) fn for_chunks<T: Send, U: Send>(
         &mut self,
         section: Section,
