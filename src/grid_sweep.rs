@@ -222,7 +222,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         if efforts[1] < efforts[0] {
             (class, queries, members) = (coarse, members, queries);
         }
-        let price = TREE_FROM * (queries.len() + members.len()) as f64;
+        let count = queries.len() + members.len();
+        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64;
         let budget = (price / queries.len() as f64) as usize;
         let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
         let costly = match efforts[0].min(efforts[1]) > price {

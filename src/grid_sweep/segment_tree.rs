@@ -116,15 +116,18 @@ fn descend<R: Real, const D: usize>(
     let count = partition(intervals, |i| holds(i, &last, &first, axis));
     let intervals = &mut intervals[..count];
     if intervals.len().min(points.len()) <= LEAF_UP_TO {
-        worker.compared += intervals.len() * points.len();
         for i in intervals {
-            for point in &*points {
+            let first = points.partition_point(|point| order(point, i, axis).is_le());
+            let reached = points[first..].iter();
+            let reached = reached.take_while(|point| point.aabb.mins[axis] <= i.aabb.maxs[axis]);
+            for point in reached {
+                worker.compared += 1;
                 let overlap = |is_one, &k: &usize| {
                     is_one
                         & (i.aabb.mins[k] <= point.aabb.maxs[k])
                         & (point.aabb.mins[k] <= i.aabb.maxs[k])
                 };
-                let is_pair = others.iter().fold(holds(i, point, point, axis), overlap);
+                let is_pair = others.iter().fold(true, overlap);
                 worker.emit_one(i.owner, point.owner, is_pair);
             }
         }
