@@ -39,15 +39,15 @@ mod worker;
 
 use crate::aabb::Aabb;
 use crate::invalid_input::InvalidInput;
-use crate::pair_finder::{PairFinder, check_count};
+use crate::pair_finder::{PairFinder, check_boxes, check_count};
 use crate::parallel;
 use crate::real::Real;
-use crate::tuning::kernel::{FEW_QUERIES, MOST_CLASSES, TREE_FROM};
+use crate::tuning::kernel::MOST_CLASSES;
 use crate::tuning::prices::SEARCHED;
 use assignment::Assignment;
 use class::Class;
-use search::{Members, Search};
-use worker::{Tally, Worker};
+use search::Search;
+use worker::Tally;
 
 /// Entries are numbered with 32 bits, and a box may have four.
 pub(crate) const MAX_BOXES: usize = 1 << 29;
@@ -89,7 +89,7 @@ pub struct GridSweep<R, const D: usize> {
     /// The size classes of the last search, smallest boxes first.
     classes: Vec<Class<R, D>>,
     assignment: Assignment,
-    /// Scratch: the members of two classes.
+    /// Scratch: the members of a class, and those that it leaves to further ones.
     members: [Vec<u32>; 2],
     compared: usize,
 }
@@ -106,13 +106,17 @@ impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
             Some(2..) => u64::MAX,
             _ => SEARCHED * boxes.len() as u64,
         };
-        let found = parallel::enter(work, || {
-            let mut search = Search::new(boxes, pairs);
-            let found = self.search(None, &mut search);
+        parallel::enter(work, || {
+            let mut search = Search::new(boxes, None, usize::MAX, pairs);
+            self.search(0..boxes.len() as u32, &mut search);
             self.compared = search.tally.compared;
-            found
         });
-        found.inspect_err(|_| pairs.clear())
+        // No class takes an invalid box.
+        if !self.members[1].is_empty() {
+            pairs.clear();
+            check_boxes(boxes)?;
+        }
+        Ok(())
     }
 }
 
@@ -150,90 +154,35 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ) -> usize {
         debug_assert!(boxes.len() <= MAX_BOXES);
         let filter = wanted.map(filter);
-        let mut search = Search {
-            keeps: true,
-            filter: filter.as_ref().map(|filter| filter as _),
-            most,
-            ..Search::new(boxes, pairs)
-        };
-        // The boxes are valid.
-        let _ = self.search(Some(members), &mut search);
+        let mut search = Search::new(boxes, filter.as_ref().map(|f| f as _), most, pairs);
+        search.keeps = true;
+        self.search(members.iter().copied(), &mut search);
         search.tally.emitted
     }
 
-    /// Appends the wanted pairs among the boxes with these indices, or among all boxes, class by class.
-    fn search(
-        &mut self,
-        indices: Option<&[u32]>,
-        search: &mut Search<R, D>,
-    ) -> Result<(), InvalidInput> {
+    /// Appends the wanted pairs among the boxes with these indices, class by class. Invalid ones remain in the second list of members.
+    fn search(&mut self, indices: impl Iterator<Item = u32>, search: &mut Search<R, D>) {
         const { assert!(D > 0, "boxes have at least one axis") };
-        let (boxes, assignment) = (search.boxes, &mut self.assignment);
-        let [rest, oversized] = &mut self.members;
-        let mut count = 0;
-        loop {
-            let indices = match count {
-                0 => indices,
-                _ => Some(&rest[..]),
-            };
-            if count == self.classes.len() {
-                self.classes.push(Class::default());
-            }
-            let members = Members { boxes, indices };
-            search.is_last_class = count + 1 == MOST_CLASSES;
-            self.classes[count].search(members, oversized, assignment, search)?;
-            count += 1;
-            if oversized.is_empty() || search.is_over() {
+        let [members, oversized] = &mut self.members;
+        members.clear();
+        members.extend(indices);
+        for count in 1..=MOST_CLASSES {
+            self.classes
+                .resize_with(count.max(self.classes.len()), Class::default);
+            search.is_last_class = count == MOST_CLASSES;
+            self.classes[count - 1].search(members, oversized, &mut self.assignment, search);
+            if oversized.is_empty() || search.is_last_class || search.is_over() {
+                self.classes.truncate(count);
                 break;
             }
-            std::mem::swap(rest, oversized);
+            std::mem::swap(members, oversized);
         }
-        self.classes.truncate(count);
-        for coarse in 1..count {
-            for fine in 0..coarse {
-                if search.is_over() {
-                    return Ok(());
+        for (i, coarse) in self.classes.iter().enumerate() {
+            for fine in &self.classes[..i] {
+                if !search.is_over() {
+                    fine.meet(coarse, search);
                 }
-                self.match_classes(fine, coarse, search);
             }
-        }
-        Ok(())
-    }
-
-    /// Appends the pairs between two classes. A sample decides which class is looked up in the other, or that a segment tree finds the pairs.
-    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few.
-    fn match_classes(&mut self, fine: usize, coarse: usize, search: &mut Search<R, D>) {
-        let [finer, coarser] = &mut self.members;
-        let (left, right) = self.classes.split_at_mut(coarse);
-        let (fine, coarse) = (&mut left[fine], &mut right[0]);
-        let boxes = search.boxes;
-        coarse.list_members(coarser);
-        fine.prepare_lookup();
-        if coarser.len() <= FEW_QUERIES {
-            search.run_queries(coarser, usize::MAX, |i, worker| {
-                fine.look_up(boxes, i, worker);
-            });
-            return;
-        }
-        coarse.prepare_lookup();
-        fine.list_members(finer);
-        let (mut class, mut queries, mut members) = (fine, coarser, finer);
-        let efforts = [class.effort(queries, boxes), coarse.effort(members, boxes)];
-        if efforts[1] < efforts[0] {
-            (class, queries, members) = (coarse, members, queries);
-        }
-        let count = queries.len() + members.len();
-        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64;
-        let budget = (price / queries.len() as f64) as usize;
-        let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
-        let costly = match efforts[0].min(efforts[1]) > price {
-            true => std::mem::take(queries),
-            false => search.run_queries(queries, budget, look_up),
-        };
-        // Compared with each member, a few queries take an eighth of what the tree would.
-        match (costly.len() * members.len()) as f64 <= price / 8.0 {
-            true => _ = search.run_queries(&costly, usize::MAX, look_up),
-            false => search.match_lists(&costly, members),
         }
     }
 
@@ -253,20 +202,15 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Computes in about **O(log n + pairs)** time per query of the members' size; a larger query takes a binary search for each tube
     /// that it reaches. Stops early if more than `most` pairs overlap, wanted or not.
     pub(crate) fn look_up_queries(
-        &mut self,
+        &self,
         boxes: &[Aabb<R, D>],
         queries: &[u32],
         wanted: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
     ) -> Tally {
-        self.classes.iter_mut().for_each(Class::prepare_lookup);
         let filter = filter(wanted);
-        let mut search = Search {
-            filter: Some(&filter),
-            most,
-            ..Search::new(boxes, pairs)
-        };
+        let mut search = Search::new(boxes, Some(&filter), most, pairs);
         search.run_queries(queries, usize::MAX, |i, worker| {
             let classes = self.classes.iter();
             classes.for_each(|class| class.look_up(boxes, i, worker));
@@ -275,19 +219,15 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     }
 }
 
-/// Removes the pairs from the given one on that are not wanted.
+/// Removes the pairs from the given one on that are not wanted, without a branch.
 fn filter(wanted: impl Fn([u32; 2]) -> bool + Sync) -> impl Fn(&mut Vec<[u32; 2]>, usize) + Sync {
-    move |pairs, first| retain_from(pairs, first, &wanted)
-}
-
-/// Without a branch. In a function of its own, it compiles to half as many instructions.
-#[inline(always)]
-fn retain_from(pairs: &mut Vec<[u32; 2]>, first: usize, keep: impl Fn([u32; 2]) -> bool) {
-    let mut kept = first;
-    for i in first..pairs.len() {
-        let pair = pairs[i];
-        pairs[kept] = pair;
-        kept += usize::from(keep(pair));
+    move |pairs, first| {
+        let mut kept = first;
+        for i in first..pairs.len() {
+            let pair = pairs[i];
+            pairs[kept] = pair;
+            kept += usize::from(wanted(pair));
+        }
+        pairs.truncate(kept);
     }
-    pairs.truncate(kept);
 }

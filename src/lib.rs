@@ -62,7 +62,6 @@
 #![cfg_attr(not(feature = "_adapter"), allow(dead_code))]
 
 mod aabb;
-#[cfg(feature = "_adapter")]
 mod bit_set;
 mod brute_force;
 mod bucket_sort;

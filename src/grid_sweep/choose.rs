@@ -1,7 +1,6 @@
 //! How a grid is chosen: by a sample of the boxes, for their sizes and places.
 
-use super::grid::{Grid, Strips, cut_axes};
-use super::search::Members;
+use super::grid::{Grid, Strips};
 use crate::aabb::Aabb;
 use crate::parallel::start_of_part;
 use crate::real::Real;
@@ -13,12 +12,11 @@ use crate::tuning::kernel::{
 impl<R: Real> Grid<R> {
     /// A grid for boxes up to some size. The quantiles are the shares of the members that do not
     /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips.
-    pub(super) fn choose<const D: usize>(members: Members<R, D>, aim: Aim) -> Self {
-        let cuts = cut_axes::<D>();
+    pub(super) fn choose<const D: usize>(boxes: &[Aabb<R, D>], members: &[u32], aim: Aim) -> Self {
+        let cuts = (D - 1).min(2);
         let [cut_quantile, first_quantile] = aim.sizes;
-        let n = members.count() as f64;
-        let sample = sample_indices(members.count(), aim.sample);
-        let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
+        let n = members.len() as f64;
+        let sample = sample_of(members, aim.sample).map(|&i| &boxes[i as usize]);
         let mut sample: Vec<_> = sample.collect();
         let mut cut_samples = [1, 2].map(|k| {
             let axis = AxisSample::of(&sample, k.min(D - 1), cut_quantile);
@@ -79,34 +77,34 @@ impl<R: Real> Grid<R> {
             grid.axes[cut] = Strips::new(axis.middle, width);
         }
         grid.longest = (D > 1).then(|| R::from_f64(LONG_FROM * longest));
-        grid.number_tubes(cuts, strips, members.count());
+        grid.number_tubes(cuts, strips, members.len());
         grid
     }
 }
 
-/// How many times more comparisons than it may a sweep takes, by a sample, of so many boxes that a grid takes. `comparisons` is
+/// How many times more comparisons than it may a sweep takes, by a sample, of so many members that a grid has taken. `comparisons` is
 /// the number of their ordered pairs in all tubes. The sweep compares those that overlap along the first axis. It may take
 /// [some](FITTING) for each box, and some for each pair.
 pub(super) fn excess<R: Real, const D: usize>(
-    members: Members<R, D>,
+    boxes: &[Aabb<R, D>],
+    members: &[u32],
     grid: &Grid<R>,
-    boxes: usize,
-    comparisons: f64,
+    taken: usize,
+    comparisons: u64,
 ) -> f64 {
-    let boxes = boxes as f64;
-    if comparisons <= FITTING * boxes {
+    let (taken, comparisons) = (taken as f64, comparisons as f64);
+    if comparisons <= FITTING * taken {
         return 0.0;
     }
     // A pair of the sample stands for a few comparisons of each box.
-    let size = (members.count() as f64).sqrt() as usize / 2;
+    let size = (members.len() as f64).sqrt() as usize / 2;
     let range = [size.max(16); 2];
-    let sample = sample_indices(members.count(), Sample { one_in: 1, range });
-    let sample = sample.map(|i| &members.boxes[members.index(i) as usize]);
+    let sample = sample_of(members, Sample { one_in: 1, range }).map(|&i| &boxes[i as usize]);
     // Collected first, so that memory is allocated once.
     let mut sample: Vec<_> = sample.collect();
     sample.retain(|aabb| !grid.is_oversized(aabb, &grid.tube_span(aabb)));
     let [overlaps, pairs] = overlaps_and_pairs(sample);
-    overlaps * comparisons / (boxes * (FITTING + COMPARED_A_PAIR as f64 * pairs * boxes))
+    overlaps * comparisons / (taken * (FITTING + COMPARED_A_PAIR as f64 * pairs * taken))
 }
 
 /// Of the ordered pairs of a sample of boxes, the shares that overlap along the first axis, and that are pairs.
@@ -126,16 +124,15 @@ pub(super) fn overlaps_and_pairs<R: Real, const D: usize>(
     [overlaps, pairs].map(|n| n as f64 / (sample.len() as f64).powi(2))
 }
 
-/// The positions of a sample of `n` items: the same each time, but at irregular distances, so that a pattern in the order of the
-/// items does not mislead.
-pub(super) fn sample_indices(n: usize, sample: Sample) -> impl Iterator<Item = usize> {
-    let [least, most] = sample.range;
+/// A sample of these items: the same each time, but at irregular distances, so that a pattern in their order does not mislead.
+pub(super) fn sample_of<T>(items: &[T], sample: Sample) -> impl Iterator<Item = &T> {
+    let ([least, most], n) = (sample.range, items.len());
     let count = (n / sample.one_in).clamp(least, most).min(n);
     // Fibonacci hashing within each of `count` equal parts.
     (0..count).map(move |i| {
         let [first, next] = [i, i + 1].map(|i| start_of_part(i, count, n));
         let hash = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
-        first + hash as usize % (next - first)
+        &items[first + hash as usize % (next - first)]
     })
 }
 
@@ -165,11 +162,9 @@ struct AxisSample {
 
 impl AxisSample {
     fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize, share: f64) -> Self {
-        let extents = sample
-            .iter()
-            .map(|b| [b.mins[axis].to_f64(), b.maxs[axis].to_f64()]);
-        let mut sizes: Vec<f64> = extents.clone().map(|[min, max]| max - min).collect();
-        let mins = extents.map(|[min, _]| min);
+        let size = |b: &&Aabb<R, D>| b.maxs[axis].to_f64() - b.mins[axis].to_f64();
+        let mut sizes: Vec<f64> = sample.iter().map(size).collect();
+        let mins = sample.iter().map(|b| b.mins[axis].to_f64());
         let mut mins: Vec<f64> = mins.filter(|min| min.is_finite()).collect();
         let [low, high] = GRID_PLACE_QUANTILES.map(|q| quantile(&mut mins, q));
         let [lower, upper] = [0.25, 0.75].map(|q| quantile(&mut mins, q));

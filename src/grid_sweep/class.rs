@@ -1,17 +1,19 @@
 //! A size class: its boxes are assigned to the tubes of a grid, and each tube is sorted and swept.
 
 use super::assignment::Assignment;
-use super::choose::{excess, sample_indices};
+use super::choose::{excess, sample_of};
 use super::grid::Grid;
-use super::search::{Members, Search};
+use super::search::Search;
 use super::slab::Slab;
 use super::worker::{Tally, Worker};
 use crate::aabb::Aabb;
-use crate::invalid_input::InvalidInput;
+use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_TRIES, ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
+    COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, FEW_QUERIES, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
+    SECOND_SAMPLE, TREE_FROM,
 };
+use crate::tuning::prices::SEARCHED;
 
 /// The boxes of a size class, sorted into tubes.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +21,7 @@ pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
     /// Together they cover the grid.
     pub(super) slabs: Vec<Slab<R, D>>,
-    /// A box around those of the class; for look-ups.
+    /// A box around those of the class, if its tubes are kept.
     pub(super) bounds: Option<Aabb<R, D>>,
 }
 
@@ -27,36 +29,31 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// Sorts the members into tubes, and appends their pairs. Replaces `oversized` by the members that are left to further classes.
     pub(super) fn search(
         &mut self,
-        members: Members<R, D>,
+        members: &mut Vec<u32>,
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
         search: &mut Search<R, D>,
-    ) -> Result<(), InvalidInput> {
-        self.assign(members, oversized, assignment, search)?;
-        assignment.place(members);
-        if !search.is_last_class {
-            if let Some(staying) = assignment.without_crowds(members, oversized) {
-                let members = Members {
-                    indices: Some(&staying),
-                    ..members
-                };
-                assignment.count(members, &self.grid, &mut Vec::new())?;
-                assignment.place(members);
-            }
+    ) {
+        let boxes = search.boxes;
+        self.assign(members, oversized, assignment, search);
+        if !search.is_last_class && assignment.leave_crowds(boxes, members, oversized) {
+            assignment.assign(boxes, members, &self.grid, &mut Vec::new());
         }
         search.keeps |= !oversized.is_empty();
-        let (keeps, section, ranges) = (search.keeps, assignment.section, assignment.split());
+        let (kept, ranges) = (search.keeps.then_some(&self.grid), assignment.split());
         self.slabs.resize_with(ranges.len(), Slab::default);
-        for (slab, range) in self.slabs.iter_mut().zip(ranges) {
-            slab.range = range;
-        }
-        search.collect(section, self.slabs.iter_mut(), |slab, worker| {
-            slab.sweep(members.boxes, assignment, keeps, worker);
+        let section = Section::of(members.len(), SEARCHED);
+        let slabs = self.slabs.iter_mut().zip(ranges);
+        search.collect(section, slabs, |(slab, range), worker| {
+            slab.range = range.clone();
+            slab.sweep(boxes, assignment, kept, worker);
         });
-        Ok(())
+        let tubes = self.slabs.iter().flat_map(|slab| &slab.tubes);
+        let bounds = tubes.map(|tube| tube.bounds);
+        self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
     }
 
-    /// Chooses a grid and counts the entries of its tubes.
+    /// Chooses a grid and places the members in its tubes.
     ///
     /// A grid *fits* if the sweep takes few comparisons for each box and pair. Each try is counted, and the first grid that nearly fits is
     /// swept, because the boxes of its crowded tubes are left to further classes; if none does, the first one, unless a later one takes far
@@ -64,62 +61,84 @@ impl<R: Real, const D: usize> Class<R, D> {
     /// class, one tube takes all boxes.
     fn assign(
         &mut self,
-        members: Members<R, D>,
+        members: &[u32],
         oversized: &mut Vec<u32>,
         assignment: &mut Assignment,
         search: &Search<R, D>,
-    ) -> Result<(), InvalidInput> {
-        let count = members.count();
-        let tries = match count {
-            ..=ONE_TUBE_UP_TO => &[][..],
-            _ if search.is_last_class => &[],
-            _ => &GRID_TRIES,
-        };
+    ) {
+        let (boxes, count) = (search.boxes, members.len());
+        let is_one_tube = search.is_last_class || count <= ONE_TUBE_UP_TO;
         let mut best = None;
-        for aim in tries {
+        for aim in GRID_TRIES.into_iter().filter(|_| !is_one_tube) {
             if best.is_some() && aim.sample == SECOND_SAMPLE {
                 break;
             }
-            self.grid = Grid::choose(members, *aim);
-            assignment.count(members, &self.grid, oversized)?;
+            self.grid = Grid::choose(boxes, members, aim);
+            assignment.assign(boxes, members, &self.grid, oversized);
             let taken = count - oversized.len();
             if taken <= count / 8 {
                 continue;
             }
-            let excess = excess(members, &self.grid, taken, assignment.comparisons() as f64);
+            let excess = excess(boxes, members, &self.grid, taken, assignment.comparisons());
             if excess <= FAR_FEWER {
-                return Ok(());
+                return;
             }
             if best.is_none_or(|(least, _)| excess < least / FAR_FEWER) {
-                best = Some((excess, aim));
+                best = Some((excess, self.grid));
             }
         }
-        self.grid = best.map_or_else(Grid::default, |(_, aim)| Grid::choose(members, *aim));
-        assignment.count(members, &self.grid, oversized)
+        self.grid = best.unwrap_or_default().1;
+        assignment.assign(boxes, members, &self.grid, oversized);
     }
 
-    /// Replaces `members` by the boxes of the class, in the order of its tubes.
-    pub(super) fn list_members(&self, members: &mut Vec<u32>) {
-        members.clear();
-        for slab in &self.slabs {
-            for tube in &slab.tubes {
-                let owners = &slab.owners[tube.start as usize..tube.end as usize];
-                let at_home = owners.iter().filter(|owner| owner.is_at_home());
-                members.extend(at_home.map(|owner| owner.index()));
-            }
+    /// Appends the pairs with a coarser class. A sample decides which class is looked up in the other, or that a segment tree finds the pairs.
+    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few.
+    pub(super) fn meet(&self, coarse: &Self, search: &mut Search<R, D>) {
+        let (boxes, coarser) = (search.boxes, coarse.members());
+        if coarser.len() <= FEW_QUERIES {
+            search.run_queries(&coarser, usize::MAX, |i, worker| {
+                self.look_up(boxes, i, worker);
+            });
+            return;
         }
+        let finer = self.members();
+        let ways = [(self, &coarser, &finer), (coarse, &finer, &coarser)];
+        let efforts = ways.map(|(class, queries, _)| class.effort(queries, boxes));
+        let (class, queries, members) = ways[usize::from(efforts[1] < efforts[0])];
+        let count = queries.len() + members.len();
+        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64;
+        let budget = (price / queries.len() as f64) as usize;
+        let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
+        let costly = match efforts[0].min(efforts[1]) > price {
+            true => queries.clone(),
+            false => search.run_queries(queries, budget, look_up),
+        };
+        // Compared with each member, a few queries take an eighth of what the tree would.
+        match (costly.len() * members.len()) as f64 <= price / 8.0 {
+            true => _ = search.run_queries(&costly, usize::MAX, look_up),
+            false => search.match_lists(&costly, members),
+        }
+    }
+
+    /// The boxes of the class, in the order of its tubes.
+    fn members(&self) -> Vec<u32> {
+        let owners = self.slabs.iter().map(Slab::kept_owners);
+        let mut members = Vec::with_capacity(owners.clone().map(<[_]>::len).sum());
+        let at_home = owners.flatten().filter(|owner| owner.is_at_home());
+        members.extend(at_home.map(|owner| owner.index()));
+        members
     }
 
     /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.
-    pub(super) fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
-        let (mut pairs, mut count) = (Vec::new(), 0);
+    fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
+        let mut pairs = Vec::new();
         let mut worker = Worker::new(&mut pairs, usize::MAX);
-        for i in sample_indices(queries.len(), EFFORT_SAMPLE) {
-            self.look_up(boxes, queries[i], &mut worker);
-            count += 1;
+        let sample: Vec<_> = sample_of(queries, EFFORT_SAMPLE).collect();
+        for &&i in &sample {
+            self.look_up(boxes, i, &mut worker);
         }
         let Tally { compared, emitted } = worker.finish();
         let besides = compared.saturating_sub(COMPARED_A_PAIR * emitted);
-        (QUERY + besides as f64 / f64::from(count.max(1))) * queries.len() as f64
+        (QUERY + besides as f64 / sample.len().max(1) as f64) * queries.len() as f64
     }
 }

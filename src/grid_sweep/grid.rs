@@ -8,6 +8,7 @@
 //! There may be any number of strips, so tubes are numbered modulo a power of two, about as large as the number of boxes. Tubes with
 //! the same number are swept together, but lie so far apart that their boxes do not overlap.
 
+use super::entry::{MAX_ENTRIES, Owner, Placed};
 use crate::aabb::Aabb;
 use crate::lanes::Lanes;
 use crate::real::Real;
@@ -29,11 +30,9 @@ impl<R: Real> Strips<R> {
     /// Strips of this width around the middle of a sample; a single one if they would be too wide to count.
     pub(super) fn new(middle: f64, width: f64) -> Self {
         let origin = R::from_f64(middle - f64::from(STRIPS_BEFORE) * width);
+        let per_length = R::from_f64(1.0 / width);
         match origin.is_finite() {
-            true => Self {
-                origin,
-                per_length: R::from_f64(1.0 / width),
-            },
+            true => Self { origin, per_length },
             false => Self::default(),
         }
     }
@@ -52,7 +51,7 @@ pub(super) struct Grid<R> {
 }
 
 /// The tubes that a box reaches: from `first` to `last` on each cut axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct TubeSpan {
     pub(super) first: [u32; 2],
     pub(super) last: [u32; 2],
@@ -82,18 +81,13 @@ impl<R: Real> Grid<R> {
     pub(super) fn number_tubes(&mut self, cuts: usize, [rows, columns]: [u64; 2], count: usize) {
         // A table of the tubes must not cost more than the boxes do.
         let most = (count as u64).next_power_of_two().clamp(64, 1 << 29);
-        let (stride, tubes) = match cuts {
-            0 => return,
-            1 => (1, rows.clamp(2 * REACH, most)),
-            _ => {
-                // One row after the other if they fit, with two columns more for boxes outside.
-                let stride = columns.saturating_add(2).max(2 * REACH + 1);
-                match stride.saturating_mul(rows.max(REACH + 1)) {
-                    tubes if tubes <= most => (stride as u32, tubes),
-                    // Otherwise rows begin as far from each other as they can: at multiples of the golden ratio.
-                    _ => ((most as f64 * 0.618_034) as u32 | 1, most),
-                }
-            }
+        // One row after the other if they fit, with two columns more for boxes outside.
+        let stride = columns.saturating_add(2).max(2 * REACH + 1);
+        let (stride, tubes) = match stride.saturating_mul(rows.max(REACH + 1)) {
+            _ if cuts < 2 => (1, rows.clamp(2 * REACH, most)),
+            tubes if tubes <= most => (stride as u32, tubes),
+            // Otherwise rows begin as far from each other as they can: at multiples of the golden ratio.
+            _ => ((most as f64 * 0.618_034) as u32 | 1, most),
         };
         self.stride = stride;
         self.mask = (tubes.next_power_of_two() - 1) as u32;
@@ -110,10 +104,28 @@ impl<R: Real> Grid<R> {
         row.wrapping_mul(self.stride).wrapping_add(column) & self.mask
     }
 
-    /// The numbers of the next tubes along the first cut axis, along the second, and along both.
+    /// Writes the entries of a box that is not [oversized](Self::is_oversized), home first, and returns their number; those past it are
+    /// unspecified.
     #[inline(always)]
-    pub(super) fn next_tubes(&self, tube: u32) -> [u32; 3] {
-        [self.stride, 1, self.stride + 1].map(|step| tube.wrapping_add(step) & self.mask)
+    pub(super) fn write_entries<const D: usize>(
+        &self,
+        index: u32,
+        span: &TubeSpan,
+        list: &mut [Placed; MAX_ENTRIES],
+    ) -> usize {
+        let ([rows, columns], home) = (span.beyond(), self.tube(span.first));
+        // The cut axes on which each is a ghost, as bits. The second of two is a ghost on the axis along which the box reaches two strips.
+        let (axes, most) = if D > 2 {
+            ([0, 2 - rows, 2, 3], 4)
+        } else {
+            ([0, 1, 2, 3], 2)
+        };
+        for (entry, axes) in list.iter_mut().zip(axes).take(most) {
+            let tube = home.wrapping_add((axes & 1) * self.stride + (axes >> 1)) & self.mask;
+            let owner = Owner::new(index, axes);
+            *entry = Placed { tube, owner };
+        }
+        ((1 + rows) * (1 + columns)) as usize
     }
 
     /// Whether a box that reaches these tubes belongs to a further class: it is more than two strips wide on some axis, too long along
@@ -124,7 +136,7 @@ impl<R: Real> Grid<R> {
         let length = aabb.maxs[0] - aabb.mins[0];
         let is_long = self.longest.is_some_and(|longest| length > longest);
         let mut is_far = false;
-        for cut in 0..cut_axes::<D>() {
+        for cut in 0..(D - 1).min(2) {
             // The first strip and the last do not tell boxes apart, unless there is only one. The first less one wraps around.
             let is_cut = self.axes[cut].per_length != R::ZERO;
             is_far |= is_cut & (span.first[cut].wrapping_sub(1) > LAST_STRIP - 2);
@@ -135,32 +147,23 @@ impl<R: Real> Grid<R> {
     /// The tubes that a box reaches; unspecified for an invalid one.
     #[inline(always)]
     pub(super) fn tube_span<const D: usize>(&self, aabb: &Aabb<R, D>) -> TubeSpan {
-        let mut span = TubeSpan::default();
-        let cuts = cut_axes::<D>();
-        if cuts == 0 {
-            return span;
-        }
         // The distance from the origin in strips. Non-decreasing if `origin` is finite and `per_length` not negative: subtraction and
         // multiplication round monotonically, and [`Lanes::truncated`] is monotone. The NaN of 0 · ∞ becomes strip 0, which agrees:
-        // then negative offsets are in strip 0 too, and positive ones in the last. All four lanes hold an offset, also if nobody reads it:
-        // other contents may be subnormal numbers, with which processors calculate a hundred times slower.
+        // then negative offsets are in strip 0 too, and positive ones in the last. An axis that is not cut has one strip.
         let at = |corner: &[R; D], cut: usize| {
-            let cut = cut.min(cuts - 1);
             let Strips { origin, per_length } = self.axes[cut];
-            (corner[cut + 1] - origin) * per_length
+            (corner[(cut + 1).min(D - 1)] - origin) * per_length
         };
         let Aabb { mins, maxs } = aabb;
-        let strips = R::Lanes::truncated([at(mins, 0), at(mins, 1), at(maxs, 0), at(maxs, 1)]);
-        span.first[..cuts].copy_from_slice(&strips[..cuts]);
-        span.last[..cuts].copy_from_slice(&strips[2..2 + cuts]);
-        span
+        let offsets = [at(mins, 0), at(mins, 1), at(maxs, 0), at(maxs, 1)];
+        let [row, column, last_row, last_column] = R::Lanes::truncated(offsets);
+        // In two dimensions the compiler then knows that there is one column.
+        let [column, last_column] = if D > 2 { [column, last_column] } else { [0; 2] };
+        TubeSpan {
+            first: [row, column],
+            last: [last_row, last_column],
+        }
     }
-}
-
-/// How many axes are cut in `D` dimensions.
-#[inline(always)]
-pub(super) const fn cut_axes<const D: usize>() -> usize {
-    if D > 2 { 2 } else { D.saturating_sub(1) }
 }
 
 #[cfg(test)]
@@ -192,7 +195,11 @@ mod tests {
                 assert_eq!(is_same, [row, column] == [1000, 2000], "{grid:?}");
             }
         }
-        let next = [[8, 8], [7, 9], [8, 9]].map(|strips| grid.tube(strips));
-        assert_eq!(grid.next_tubes(grid.tube([7, 8])), next);
+        let [first, last] = [[7, 8], [8, 9]];
+        let mut entries = [Placed::default(); MAX_ENTRIES];
+        let count = grid.write_entries::<3>(0, &TubeSpan { first, last }, &mut entries);
+        assert_eq!(count, entries.len());
+        let tubes = [first, [8, 8], [7, 9], last].map(|strips| grid.tube(strips));
+        assert_eq!(entries.map(|entry| entry.tube), tubes);
     }
 }

@@ -10,51 +10,36 @@
 
 use super::class::Class;
 use super::entry::Owner;
-use super::grid::{Grid, REACH, TubeSpan};
+use super::grid::TubeSpan;
 use super::slab::{Slab, Tube};
 use super::sweep::many;
 use super::worker::Worker;
-use crate::aabb::{Aabb, max, min};
-use crate::parallel::Section;
+use crate::aabb::Aabb;
+use crate::bit_set::ones;
+use crate::lanes::LANES;
 use crate::real::Real;
 use crate::tuning::kernel::VISIT;
-use crate::tuning::prices::SLOT;
 
 /// How many entries are compared between two looks at the budget.
 const COMPARED_AT_ONCE: usize = 1024;
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Prepares for [`look_up`](Self::look_up), unless that is done.
-    pub(super) fn prepare_lookup(&mut self) {
-        let (grid, slabs) = (&self.grid, &mut self.slabs);
-        if slabs.iter().any(|slab| slab.table.is_empty()) {
-            let entries = slabs.iter().map(|slab| slab.owners.len()).sum();
-            Section::of(entries, SLOT).for_each(slabs, |slab| slab.prepare_lookup(grid));
-            let tubes = slabs.iter().flat_map(|slab| &slab.tubes);
-            let bounds = tubes.map(|tube| tube.bounds);
-            self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
-        }
-    }
-
     /// Emits the pair of the box `i` with every box of the class that it overlaps.
     pub(super) fn look_up(&self, boxes: &[Aabb<R, D>], i: u32, worker: &mut Worker) {
-        let (grid, slabs, aabb) = (&self.grid, &self.slabs, &boxes[i as usize]);
+        let (slabs, aabb) = (&self.slabs, &boxes[i as usize]);
         let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
             return;
         };
-        let span = grid.tube_span(&near);
+        let span = self.grid.tube_span(&near);
         let query = (aabb, i, span);
         let [rows, columns] = span.beyond().map(|beyond| u64::from(beyond) + 1);
         let reached = rows * columns;
         let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
         // Most of them may be empty, or not reached.
-        worker.compared += reached.min(tubes) as usize;
+        worker.tally.compared += reached.min(tubes) as usize;
         if reached > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {
-                    if worker.is_budget_exceeded() {
-                        return;
-                    }
                     if tube.strips.is_none_or(|strips| span.contains(strips)) {
                         self.look_up_in_tube((slab, tube), query, None, worker);
                     }
@@ -66,11 +51,8 @@ impl<R: Real, const D: usize> Class<R, D> {
         let TubeSpan { first, last } = span;
         for row in first[0]..=last[0] {
             for column in first[1]..=last[1] {
-                if worker.is_budget_exceeded() {
-                    return;
-                }
                 let strips = [row, column];
-                let number = grid.tube(strips);
+                let number = self.grid.tube(strips);
                 let slab = &slabs[slabs.partition_point(|slab| slab.range.end <= number)];
                 let position = slab.table[(number - slab.range.start) as usize];
                 let tube = slab.tubes.get(position as usize);
@@ -91,13 +73,15 @@ impl<R: Real, const D: usize> Class<R, D> {
         strips: Option<[u32; 2]>,
         worker: &mut Worker,
     ) {
-        worker.compared += VISIT;
+        if worker.is_budget_exceeded() {
+            return;
+        }
+        worker.tally.compared += VISIT;
         if (aabb.maxs[0] < tube.bounds.mins[0]) | (aabb.mins[0] > tube.bounds.maxs[0]) {
             return;
         }
-        let columns = slab.columns();
-        let maxs = &slab.running_maxs[tube.start as usize..tube.end as usize];
-        let mut start = tube.start as usize + maxs.partition_point(|&max| max < aabb.mins[0]);
+        let (columns, maxs) = (slab.columns(), &slab.running_maxs[tube.entries.clone()]);
+        let mut start = tube.entries.start + maxs.partition_point(|&max| max < aabb.mins[0]);
         // A small box does not reach other tubes with the same number.
         let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
         let known = tube.strips.or(strips.filter(|_| is_small));
@@ -106,14 +90,13 @@ impl<R: Real, const D: usize> Class<R, D> {
             let window = start..start.saturating_add(COMPARED_AT_ONCE);
             let (compared, is_done) = match owner {
                 Some(owner) => columns.window::<true>(window, aabb, |first, hits| {
-                    worker.emit(owner, many(columns.owners, first), hits);
+                    let others: &[Owner; LANES] = many(columns.owners, first);
+                    worker.emit(hits, |lane| [owner, others[lane % LANES]]);
                 }),
-                None => columns.window::<true>(window, aabb, |first, mut hits| {
-                    while hits != 0 {
-                        let entry = first + hits.trailing_zeros() as usize;
-                        hits &= hits - 1;
-                        let other = columns.owners[entry];
-                        let home = self.grid.tube_span(&columns.entry(entry)).first;
+                None => columns.window::<true>(window, aabb, |first, hits| {
+                    for lane in ones(hits) {
+                        let other = columns.owners[first + lane];
+                        let home = self.grid.tube_span(&columns.entry(first + lane)).first;
                         let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
                         let is_here =
                             later == other.strips(home) && strips.is_none_or(|s| s == later);
@@ -121,40 +104,11 @@ impl<R: Real, const D: usize> Class<R, D> {
                     }
                 }),
             };
-            worker.compared += compared;
+            worker.tally.compared += compared;
             if is_done || worker.is_budget_exceeded() {
                 return;
             }
             start += compared;
-        }
-    }
-}
-
-impl<R: Real, const D: usize> Slab<R, D> {
-    fn prepare_lookup(&mut self, grid: &Grid<R>) {
-        let len = self.tubes.last().map_or(0, |tube| tube.end as usize);
-        self.running_maxs.resize(len, R::ZERO);
-        self.table.resize(self.range.len(), u32::MAX);
-        for (position, tube) in (0..).zip(&mut self.tubes) {
-            self.table[(tube.number - self.range.start) as usize] = position;
-            let entries = tube.start as usize..tube.end as usize;
-            let mins = self.mins.each_ref().map(|column| &column[entries.clone()]);
-            let maxs = self.maxs.each_ref().map(|column| &column[entries.clone()]);
-            let owner = self.owners[entries.start];
-            let mut bounds = Aabb::EMPTY;
-            for (i, running_max) in self.running_maxs[entries].iter_mut().enumerate() {
-                for k in 0..D {
-                    bounds.mins[k] = min(mins[k][i], bounds.mins[k]);
-                    bounds.maxs[k] = max(maxs[k][i], bounds.maxs[k]);
-                }
-                *running_max = bounds.maxs[0];
-            }
-            tube.bounds = bounds;
-            // Tubes that share a number lie farther apart.
-            let beyond = grid.tube_span(&bounds).beyond();
-            let is_one = beyond.iter().all(|&beyond| u64::from(beyond) <= REACH);
-            let first = Aabb::new(mins.map(|column| column[0]), maxs.map(|column| column[0]));
-            tube.strips = is_one.then(|| owner.strips(grid.tube_span(&first).first));
         }
     }
 }

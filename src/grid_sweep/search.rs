@@ -3,28 +3,7 @@
 use super::worker::{Tally, Worker};
 use crate::aabb::Aabb;
 use crate::parallel::Section;
-use crate::real::Real;
 use crate::tuning::prices::LOOKED_UP;
-
-/// Some of the boxes, or all.
-#[derive(Clone, Copy)]
-pub(super) struct Members<'a, R, const D: usize> {
-    pub(super) boxes: &'a [Aabb<R, D>],
-    /// Indices of valid boxes, each once, in any order. `None` means all boxes, some of which may be invalid.
-    pub(super) indices: Option<&'a [u32]>,
-}
-
-impl<R: Real, const D: usize> Members<'_, R, D> {
-    pub(super) fn count(self) -> usize {
-        self.indices.map_or(self.boxes.len(), <[u32]>::len)
-    }
-
-    /// The index of the `i`-th member's box.
-    #[inline(always)]
-    pub(super) fn index(self, i: usize) -> u32 {
-        self.indices.map_or(i as u32, |indices| indices[i])
-    }
-}
 
 /// Removes unwanted pairs from the given one on.
 pub(super) type Filter<'a> = &'a (dyn Fn(&mut Vec<[u32; 2]>, usize) + Sync);
@@ -45,15 +24,20 @@ pub(super) struct Search<'a, R, const D: usize> {
 }
 
 impl<'a, R, const D: usize> Search<'a, R, D> {
-    /// A search for all pairs, after which nothing is looked up.
-    pub(super) fn new(boxes: &'a [Aabb<R, D>], pairs: &'a mut Vec<[u32; 2]>) -> Self {
+    /// A search after which nothing is looked up.
+    pub(super) fn new(
+        boxes: &'a [Aabb<R, D>],
+        filter: Option<Filter<'a>>,
+        most: usize,
+        pairs: &'a mut Vec<[u32; 2]>,
+    ) -> Self {
         Self {
             boxes,
             is_last_class: false,
             keeps: false,
             pairs,
-            filter: None,
-            most: usize::MAX,
+            filter,
+            most,
             tally: Tally::default(),
         }
     }
@@ -72,13 +56,11 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
         find: impl Fn(&mut T, &mut Worker) + Send + Sync,
     ) -> Vec<T> {
         let (most, filter) = (self.most.saturating_sub(self.tally.emitted), self.filter);
-        let parts = parts.into_iter();
-        let parts = parts.map(|part| (part, Vec::new(), Tally::default()));
-        let mut parts: Vec<_> = parts.collect();
         // The pairs of the first part need not be copied.
-        if let Some((_, pairs, _)) = parts.first_mut() {
-            std::mem::swap(pairs, self.pairs);
-        }
+        let mut found = std::mem::take(self.pairs);
+        let parts = parts.into_iter();
+        let parts = parts.map(|part| (part, std::mem::take(&mut found), Tally::default()));
+        let mut parts: Vec<_> = parts.collect();
         section.for_each(&mut parts, |(part, pairs, tally)| {
             let start = pairs.len();
             let mut worker = Worker::new(pairs, most);
@@ -88,12 +70,13 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
                 filter(pairs, start);
             }
         });
-        for (i, (_, pairs, tally)) in parts.iter_mut().enumerate() {
+        *self.pairs = found;
+        for (_, pairs, tally) in &mut parts {
             self.tally.emitted += tally.emitted;
             self.tally.compared += tally.compared;
-            match i {
-                0 => std::mem::swap(pairs, self.pairs),
-                _ => self.pairs.append(pairs),
+            match self.pairs.is_empty() {
+                true => std::mem::swap(pairs, self.pairs),
+                false => self.pairs.append(pairs),
             }
         }
         parts.into_iter().map(|(part, ..)| part).collect()

@@ -12,7 +12,7 @@
 
 use core::cmp::Ordering;
 
-use super::choose::sample_indices;
+use super::choose::sample_of;
 use super::entry::{Entry, Owner};
 use super::search::Search;
 use super::worker::Worker;
@@ -43,7 +43,7 @@ impl<R: Real, const D: usize> Search<'_, R, D> {
         }
         let first = self.pairs.len();
         self.collect(section, parts, |(intervals, points), worker| {
-            descend(&mut intervals.to_vec(), points, axes[0], &axes[1..], worker);
+            descend(&mut intervals.to_vec(), points, &axes, worker);
         });
         // The number of parts makes no difference.
         self.pairs[first..].sort_unstable();
@@ -62,8 +62,8 @@ fn axes_by_overlap<R: Real, const D: usize>(
     right: &[Entry<R, D>],
 ) -> [usize; D] {
     let [left, right] = [left, right].map(|list| -> Vec<_> {
-        let sample = sample_indices(list.len(), EFFORT_SAMPLE);
-        sample.map(|i| list[i].aabb).collect()
+        let sample = sample_of(list, EFFORT_SAMPLE);
+        sample.map(|entry| entry.aabb).collect()
     });
     let overlaps = |k: usize| {
         let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
@@ -82,10 +82,10 @@ fn stab<R: Real, const D: usize>(
     axes: &[usize],
     worker: &mut Worker,
 ) {
-    if let Some((&axis, others)) = axes.split_first() {
-        worker.compared += points.len();
+    if let Some(&axis) = axes.first() {
+        worker.tally.compared += points.len();
         points.sort_unstable_by(|a, b| order(a, b, axis));
-        descend(intervals, points, axis, others, worker);
+        descend(intervals, points, axes, worker);
     } else {
         for i in intervals {
             for point in &*points {
@@ -102,44 +102,35 @@ fn stab<R: Real, const D: usize>(
 fn descend<R: Real, const D: usize>(
     intervals: &mut [Entry<R, D>],
     points: &mut [Entry<R, D>],
-    axis: usize,
-    others: &[usize],
+    axes: &[usize],
     worker: &mut Worker,
 ) {
+    let (axis, others) = (axes[0], &axes[1..]);
     let [Some(&first), Some(&last)] = [points.first(), points.last()] else {
         return;
     };
     if worker.is_over() {
         return;
     }
-    worker.compared += intervals.len();
+    worker.tally.compared += intervals.len();
     let count = partition(intervals, |i| holds(i, &last, &first, axis));
     let intervals = &mut intervals[..count];
     if intervals.len().min(points.len()) <= LEAF_UP_TO {
         for i in intervals {
             let first = points.partition_point(|point| order(point, i, axis).is_le());
             let reached = points[first..].iter();
-            let reached = reached.take_while(|point| point.aabb.mins[axis] <= i.aabb.maxs[axis]);
-            for point in reached {
-                worker.compared += 1;
-                let overlap = |is_one, &k: &usize| {
-                    is_one
-                        & (i.aabb.mins[k] <= point.aabb.maxs[k])
-                        & (point.aabb.mins[k] <= i.aabb.maxs[k])
-                };
-                let is_pair = others.iter().fold(true, overlap);
-                worker.emit_one(i.owner, point.owner, is_pair);
+            for point in reached.take_while(|point| point.aabb.mins[axis] <= i.aabb.maxs[axis]) {
+                worker.tally.compared += 1;
+                worker.emit_one(i.owner, point.owner, i.aabb.intersects(&point.aabb));
             }
         }
         return;
     }
     let count = partition(intervals, |i| holds(i, &first, &last, axis));
     let (whole, partial) = intervals.split_at_mut(count);
-    if !partial.is_empty() {
-        let (low, high) = points.split_at_mut(points.len() / 2);
-        descend(partial, low, axis, others, worker);
-        descend(partial, high, axis, others, worker);
-    }
+    let (low, high) = points.split_at_mut(points.len() / 2);
+    descend(partial, low, axes, worker);
+    descend(partial, high, axes, worker);
     // At the end, for it reorders the points.
     if !whole.is_empty() {
         stab(whole, points, others, worker);

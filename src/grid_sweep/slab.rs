@@ -10,27 +10,26 @@ use std::ops::Range;
 
 use super::assignment::Assignment;
 use super::entry::{Entry, Owner};
+use super::grid::{Grid, REACH};
 use super::segment_tree::match_all;
 use super::worker::Worker;
-use crate::aabb::Aabb;
+use crate::aabb::{Aabb, max, min};
 use crate::bucket_sort::BucketSort;
 use crate::lanes::LANES;
 use crate::real::Real;
 use crate::tuning::kernel::{COMPARED_AN_ENTRY, NO_CROWD_UP_TO};
 
-/// How many entries past the last sentinel may be read: the sweep reads 64 past the last of eight.
+/// More entries than are read past the last sentinel: eight are compared with up to five times as many that follow.
 const PADDING: usize = LANES + 64;
 
-/// A tube that has entries.
+/// A tube that has entries, kept for look-ups.
 #[derive(Clone, Debug)]
 pub(super) struct Tube<R, const D: usize> {
-    pub(super) number: u32,
-    /// Its entries are `start..end`, and the sentinel is at `end`.
-    pub(super) start: u32,
-    pub(super) end: u32,
-    /// A box around its boxes; for look-ups.
+    /// Its entries, after which there is the sentinel.
+    pub(super) entries: Range<usize>,
+    /// A box around its boxes.
     pub(super) bounds: Aabb<R, D>,
-    /// Its strips, if it holds the entries of a single tube and not of several that share a number; for look-ups.
+    /// Its strips, if it holds the entries of a single tube and not of several that share a number.
     pub(super) strips: Option<[u32; 2]>,
 }
 
@@ -41,12 +40,12 @@ pub(super) struct Slab<R, const D: usize> {
     pub(super) range: Range<u32>,
     /// The tubes that are kept, by number.
     pub(super) tubes: Vec<Tube<R, D>>,
-    /// For each tube of the range its position in `tubes`, or `u32::MAX`; empty until look-ups are prepared.
+    /// For each tube of the range its position in `tubes`, or `u32::MAX`.
     pub(super) table: Vec<u32>,
     pub(super) mins: [Vec<R>; D],
     pub(super) maxs: [Vec<R>; D],
     pub(super) owners: Vec<Owner>,
-    /// By entry, the greatest `maxs[0]` up to it in its tube; for look-ups.
+    /// By entry that is kept, the greatest `maxs[0]` up to it in its tube.
     pub(super) running_maxs: Vec<R>,
     /// Scratch: the entries of one tube, and their order.
     pub(super) entries: Vec<Entry<R, D>>,
@@ -70,7 +69,7 @@ impl<R: Real, const D: usize> Default for Slab<R, D> {
 }
 
 impl<R: Real, const D: usize> Slab<R, D> {
-    /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache.
+    /// Gathers each tube of the range, then sorts and sweeps it while it is in the cache. Keeps it if there is a grid.
     ///
     /// If the sweep takes many comparisons for each entry, and some for each pair, a segment tree finds the pairs. Stops early if more
     /// pairs overlap than may be appended.
@@ -78,18 +77,18 @@ impl<R: Real, const D: usize> Slab<R, D> {
         &mut self,
         boxes: &[Aabb<R, D>],
         assignment: &Assignment,
-        keeps: bool,
+        grid: Option<&Grid<R>>,
         worker: &mut Worker,
     ) {
         self.tubes.clear();
         self.table.clear();
         let range = self.range.clone();
-        if keeps {
-            let before = |tube| assignment.entries_before(tube);
-            let is_occupied = |tube: &u32| before(*tube) < before(tube + 1);
-            let tubes = range.clone().filter(is_occupied).count();
-            self.make_room(before(range.end) - before(range.start) + tubes + PADDING);
-            self.tubes.reserve(tubes);
+        if grid.is_some() {
+            self.table.resize(range.len(), u32::MAX);
+            let count =
+                assignment.entries_before(range.end) - assignment.entries_before(range.start);
+            self.make_room(count + range.len() + PADDING);
+            self.running_maxs.resize(count + range.len(), R::NAN);
         }
         let mut entries = std::mem::take(&mut self.entries);
         for tube in range {
@@ -99,14 +98,8 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 continue;
             }
             let sorted = self.sort(&entries);
-            if keeps {
-                self.tubes.push(Tube {
-                    number: tube,
-                    start: sorted.start as u32,
-                    end: sorted.end as u32,
-                    bounds: Aabb::EMPTY,
-                    strips: None,
-                });
+            if let Some(grid) = grid {
+                self.keep(tube, sorted.clone(), grid);
             }
             worker.begin_task(match entries.len() {
                 ..=NO_CROWD_UP_TO => usize::MAX,
@@ -124,6 +117,39 @@ impl<R: Real, const D: usize> Slab<R, D> {
         self.entries = entries;
     }
 
+    /// Keeps a sorted tube for look-ups.
+    #[inline(never)]
+    fn keep(&mut self, number: u32, entries: Range<usize>, grid: &Grid<R>) {
+        let mins = self.mins.each_ref().map(|column| &column[entries.clone()]);
+        let maxs = self.maxs.each_ref().map(|column| &column[entries.clone()]);
+        let mut bounds = Aabb::EMPTY;
+        let running_maxs = self.running_maxs[entries.clone()].iter_mut();
+        for (i, running_max) in running_maxs.enumerate() {
+            for k in 0..D {
+                bounds.mins[k] = min(mins[k][i], bounds.mins[k]);
+                bounds.maxs[k] = max(maxs[k][i], bounds.maxs[k]);
+            }
+            *running_max = bounds.maxs[0];
+        }
+        // Tubes that share a number lie farther apart.
+        let beyond = grid.tube_span(&bounds).beyond();
+        let is_one = beyond.iter().all(|&beyond| u64::from(beyond) <= REACH);
+        let first = Aabb::new(mins.map(|column| column[0]), maxs.map(|column| column[0]));
+        let home = grid.tube_span(&first).first;
+        let strips = is_one.then(|| self.owners[entries.start].strips(home));
+        self.table[(number - self.range.start) as usize] = self.tubes.len() as u32;
+        self.tubes.push(Tube {
+            entries,
+            bounds,
+            strips,
+        });
+    }
+
+    /// The owners of the entries that are kept, and of the sentinels in between, which are not at home.
+    pub(super) fn kept_owners(&self) -> &[Owner] {
+        &self.owners[..self.tubes.last().map_or(0, |tube| tube.entries.end)]
+    }
+
     /// Makes the arrays at least this long. What follows the last sentinel is unspecified.
     fn make_room(&mut self, len: usize) {
         if self.owners.len() < len {
@@ -138,7 +164,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
     /// Inlined into the loop over tubes, it would compile to slower code.
     #[inline(never)]
     pub(super) fn sort(&mut self, entries: &[Entry<R, D>]) -> Range<usize> {
-        let start = self.tubes.last().map_or(0, |tube| tube.end as usize + 1);
+        let start = self.tubes.last().map_or(0, |tube| tube.entries.end + 1);
         let end = start + entries.len();
         self.make_room(end + 1 + PADDING);
         let (mins, maxs, owners) = (&mut self.mins, &mut self.maxs, &mut self.owners);

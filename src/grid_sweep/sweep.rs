@@ -1,6 +1,5 @@
 //! The sweep compares sorted entries with those that follow, eight at a time; a window compares one box with them. Processors
-//! without vectors take one entry after the other. They find the same pairs, in another order where tubes crowd or boxes are of several
-//! sizes, because they count fewer comparisons.
+//! without vectors take one entry after the other. They find the same pairs in another order.
 
 use std::ops::Range;
 
@@ -8,6 +7,7 @@ use super::entry::Owner;
 use super::slab::Slab;
 use super::worker::Worker;
 use crate::aabb::Aabb;
+use crate::bit_set::ones;
 use crate::lanes::{ARE_VECTORS, LANES, Lanes};
 use crate::real::Real;
 
@@ -36,51 +36,42 @@ impl<R: Real, const D: usize> Slab<R, D> {
 
 impl<R: Real, const D: usize> Columns<'_, R, D> {
     /// Reports every overlapping pair among the entries of a tube, except those of two ghosts on the same axis, which another tube
-    /// reports. The pairs are in the order of the entries and of those that follow each.
+    /// reports. Gives up and returns false once the budget is exceeded.
     ///
     /// With vectors, compares eight entries at a time with those that follow them: all eight with the next, then all with the one after it,
-    /// until none of the eight reaches that far along the first axis. Gives up and returns false once the budget is exceeded.
-    pub(super) fn sweep(self, mut tube: Range<usize>, worker: &mut Worker) -> bool {
-        if !ARE_VECTORS {
-            return tube.all(|i| {
-                self.follow(i, i + 1, worker);
-                !worker.is_budget_exceeded()
-            });
-        }
-        let mut first = tube.start;
-        while first < tube.end {
+    /// until none of the eight reaches that far along the first axis.
+    pub(super) fn sweep(self, tube: Range<usize>, worker: &mut Worker) -> bool {
+        for first in tube.clone().step_by(LANES) {
             let eight = Aabb {
                 mins: core::array::from_fn(|k| load::<R>(self.mins[k], first)),
                 maxs: core::array::from_fn(|k| load::<R>(self.maxs[k], first)),
             };
             // The lanes of the entries that still reach those they are compared with.
             let mut alive = (1_u32 << (tube.end - first).min(LANES)) - 1;
-            let mut blocks = [0; BLOCKS];
-            let mut depth = 0;
-            while alive != 0 && depth < BLOCKS {
-                blocks[depth] = self.compare(&eight, first + 1 + depth * LANES, &mut alive);
-                depth += 1;
+            let mut next = first + 1;
+            while ARE_VECTORS && alive != 0 && next <= first + BLOCKS * LANES {
+                let hits = self.compare(&eight, next, &mut alive);
+                let these: &[Owner; LANES] = many(self.owners, first);
+                let others: &[Owner; 2 * LANES] = many(self.owners, next);
+                worker.emit(hits, |hit| {
+                    let (lane, distance) = (hit % LANES, hit / LANES % LANES);
+                    [these[lane], others[lane + distance]]
+                });
+                next += LANES;
             }
-            worker.compared += depth * LANES * LANES;
-            if depth == 1 {
-                worker.emit_shifted::<8, 16>(many(self.owners, first), blocks[0]);
-            } else if depth == 2 {
-                for (first, hits) in (first..).step_by(4).zip(interleaved(blocks[0], blocks[1])) {
-                    worker.emit_shifted::<16, 20>(many(self.owners, first), hits);
-                }
-            } else {
-                self.emit_blocks(first, &blocks, alive, worker);
-                if worker.is_budget_exceeded() {
-                    return false;
-                }
+            worker.tally.compared += (next - first - 1) * LANES;
+            for lane in ones(alive.into()) {
+                self.follow(first + lane, next + lane, worker);
             }
-            first += LANES;
+            if worker.is_budget_exceeded() {
+                return false;
+            }
         }
         true
     }
 
-    /// Compares eight entries, each in its lane, with those one to eight places further on. The result has a byte for each of the
-    /// eight, with a bit for each distance.
+    /// Compares eight entries, each in its lane, with those one to eight places further on. The result has a byte for each distance, with
+    /// a bit for each of the eight.
     #[inline(always)]
     fn compare(self, these: &Aabb<R::Lanes, D>, next: usize, alive: &mut u32) -> u64 {
         // Arrays need their bounds checked here only.
@@ -101,33 +92,18 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 break;
             }
         }
-        transposed(hits)
-    }
-
-    /// Reports the pairs of eight entries, one entry after the other, if some have more than sixteen candidates.
-    #[inline(never)]
-    fn emit_blocks(self, first: usize, blocks: &[u64; BLOCKS], alive: u32, worker: &mut Worker) {
-        for lane in 0..LANES {
-            let shift = lane * LANES;
-            let hits = blocks
-                .iter()
-                .rev()
-                .fold(0, |hits, block| hits << LANES | (block >> shift & 0xFF));
-            worker.emit_shifted::<64, 65>(many(self.owners, first + lane), hits);
-            if alive >> lane & 1 == 1 {
-                self.follow(first + lane, first + lane + 1 + BLOCKS * LANES, worker);
-            }
-        }
+        hits
     }
 
     /// Reports the pairs of an entry with those from `start` on.
-    #[inline(always)]
+    #[inline(never)]
     fn follow(self, i: usize, start: usize, worker: &mut Worker) {
         let (window, owner) = (start..self.owners.len(), self.owners[i]);
         let (compared, _) = self.window::<false>(window, &self.entry(i), |j, hits| {
-            worker.emit(owner, many(self.owners, j), hits);
+            let others: &[Owner; LANES] = many(self.owners, j);
+            worker.emit(hits, |lane| [owner, others[lane % LANES]]);
         });
-        worker.compared += compared;
+        worker.tally.compared += compared;
     }
 
     /// The box of an entry.
@@ -150,7 +126,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         self,
         range: Range<usize>,
         aabb: &Aabb<R, D>,
-        mut visit: impl FnMut(usize, u32),
+        mut visit: impl FnMut(usize, u64),
     ) -> (usize, bool) {
         if !ARE_VECTORS {
             return self.window_singly::<BOTH_SIDES>(range, aabb, visit);
@@ -174,7 +150,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             let reached = reached.bits();
             // The lanes before the first that is not reached.
             let in_window = (reached ^ (reached + 1)) >> 1;
-            visit(j, overlap.bits() & in_window);
+            visit(j, u64::from(overlap.bits() & in_window));
             j += LANES;
             if reached != (1 << LANES) - 1 {
                 return (j - range.start, true);
@@ -189,7 +165,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         self,
         range: Range<usize>,
         aabb: &Aabb<R, D>,
-        mut visit: impl FnMut(usize, u32),
+        mut visit: impl FnMut(usize, u64),
     ) -> (usize, bool) {
         let Aabb { mins, maxs } = aabb;
         let (start, count) = (range.start, range.len());
@@ -225,31 +201,6 @@ pub(super) fn many<T, const N: usize>(items: &[T], start: usize) -> &[T; N] {
         .expect("the columns are padded")
 }
 
-/// The bytes of two words in turns: those of the lower halves, and those of the upper halves.
-#[inline(always)]
-fn interleaved(even: u64, odd: u64) -> [u64; 2] {
-    let spread = |half: u32| {
-        let x = u64::from(half);
-        let x = (x | x << 16) & 0x0000_FFFF_0000_FFFF;
-        (x | x << 8) & 0x00FF_00FF_00FF_00FF
-    };
-    [0, 32].map(|half| spread((even >> half) as u32) | spread((odd >> half) as u32) << 8)
-}
-
-/// The transpose of eight rows of eight bits.
-#[inline(always)]
-fn transposed(mut rows: u64) -> u64 {
-    for (shift, mask) in [
-        (7, 0x00AA_00AA_00AA_00AA),
-        (14, 0x0000_CCCC_0000_CCCC),
-        (28, 0x0000_0000_F0F0_F0F0),
-    ] {
-        let swapped = (rows ^ rows >> shift) & mask;
-        rows ^= swapped ^ swapped << shift;
-    }
-    rows
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::entry::Entry;
@@ -283,10 +234,12 @@ mod tests {
             for i in tube.clone() {
                 let window = i + 1..columns.owners.len();
                 columns.window_singly::<false>(window, &columns.entry(i), |j, hits| {
-                    worker.emit(columns.owners[i], many(columns.owners, j), hits);
+                    worker.emit(hits, |_| [columns.owners[i], columns.owners[j]]);
                 });
             }
             worker.finish();
+            by_eights.sort_unstable();
+            singly.sort_unstable();
             assert_eq!(by_eights, singly);
             let Entry { aabb, .. } = entry(count);
             let [mut by_eights, mut singly] = [Vec::new(), Vec::new()];

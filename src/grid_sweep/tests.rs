@@ -3,6 +3,7 @@
 use super::*;
 use crate::brute_force::BruteForce;
 use oorandom::Rand32;
+use worker::Worker;
 
 /// Boxes of two sizes, specks that crowd in one tube of the large ones, and rods that pass between them.
 #[cfg(feature = "_adapter")]
@@ -32,11 +33,10 @@ fn queries_within_their_budget_have_all_their_pairs() {
     let none = None::<fn([u32; 2]) -> bool>;
     kernel.find_among(&boxes, &members, none, usize::MAX, &mut vec![]);
     assert!(kernel.classes.len() > 1);
-    kernel.classes.iter_mut().for_each(Class::prepare_lookup);
     let mut given_up = Vec::new();
     for budget in (0..20).map(|i| 100 * i).chain([usize::MAX]) {
         let mut found = Vec::new();
-        let mut search = Search::new(&boxes, &mut found);
+        let mut search = Search::new(&boxes, None, usize::MAX, &mut found);
         let look_up = |i, worker: &mut Worker| {
             let classes = kernel.classes.iter();
             classes.for_each(|class| class.look_up(&boxes, i, worker));
@@ -136,14 +136,14 @@ fn a_segment_tree_finds_the_pairs_of_brute_force() {
         for threads in [1, 8] {
             let mut found = vec![[7; 2]];
             parallel::with_threads(threads, || {
-                Search::new(&boxes, &mut found).match_lists(&left, &right);
+                let mut search = Search::new(&boxes, None, usize::MAX, &mut found);
+                search.match_lists(&left, &right);
             });
             assert!(found[0] == [7; 2] && found[1..] == all);
             for most in [0, all.len() / 2] {
                 found.clear();
                 parallel::with_threads(threads, || {
-                    let mut search = Search::new(&boxes, &mut found);
-                    search.most = most;
+                    let mut search = Search::new(&boxes, None, most, &mut found);
                     search.match_lists(&left, &right);
                     assert_eq!(search.is_over(), all.len() > most);
                 });

@@ -4,7 +4,7 @@
 //! other box. So one loop goes through the hits of several boxes, and a single candidate is written to the buffer whether it is a hit or not.
 
 use super::entry::Owner;
-use crate::lanes::LANES;
+use crate::bit_set::ones;
 use crate::pair_finder::ordered;
 use crate::tuning::kernel::COMPARED_A_PAIR;
 
@@ -29,9 +29,8 @@ pub(super) struct Worker<'a> {
     most: usize,
     buffer: [[u32; 2]; BUFFER],
     len: usize,
-    /// The pairs emitted, without those in the buffer.
-    flushed: usize,
-    pub(super) compared: usize,
+    /// The work so far, without the pairs in the buffer.
+    pub(super) tally: Tally,
     /// The most comparisons by the end of the present task, besides some for each of its pairs.
     budget: usize,
     /// The pairs before the present task.
@@ -46,8 +45,7 @@ impl<'a> Worker<'a> {
             most,
             buffer: [[0; 2]; BUFFER],
             len: 0,
-            flushed: 0,
-            compared: 0,
+            tally: Tally::default(),
             budget: usize::MAX,
             before_task: 0,
         }
@@ -55,27 +53,26 @@ impl<'a> Worker<'a> {
 
     /// Begins a task, with this many comparisons besides some for each of its pairs.
     pub(super) fn begin_task(&mut self, budget: usize) {
-        self.before_task = self.flushed + self.len;
-        self.budget = self.compared.saturating_add(budget);
+        self.before_task = self.tally.emitted + self.len;
+        self.budget = self.tally.compared.saturating_add(budget);
     }
 
     /// Whether the task has taken more comparisons than it may, or more pairs were emitted than may be appended. Then the task must end.
     #[inline(always)]
     pub(super) fn is_budget_exceeded(&self) -> bool {
-        let pairs = self.flushed + self.len - self.before_task;
+        let pairs = self.tally.emitted + self.len - self.before_task;
         let for_pairs = COMPARED_A_PAIR.saturating_mul(pairs);
-        self.compared >= self.budget.saturating_add(for_pairs) || self.is_over()
+        self.tally.compared >= self.budget.saturating_add(for_pairs) || self.is_over()
     }
 
-    /// Emits the pairs of `owner` with those of the eight others whose bit in `hits` is set.
+    /// Emits a pair for each bit of `hits`: the one of these owners.
     #[inline(always)]
-    pub(super) fn emit(&mut self, owner: Owner, others: &[Owner; LANES], mut hits: u32) {
-        if self.len > BUFFER - LANES {
+    pub(super) fn emit(&mut self, hits: u64, owners: impl Fn(usize) -> [Owner; 2]) {
+        if self.len > BUFFER - 64 {
             self.flush();
         }
-        while hits != 0 {
-            let other = others[hits.trailing_zeros() as usize % LANES];
-            hits &= hits - 1;
+        for hit in ones(hits) {
+            let [owner, other] = owners(hit);
             self.append(owner, other, true);
         }
     }
@@ -97,42 +94,22 @@ impl<'a> Worker<'a> {
         self.len += usize::from(is_hit & !owner.shares_axis(other));
     }
 
-    /// Emits the pairs of a few entries with those that follow them. Each entry `i` has `SHIFTS` bits: bit `s` for entry `i + 1 + s`.
-    #[inline(always)]
-    pub(super) fn emit_shifted<const SHIFTS: usize, const N: usize>(
-        &mut self,
-        owners: &[Owner; N],
-        mut hits: u64,
-    ) {
-        const { assert!(N >= 64 / SHIFTS + SHIFTS, "each entry has `SHIFTS` others") };
-        if self.len > BUFFER - 64 {
-            self.flush();
-        }
-        while hits != 0 {
-            let hit = hits.trailing_zeros() as usize % 64;
-            hits &= hits - 1;
-            let first = hit / SHIFTS;
-            let other = first + 1 + hit % SHIFTS;
-            self.append(owners[first], owners[other], true);
-        }
-    }
-
     /// Takes back the pairs of the task. No more may have been emitted than may be appended.
     pub(super) fn take_back(&mut self) {
-        let appended = self.flushed.saturating_sub(self.before_task);
+        let appended = self.tally.emitted.saturating_sub(self.before_task);
         self.pairs.truncate(self.pairs.len() - appended);
-        self.len = self.before_task.saturating_sub(self.flushed);
-        self.flushed -= appended;
+        self.len = self.before_task.saturating_sub(self.tally.emitted);
+        self.tally.emitted -= appended;
     }
 
     /// Whether more pairs were emitted than may be appended.
     pub(super) fn is_over(&self) -> bool {
-        self.flushed > self.most
+        self.tally.emitted > self.most
     }
 
     /// Appends the pairs in the buffer to the list.
     fn flush(&mut self) {
-        self.flushed += self.len;
+        self.tally.emitted += self.len;
         if !self.is_over() {
             self.pairs.extend_from_slice(&self.buffer[..self.len]);
         }
@@ -142,9 +119,6 @@ impl<'a> Worker<'a> {
     /// Appends the rest of the pairs, and returns the work of all tasks.
     pub(super) fn finish(mut self) -> Tally {
         self.flush();
-        Tally {
-            emitted: self.flushed,
-            compared: self.compared,
-        }
+        self.tally
     }
 }

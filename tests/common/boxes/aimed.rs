@@ -96,7 +96,7 @@ fn power(least: f64, most: f64, x: f64) -> f64 {
     least * (most / least).powf(x)
 }
 
-/// The places of a sample that the kernel takes of `n` boxes, one in so many and at most so many (`sample_indices` in
+/// The places of a sample that the kernel takes of `n` boxes, one in so many and at most so many (`sample_of` in
 /// `grid_sweep/choose.rs`).
 fn sample(n: usize, one_in: usize, most: usize) -> impl Iterator<Item = usize> {
     let count = (n / one_in).clamp(16, most).min(n);
