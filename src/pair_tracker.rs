@@ -8,7 +8,6 @@
 //! them apart. Held pairs whose candidates are retired are kept in a hash table until the search has found them again or not. This is the
 //! neighbour list of molecular dynamics (Verlet 1967), made exact.
 
-mod box_update;
 mod candidates;
 mod changes;
 mod foresight;
@@ -30,7 +29,6 @@ use std::fmt::Debug;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::volume::Volume;
-pub(crate) use box_update::BoxUpdate;
 use candidates::Candidates;
 pub(crate) use changes::Changes;
 use foresight::Foresight;

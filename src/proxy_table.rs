@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 use crate::aabb::Aabb;
 use crate::bit_set::BitSet;
 use crate::grid_sweep::MAX_BOXES;
-use crate::pair_tracker::{BoxUpdate, Changes, FilterKey, Notes, PairTracker};
+use crate::pair_tracker::{Changes, FilterKey, Notes, PairTracker};
 use crate::rank_sweep::RankSweep;
 use crate::real::Real;
 use crate::stats::Stats;
@@ -263,23 +263,17 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         let (key, former) = (reading.key, proxies.key(slot));
         proxies.set_key(slot, key);
         let present = proxies.boxes[slot as usize];
-        let is_refused = reading.is_skipped && !present.is_valid();
-        let stays = reading.is_skipped && !is_refused;
+        let stays = reading.is_skipped && present.is_valid();
         let aabb = if stays { present } else { reading.aabb };
-        let renews_box = key.renews_box(former);
-        let renewed = match BoxUpdate::of(&present, &aabb, margin) {
-            BoxUpdate::Keep if !renews_box => None,
-            BoxUpdate::Renew(renewed) if !renews_box => Some(renewed),
-            // A new box gets no margin, as in Rapier: a collider that never moves never needs one.
-            _ => Some(aabb),
-        };
         let has_only_moved = reading.has_only_moved && key == former;
         let mut all = proxies.all();
         all.follow_volume(slot as usize, &aabb, has_only_moved);
-        match renewed {
-            None => {}
-            Some(renewed) if renewed.is_valid() && !is_refused => self.place(slot, renewed),
-            Some(_) => self.refuse(handle, aabb),
+        // A new box gets no margin, as in Rapier: a collider that never moves never needs one.
+        if key.renews_box(former) || !all.follow(slot as usize, &aabb, margin) {
+            match aabb.is_valid() && (stays || !reading.is_skipped) {
+                true => self.place(slot, aabb),
+                false => self.refuse(handle, aabb),
+            }
         }
     }
 

@@ -1,7 +1,6 @@
 //! A range of the proxies, written in place: that of one thread, or all of them.
 
 use crate::aabb::Aabb;
-use crate::pair_tracker::box_update::BoxUpdate;
 use crate::pair_tracker::notes::Notes;
 use crate::pair_tracker::volumes::VolumesChunk;
 use crate::real::Real;
@@ -41,15 +40,23 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         }
     }
 
-    /// Brings the box of the proxy at `i` up to date with that of its collider. Returns false, and changes nothing, if this is more than a move.
+    /// Brings the box of the proxy at `i` up to date with that of its collider: it stays if it contains that, and is renewed with a margin if
+    /// not. Returns false, and changes nothing, if one of the two is not valid: the collider is new, or must be refused.
     #[inline(always)]
     pub(crate) fn follow(&mut self, i: usize, aabb: &Aabb<R, D>, margin: R) -> bool {
-        match BoxUpdate::of(&self.boxes[i], aabb, margin) {
-            BoxUpdate::Recheck => return false,
-            BoxUpdate::Renew(renewed) => self.place(i, renewed),
-            BoxUpdate::Keep => {}
+        let present = &self.boxes[i];
+        // Which side of a box is passed first is practically random. So `black_box` keeps the compiler from making a branch of each comparison:
+        // one branch on the whole condition is predicted better.
+        if std::hint::black_box(present.contains(aabb) & aabb.is_valid()) {
+            return true;
         }
-        true
+        let are_valid = present.is_valid() & aabb.is_valid();
+        if are_valid {
+            let loosened = aabb.loosened(margin);
+            // An infinite side minus an infinite margin would be NaN.
+            self.place(i, if loosened.is_valid() { loosened } else { *aabb });
+        }
+        are_valid
     }
 
     /// Brings the volume of the proxy at `i` up to date with the box of its collider: see [`VolumesChunk::follow`].
