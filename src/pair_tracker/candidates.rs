@@ -6,6 +6,8 @@
 mod comparing;
 mod retired;
 
+#[cfg(feature = "serde-serialize")]
+use super::changes::pack;
 use super::pair_state::PairState;
 use super::proxies::overlap;
 use crate::aabb::Aabb;
@@ -75,8 +77,7 @@ impl Candidates {
         near: &[[u32; 2]],
         acquainted: &[u32],
     ) -> Result<(), &'static str> {
-        // Packed pairs compare as single numbers, not slot by slot.
-        found.sort_unstable_by_key(|&[a, b]| u64::from(a) << 32 | u64::from(b));
+        found.sort_unstable_by_key(|&pair| pack(pair));
         if !found.is_sorted_by(|a, b| a < b) {
             return Err("snapshot: a pair is there twice");
         }

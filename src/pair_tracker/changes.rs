@@ -63,7 +63,7 @@ impl Changes {
 }
 
 /// A number for each pair, in the order of the pairs.
-fn pack([smaller, larger]: [u32; 2]) -> u64 {
+pub(super) fn pack([smaller, larger]: [u32; 2]) -> u64 {
     u64::from(smaller) << 32 | u64::from(larger)
 }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::Candidates;
 use crate::bit_set::{gather, ones};
+use crate::pair_tracker::changes::pack;
 use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_many_touched;
 use crate::pair_tracker::proxies::Proxies;
@@ -12,6 +13,7 @@ use crate::pair_tracker::{Changes, Colliders, FilterKey};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, HELD, PICKED};
+use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
 /// What becomes of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +51,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             ones(asked).fold(0, |word, i| word | u64::from(existed(i)) << i)
         });
         let held = candidates.held_count;
-        candidates.retired.entries.reserve_exact(held);
+        candidates.retired.reserve(held);
         for row in answers.iter() {
             self.retire(pairs[row], states[row]);
         }
@@ -61,7 +63,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         candidates.first_cold = 0;
         candidates.warm.clear();
         self.extend(found);
-        self.candidates.retired.free_if_large();
+        self.candidates.retired.shrink_to(KEEP_SCRATCH_UP_TO);
     }
 
     /// Adds the candidates that were `found`, and empties that list. Those that were retired and still overlap are among them, or forbidden.
@@ -75,9 +77,8 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         }
         let rows = first..candidates.pairs.len();
         candidates.states.resize(rows.end, PairState::Apart);
-        candidates.retired.index();
         self.ask_and_apply(rows, HELD, Self::ask_found);
-        self.candidates.retired.entries.clear();
+        self.candidates.retired.clear();
         self.answer_unread();
         self.candidates.warm_from(first);
     }
@@ -215,7 +216,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         }
         let overlap = proxies.overlap(pair);
         match (former, overlap) {
-            (PairState::Held, true) => candidates.retired.insert(pair),
+            (PairState::Held, true) => _ = candidates.retired.insert(pack(pair)),
             (PairState::Held, false) => self.changes.delete(pair),
             _ => {}
         }
@@ -230,7 +231,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             let pairs = &self.candidates.pairs[start..rows.end.min(start + 64)];
             for i in ones(self.proxies.overlapping(pairs)) {
                 let row = start + i;
-                let was_held = self.candidates.retired.contains(pairs[i]);
+                let was_held = self.candidates.retired.contains(&pack(pairs[i]));
                 if was_held {
                     changes.push((row, Outcome::FoundAgain));
                 }
