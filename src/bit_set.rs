@@ -46,16 +46,6 @@ impl BitSet {
         self.words.fill(0);
     }
 
-    /// Removes these numbers, and possibly others near them. Faster than [`clear`](Self::clear) if these are few, and the only ones in the set.
-    pub(crate) fn clear_around(&mut self, numbers: &[u32]) {
-        if numbers.len() > self.words.len() {
-            return self.clear();
-        }
-        for &i in numbers {
-            self.words[i as usize / 64] = 0;
-        }
-    }
-
     /// The words, of 64 numbers each; the smallest number is the lowest bit.
     pub(crate) fn words(&self) -> &[u64] {
         &self.words

@@ -116,8 +116,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.candidates.acquainted.contains(slot as usize)
     }
 
-    /// Calls `visit` with each of these slots and each neighbor: another slot whose box overlapped its box at the end of the last update,
-    /// that might touch it, and with which it is not a pair only because of their volumes. Passes over the candidates that are not cold.
+    /// Calls `visit` with each pair of one of these slots whose boxes overlapped at the end of the last update, that might touch, and that is
+    /// not held only because of its volumes. Passes over the candidates that are not cold.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
         self.candidates.visit_near(listed, |pair| {

@@ -58,8 +58,6 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     /// Whether an update has begun that [finish](Self::finish) ends.
     is_begun: bool,
     pending: Pending,
-    /// Scratch: the slots to read, or to wake.
-    listed: BitSet,
     /// Scratch: one for each chunk of slots.
     notes: Vec<Notes>,
 }
@@ -114,37 +112,26 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         unreported: &mut Vec<H>,
     ) {
         unreported.clear();
-        let count = felt.len() + removed.len();
-        if count == 0 || !self.tracker.proxies.volumes.are_used {
+        if felt.len() + removed.len() == 0 || !self.tracker.proxies.volumes.are_used {
             return;
         }
-        let mut slots = Vec::with_capacity(count);
-        let mut woken = std::mem::take(&mut self.listed);
+        let acquainted = |&handle: &H| {
+            let slot = self.slot_of(handle)?;
+            self.tracker.is_acquainted(slot).then_some(slot)
+        };
+        let mut slots: Vec<_> = felt.iter().filter_map(acquainted).collect();
+        let mut woken = BitSet::default();
         woken.resize(self.generations.len());
-        for (i, &handle) in felt.iter().chain(removed).enumerate() {
-            let slot = self.slot_of(handle);
-            if let Some(slot) = slot.filter(|&slot| self.tracker.is_acquainted(slot)) {
-                slots.push(slot);
-                // Removing a collider wakes its body only if it has a neighbor.
-                if i < felt.len() {
-                    woken.insert(slot as usize);
-                }
-            }
-        }
-        let generations = &self.generations;
+        slots.iter().for_each(|&slot| woken.insert(slot as usize));
+        // Removing a collider wakes its body only if it has a neighbor.
+        slots.extend(removed.iter().filter_map(acquainted));
         self.tracker.visit_near(&slots, |pair| {
-            if generations[pair[1] as usize].is_some() {
-                for slot in pair {
-                    woken.insert(slot as usize);
-                }
-            }
+            pair.iter().for_each(|&slot| woken.insert(slot as usize));
         });
         unreported.extend(woken.iter().filter_map(|slot| {
-            let generation = generations[slot]?;
+            let generation = self.generations[slot]?;
             Some(H::from_raw_parts(slot as u32, generation))
         }));
-        woken.clear();
-        self.listed = woken;
     }
 
     /// The slot of a known collider.

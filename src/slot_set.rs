@@ -18,7 +18,7 @@ impl SlotSet {
         }
     }
 
-    pub(crate) fn extend(&mut self, slots: &[u32]) {
+    pub(crate) fn extend<'a>(&mut self, slots: impl IntoIterator<Item = &'a u32>) {
         for &slot in slots {
             if !std::mem::replace(&mut self.is_member[slot as usize], true) {
                 self.slots.push(slot);

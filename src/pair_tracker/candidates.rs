@@ -10,13 +10,14 @@ mod retired;
 use super::changes::pack;
 use super::pair_state::PairState;
 use super::proxies::overlap;
+use super::validation::set_of;
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather};
 use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
-use comparing::Outcome;
+use comparing::RowChange;
 use retired::RetiredPairs;
 
 /// Slots. Up to so many that become warm at once are compared with the cold rows one by one. If larger: each takes a pass. If smaller: a flag
@@ -43,16 +44,10 @@ pub(super) struct Candidates {
     forbidden: Vec<[u32; 2]>,
     /// The slots of proxies whose box has ever overlapped that of another one that they might meet. Has room only if volumes are in use.
     pub(super) acquainted: BitSet,
-    /// Scratch: the slots whose candidates are picked.
-    slots: SlotSet,
-    /// Scratch: the slots of which the near candidates are picked.
-    revolumed: SlotSet,
-    /// Scratch: answers about rows.
-    answers: BitSet,
     /// In an update, the rows that cannot be answered before volumes are read.
     unread: Vec<usize>,
     /// Scratch: the changes of rows, by parts of the rows.
-    row_changes: Vec<Vec<(usize, Outcome)>>,
+    row_changes: Vec<Vec<RowChange>>,
     /// In an update, the rows whose candidates are retired, ascending.
     gone: Vec<usize>,
 }
@@ -61,9 +56,7 @@ impl Candidates {
     /// Makes room for this number of slots.
     pub(super) fn make_room(&mut self, slots: usize, volumes: bool) {
         self.warm.make_room(slots);
-        self.slots.make_room(slots);
         if volumes {
-            self.revolumed.make_room(slots);
             self.acquainted.resize(slots);
         }
     }
@@ -106,23 +99,16 @@ impl Candidates {
         all.filter_map(move |(&pair, &state)| (state == wanted).then_some(pair))
     }
 
-    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots; that slot comes first. The rows
-    /// of these slots become warm.
+    /// Calls `visit` with each pair whose boxes overlap, that is not held, and that has one of these slots. The rows of these slots become warm.
     pub(super) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         if listed.is_empty() || self.overlapping_count == self.held_count {
             return;
         }
         self.warm(listed);
-        self.slots.extend(listed);
+        let asked = set_of(listed);
         let warm = self.pairs[..self.first_cold].iter().zip(&self.states);
-        for (&[a, b], _) in warm.filter(|(_, state)| **state == PairState::Near) {
-            for pair in [[a, b], [b, a]] {
-                if self.slots.contains(pair[0]) {
-                    visit(pair);
-                }
-            }
-        }
-        self.slots.clear();
+        let near = warm.filter(|&(&pair, &state)| state == PairState::Near && asked.has_any(pair));
+        near.for_each(|(&pair, _)| visit(pair));
     }
 
     /// Moves the cold rows of these slots before the others. Takes a pass over the cold rows if there is a slot that was not warm.
@@ -140,24 +126,23 @@ impl Candidates {
             let slots = rows.as_flattened().iter();
             slots.fold(false, |has, &slot| has | (slot == new))
         };
-        self.answers.fill_from(cold.len(), PICKED, |rows| {
+        let mut asked = BitSet::default();
+        asked.fill_from(cold.len(), PICKED, |rows| {
             let rows = &cold[rows];
             match new.len() > FEW_NEW || new.iter().any(|&new| has(rows, new)) {
                 true => gather(rows, |&pair| warm.has_any(pair)),
                 false => 0,
             }
         });
-        let asked = std::mem::take(&mut self.answers);
         for row in asked.iter() {
             self.swap_with_first_cold(first + row);
             self.first_cold += 1;
         }
-        self.answers = asked;
     }
 
-    /// Sets the state of a row. Returns the former one.
+    /// Sets the state of a row.
     #[inline(always)]
-    fn set_state(&mut self, row: usize, state: PairState) -> PairState {
+    fn set_state(&mut self, row: usize, state: PairState) {
         let former = std::mem::replace(&mut self.states[row], state);
         let [overlapped, overlaps] = [former, state].map(|state| state != PairState::Apart);
         let [was_held, is_held] = [former, state].map(|state| state == PairState::Held);
@@ -170,7 +155,6 @@ impl Candidates {
         self.overlapping_count -= usize::from(overlapped);
         self.held_count += usize::from(is_held);
         self.held_count -= usize::from(was_held);
-        former
     }
 
     /// Moves the rows from `first` on before those that are cold, if any slot is warm.

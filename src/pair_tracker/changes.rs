@@ -29,16 +29,13 @@ impl Changes {
         }
     }
 
-    /// Adds a pair that begins, by slots, smaller first.
+    /// Adds a pair that begins or ends, by slots, smaller first.
     #[inline]
-    pub(super) fn add(&mut self, pair: [u32; 2]) {
-        self.added.push(pack(pair));
-    }
-
-    /// Adds a pair that ends.
-    #[inline]
-    pub(super) fn delete(&mut self, pair: [u32; 2]) {
-        self.deleted.push(pack(pair));
+    pub(super) fn push(&mut self, is_added: bool, pair: [u32; 2]) {
+        match is_added {
+            true => self.added.push(pack(pair)),
+            false => self.deleted.push(pack(pair)),
+        }
     }
 
     /// Calls `each` with every change in order, whether the pair begins and its slots, and removes them all. Returns the numbers of ended and

@@ -13,7 +13,6 @@ use super::policy::are_many_touched;
 use super::volumes::Volumes;
 use super::{Colliders, FilterKey};
 use crate::aabb::Aabb;
-use crate::bit_set::{BitSet, gather};
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
@@ -38,10 +37,14 @@ pub(crate) struct Proxies<R, const D: usize, K> {
     /// The volume of each slot, if volumes are in use.
     pub(crate) volumes: Volumes<R, D>,
     pub(crate) notes: Notes,
+    /// In an update, the set of the touched slots, if they are few.
+    pub(super) touched: SlotSet,
     /// In an update, the set of the noted leavers.
     pub(super) leavers: SlotSet,
+    /// In an update, the set of the slots whose volumes are noted.
+    pub(super) revolumed: SlotSet,
     /// In an update, the slots whose boxes differ from those at the end of the last one, if volumes are in use.
-    pub(super) renewed: BitSet,
+    pub(super) renewed: SlotSet,
     /// In an update, how far apart the volumes of a held pair may be.
     pub(super) slack: R,
 }
@@ -71,7 +74,10 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
             }
             self.keys.resize(slots, K::default());
             self.volumes.make_room(slots);
+            self.touched.make_room(slots);
             self.leavers.make_room(slots);
+            self.revolumed.make_room(slots);
+            self.renewed.make_room(slots);
         }
     }
 
@@ -165,23 +171,14 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         // Pairs of volumes without half axes are tested without a look at whether they are stale, so these are read here in any case.
         self.volumes.pull(&mut self.notes.revolumed, colliders);
         self.leavers.extend(&self.notes.leavers);
+        self.revolumed.extend(&self.notes.revolumed);
+        let (touched, boxes, previous) = (&self.notes.touched, &self.boxes, &self.previous);
+        if !are_many_touched(touched.len(), boxes.len()) {
+            self.touched.extend(touched);
+        }
         if self.volumes.are_used {
-            let (boxes, previous) = (&self.boxes, &self.previous);
-            let slots = boxes.len();
-            if are_many_touched(self.notes.touched.len(), slots) {
-                return self.renewed.fill_from(slots, SLOT, |slots| {
-                    let boxes = boxes[slots.clone()].iter().zip(&previous[slots]);
-                    // An absent box does not equal itself.
-                    gather(boxes, |(now, before)| (now != before) & now.is_valid())
-                });
-            }
-            self.renewed.resize(slots);
-            for &slot in &self.notes.touched {
-                let i = slot as usize;
-                if boxes[i] != previous[i] {
-                    self.renewed.insert(i);
-                }
-            }
+            let is_renewed = |&&slot: &&u32| boxes[slot as usize] != previous[slot as usize];
+            self.renewed.extend(touched.iter().filter(is_renewed));
         }
     }
 
@@ -222,11 +219,11 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
                 self.previous[slot as usize] = self.boxes[slot as usize];
             }
         }
-        if self.volumes.are_used {
-            self.renewed.clear_around(touched);
-        }
         self.notes.clear();
+        self.touched.clear();
         self.leavers.clear();
+        self.revolumed.clear();
+        self.renewed.clear();
     }
 
     /// A section that goes through all slots, and the number of slots in each part of it.

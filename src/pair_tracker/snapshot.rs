@@ -125,7 +125,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.candidates
             .restore(found, &snapshot.near, &snapshot.acquainted)?;
         let notes = &proxies.notes;
-        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat(), slots);
+        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat());
         for &pair in &snapshot.near {
             proxies.volumes.note_near(pair, true);
             let volumes = &proxies.volumes;

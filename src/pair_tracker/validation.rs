@@ -15,8 +15,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let lengths = [&proxies.previous, &proxies.fat_boxes].map(Vec::len);
         assert_eq!([lengths[0], lengths[1], proxies.keys.len()], [slots; 3]);
         let notes = &proxies.notes;
-        let touched = set_of(&notes.touched, slots);
-        let leavers = set_of(&notes.leavers, slots);
+        let [touched, leavers] = [&notes.touched, &notes.leavers].map(|list| set_of(list));
         for slot in 0..slots as u32 {
             let all = [&proxies.boxes, &proxies.previous, &proxies.fat_boxes];
             let [now, before, fat] = all.map(|boxes| &boxes[slot as usize]);
@@ -34,8 +33,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
         }
         // Volumes that have changed since the last update say nothing about it.
-        let mut are_noted = touched;
-        are_noted.extend(&notes.revolumed);
+        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat());
         let should_be_held = |pair: [u32; 2], is_held: bool| {
             let meet = || !are_noted.has_any(pair) && proxies.volumes.meet(pair, R::ZERO);
             is_held || ((!proxies.volumes.are_used || meet()) && proxies.may_meet(pair))
@@ -54,10 +52,10 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 }
 
-/// A set of these slots, with room for this many.
-pub(super) fn set_of(members: &[u32], slots: usize) -> SlotSet {
+/// A set of these slots.
+pub(super) fn set_of(members: &[u32]) -> SlotSet {
     let mut set = SlotSet::default();
-    set.make_room(slots);
+    set.make_room(members.iter().max().map_or(0, |&last| last as usize + 1));
     set.extend(members);
     set
 }

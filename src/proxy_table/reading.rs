@@ -8,7 +8,7 @@
 //! others have been read.
 
 use super::{ColliderSource, Handle, Memo, ProxyTable, Reading};
-use crate::bit_set::ones;
+use crate::bit_set::{BitSet, ones};
 use crate::pair_tracker::{FilterKey, Notes, ProxyChunk};
 use crate::parallel::Section;
 use crate::real::Real;
@@ -83,7 +83,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             return deferred;
         }
         let section = self.reading_section(handles.len());
-        let mut listed = std::mem::take(&mut self.listed);
+        let mut listed = BitSet::default();
         listed.resize(self.generations.len());
         for &handle in handles {
             match self.slot_of(handle) {
@@ -108,8 +108,6 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             }
             deferred
         }));
-        listed.clear();
-        self.listed = listed;
         deferred
     }
 

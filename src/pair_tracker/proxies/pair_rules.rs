@@ -34,13 +34,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         self.are_rekeyed && self.both_existed(pair) && !self.may_meet(pair)
     }
 
-    /// Whether one of two boxes differs from that at the end of the last update.
-    #[inline(always)]
-    fn is_renewed(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|slot| self.renewed.contains(slot as usize));
-        a | b
-    }
-
     /// Whether a pair whose boxes overlap is held; `None` if its volumes decide, and one of them is stale. A pair begins once its keys and its
     /// volumes allow it. Its keys are not asked again, as in Rapier: a pair that they have come to forbid stays. If volumes are in use, it
     /// ends when one of its boxes is renewed and its volumes are farther apart than the slack.
@@ -57,9 +50,9 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         let slack = if was_held { self.slack } else { R::ZERO };
         // Which balls meet is practically random, so there is no branch on it.
         if let Some(meet) = volumes.meet_without_half_axes(pair, slack) {
-            return Some(meet | (was_held & !self.is_renewed(pair)));
+            return Some(meet | (was_held & !self.renewed.has_any(pair)));
         }
-        if was_held && !self.is_renewed(pair) {
+        if was_held && !self.renewed.has_any(pair) {
             return Some(true);
         }
         let are_read = !volumes.are_stale(pair);
@@ -86,17 +79,17 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
         toggled | self.changed(overlap & !toggled, held, pairs)
     }
 
-    /// Of up to 64 candidates those that were near, that are `wanted`, and that begin now or whose stale volumes decide.
+    /// Of up to 64 candidates those that were near, of which a volume is noted, and that begin now or whose stale volumes decide.
     #[inline(always)]
     pub(in crate::pair_tracker) fn changed_of_near(
         &self,
         pairs: &[[u32; 2]],
         states: &[PairState],
-        wanted: impl Fn([u32; 2]) -> bool,
     ) -> u64 {
         let [near, held] = near_and_held(states);
-        let wanted = ones(near).fold(0, |word, i| word | u64::from(wanted(pairs[i])) << i);
-        self.changed(wanted, held, pairs)
+        let is_noted = |i: usize| u64::from(self.revolumed.has_any(pairs[i])) << i;
+        let noted = ones(near).fold(0, |word, i| word | is_noted(i));
+        self.changed(noted, held, pairs)
     }
 
     /// Of these candidates, whose boxes overlap, those that begin or end, or whose stale volumes decide.
