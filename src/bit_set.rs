@@ -41,11 +41,6 @@ impl BitSet {
         numbered.flat_map(|(i, &word)| ones(word).map(move |bit| 64 * i + bit))
     }
 
-    /// Removes all numbers.
-    pub(crate) fn clear(&mut self) {
-        self.words.fill(0);
-    }
-
     /// The words, of 64 numbers each; the smallest number is the lowest bit.
     pub(crate) fn words(&self) -> &[u64] {
         &self.words

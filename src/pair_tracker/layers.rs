@@ -26,20 +26,14 @@ const FEW_OTHERS_ONE_IN: usize = 8;
 pub(super) struct Layers<R: Real, const D: usize> {
     /// In the order of the last full search.
     base: GridSweep<R, D>,
-    is_base_sorted: bool,
+    /// Otherwise the next proxy that leaves its fat box causes a full search.
+    pub(super) is_base_sorted: bool,
     /// The slots that have left their fat boxes since then: the recent layer.
     outdated: SlotSet,
     recent: GridSweep<R, D>,
     /// How many pairs of fat boxes overlapped in the last full search, whether they may meet or not.
     overlapping: usize,
-    /// The pairs that the last search found.
-    pub(super) found: Vec<[u32; 2]>,
-    /// Scratch: the slots of a search.
-    members: Vec<u32>,
 }
-
-/// Far more pairs overlap than foresight can be worth: so many more than in the last full search as `most` says. Only some were found.
-pub(super) struct TooMany;
 
 impl<R: Real, const D: usize> Layers<R, D> {
     /// The number of slots in the recent layer; `None` if the base layer is not sorted, so that nothing can be looked up.
@@ -47,93 +41,81 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.is_base_sorted.then_some(self.outdated.len())
     }
 
-    /// Makes the next proxy that leaves its fat box cause a full search.
-    pub(super) fn forget(&mut self) {
-        self.is_base_sorted = false;
-    }
-
-    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
-    /// [clique](super::FilterKey::clique) of a slot. The list of [pairs](Self::found) must be empty. Returns how many overlap, whether they may
-    /// meet or not, except within a clique that is [left out](leave_out).
+    /// Appends the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
+    /// [clique](super::FilterKey::clique) of a slot. Returns how many overlap, whether they may meet or not, except within a clique that is [left
+    /// out](leave_out); `None` if they are more than in the last full search by more than `most`, and only some were found.
     pub(super) fn find_all(
         &mut self,
         boxes: &[Aabb<R, D>],
         may_meet: Option<impl Fn([u32; 2]) -> bool + Sync>,
         clique: impl Fn(u32) -> Option<u32>,
         most: usize,
-    ) -> Result<usize, TooMany> {
-        self.forget();
+        found: &mut Vec<[u32; 2]>,
+    ) -> Option<usize> {
+        self.is_base_sorted = false;
         self.outdated.clear();
         if boxes.len() <= BRUTE_FORCE_UP_TO {
             for (b, second) in (0..).zip(boxes) {
                 let before = (0..b).zip(boxes);
                 let overlapping = before.filter(|(_, first)| first.intersects(second));
-                self.found.extend(overlapping.map(|(a, _)| [a, b]));
+                found.extend(overlapping.map(|(a, _)| [a, b]));
             }
-            let overlapping = self.found.len();
+            let overlapping = found.len();
             if let Some(may_meet) = may_meet {
-                self.found.retain(|&pair| may_meet(pair));
+                found.retain(|&pair| may_meet(pair));
             }
-            return Ok(overlapping);
+            return Some(overlapping);
         }
-        self.members.clear();
-        let numbered = (0..).zip(boxes).filter(|(_, b)| b.is_valid());
-        self.members.extend(numbered.map(|(slot, _)| slot));
-        let all = self.members.len();
+        let mut members = Vec::with_capacity(boxes.len());
+        let valid = (0..).zip(boxes).filter(|(_, b)| b.is_valid());
+        members.extend(valid.map(|(slot, _)| slot));
+        let all = members.len();
         if may_meet.is_some() {
-            leave_out(&mut self.members, boxes, clique);
+            leave_out(&mut members, boxes, clique);
         }
         let most = self.overlapping.saturating_add(most);
-        let (base, members, found) = (&mut self.base, &self.members, &mut self.found);
-        let overlapping = base.find_among(boxes, members, may_meet, most, found);
+        let overlapping = self.base.find_among(boxes, &members, may_meet, most, found);
         if overlapping > most {
-            return Err(TooMany);
+            return None;
         }
         self.overlapping = overlapping;
         // Otherwise some might not be found by those that are looked up.
-        self.is_base_sorted = self.members.len() == all;
+        self.is_base_sorted = members.len() == all;
         if boxes.len() > KEEP_SCRATCH_UP_TO {
-            self.members = Vec::new();
             self.base.free_scratch();
         }
-        Ok(overlapping)
+        Some(overlapping)
     }
 
-    /// Finds the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
-    /// have changed since the last search. The base layer must be [sorted](Self::recent). Returns the work it took.
+    /// Appends the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
+    /// have changed since the last search. The base layer must be [sorted](Self::recent). Returns the work it took; `None` as in a full search.
     pub(super) fn find_pairs_of_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
         leavers: &SlotSet,
         may_meet: impl Fn([u32; 2]) -> bool + Sync,
         most: usize,
-    ) -> Result<Work, TooMany> {
-        let is_new = |pair| leavers.has_any(pair) && may_meet(pair);
+        found: &mut Vec<[u32; 2]>,
+    ) -> Option<Work> {
         let is_valid = |&slot: &u32| boxes[slot as usize].is_valid();
-        let mut queries = leavers.slots().to_vec();
-        queries.retain(is_valid);
-        let (base, outdated, recent) = (&mut self.base, &mut self.outdated, &mut self.recent);
-        let (found, members) = (&mut self.found, &mut self.members);
-        found.clear();
+        let valid = |slots: &[u32]| slots.iter().copied().filter(is_valid).collect::<Vec<_>>();
+        let outdated = &mut self.outdated;
         outdated.make_room(boxes.len());
         outdated.extend(leavers.slots());
         let is_current = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
             a != b && may_meet(pair)
         };
+        let is_new = |pair| leavers.has_any(pair) && may_meet(pair);
         let most = self.overlapping.saturating_add(most);
+        let (base, queries) = (&mut self.base, valid(leavers.slots()));
         let tally = base.look_up_queries(boxes, &queries, is_current, most, found);
         if tally.emitted > most {
-            return Err(TooMany);
+            return None;
         }
-
-        members.clear();
-        members.extend_from_slice(outdated.slots());
-        members.retain(is_valid);
-        if recent.find_among(boxes, members, Some(is_new), most, found) > most {
-            return Err(TooMany);
-        }
-        Ok(Work {
+        let (recent, members) = (&mut self.recent, valid(outdated.slots()));
+        let overlapping = recent.find_among(boxes, &members, Some(is_new), most, found);
+        (overlapping <= most).then(|| Work {
             looked_up: leavers.len(),
             visited: tally.compared,
             searched: outdated.len(),

@@ -353,7 +353,7 @@ fn candidates_are_not_many_times_as_many_as_proxies_and_pairs() {
     for fat in &mut world.tracker.proxies.fat_boxes[..100] {
         *fat = Aabb::new([-1e3; 2], [1e3; 2]);
     }
-    world.tracker.layers.forget();
+    world.tracker.layers.is_base_sorted = false;
     let aabb = Aabb::new([500.0, 0.0], [501.0, 1.0]);
     world.tracker.proxies.place(100, aabb);
     check(&mut world);

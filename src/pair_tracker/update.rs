@@ -6,12 +6,10 @@
 
 use super::candidates::Comparing;
 use super::foresight::mean_speed;
-use super::layers::TooMany;
 use super::policy::{Cost, Work, are_many_touched};
 use super::{Changes, Colliders, FilterKey, PairTracker};
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
-use crate::tuning::update::KEEP_SCRATCH_UP_TO;
 
 /// One candidate in this many. A full search reserves room for so many more than there are. If larger: the list of pairs grows during the
 /// search, and is copied. If smaller: memory.
@@ -47,9 +45,12 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.proxies.begin_update(slack, colliders);
         let (proxies, candidates) = (&self.proxies, &self.candidates);
         let counts = [proxies.leavers.len(), proxies.len(), candidates.len()];
+        let mut found = Vec::new();
         let looked_up = match self.layers.recent() {
             _ if counts[0] == 0 => Some(Work::default()),
-            Some(recent) if !self.cost.is_full_search_due(recent, counts) => self.look_up_leavers(),
+            Some(recent) if !self.cost.is_full_search_due(recent, counts) => {
+                self.look_up_leavers(&mut found)
+            }
             _ => {
                 let moved = &proxies.notes.touched;
                 let speed = || mean_speed(moved, &proxies.boxes, &proxies.previous);
@@ -58,8 +59,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
         };
         let is_full = looked_up.is_none();
-        let work = looked_up.unwrap_or_else(|| self.search_in_full());
-        let found = &mut self.layers.found;
+        let work = looked_up.unwrap_or_else(|| self.search_in_full(&mut found));
         let mut comparing = Comparing {
             candidates: &mut self.candidates,
             proxies: &mut self.proxies,
@@ -68,16 +68,13 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         };
         if is_full {
             comparing.replace(found);
-            if found.capacity() > KEEP_SCRATCH_UP_TO {
-                *found = Vec::new();
-            }
         } else {
             comparing.compare();
             comparing.extend(found);
             let overlapping = self.candidates.overlapping_count;
             if self.are_too_many(self.candidates.len(), overlapping) {
                 self.foresight.shorten();
-                self.layers.forget();
+                self.layers.is_base_sorted = false;
             }
         }
         self.cost.add(&work);
@@ -99,7 +96,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Makes new fat boxes for the leavers and finds their candidates among all others. `None` if there are too many; then foresight is
     /// shortened.
-    fn look_up_leavers(&mut self) -> Option<Work> {
+    fn look_up_leavers(&mut self, found: &mut Vec<[u32; 2]>) -> Option<Work> {
         self.proxies.inflate_leavers(self.foresight);
         let (proxies, most) = (&self.proxies, self.most_found());
         let looked_up = self.layers.find_pairs_of_leavers(
@@ -107,50 +104,46 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             &proxies.leavers,
             |pair| !proxies.are_filtered || proxies.may_meet(pair),
             most,
+            found,
         );
-        if looked_up.is_err() {
+        if looked_up.is_none() {
             self.foresight.shorten();
         }
-        looked_up.ok()
+        looked_up
     }
 
     /// Finds all candidates, by fat boxes with the present foresight, or with a shorter one if there are too many.
-    fn search_in_full(&mut self) -> Work {
+    fn search_in_full(&mut self, found: &mut Vec<[u32; 2]>) -> Work {
         // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
         self.cost = Cost::default();
-        let mut work = Work::default();
+        let (mut work, mut most) = (Work::default(), self.most_found());
         self.proxies.inflate(self.foresight, false);
-        self.layers.found.clear();
         let count = self.candidates.len();
-        let room = count + count / FOUND_SPARE_ONE_IN;
-        self.layers.found.reserve_exact(room);
-        let mut most = self.most_found();
-        while self.search(most, &mut work).is_err() || self.are_too_many_found(most) {
+        *found = Vec::with_capacity(count + count / FOUND_SPARE_ONE_IN);
+        loop {
+            let proxies = &self.proxies;
+            let may_meet = |pair| proxies.may_meet(pair);
+            let overlapping = self.layers.find_all(
+                &proxies.fat_boxes,
+                proxies.are_filtered.then_some(may_meet),
+                |slot| proxies.keys[slot as usize].clique(),
+                most,
+                found,
+            );
+            work.searched += proxies.len();
+            work.found += overlapping.unwrap_or(0);
+            if overlapping.is_some() && !self.are_too_many_found(found, most) {
+                return work;
+            }
             self.foresight.shorten();
             self.proxies.inflate(self.foresight, true);
-            self.layers.found = Vec::new();
+            *found = Vec::new();
             // Only now: the fat boxes of proxies that have not moved since may be from a time when there was foresight.
             if self.foresight.moves == 0 {
                 most = usize::MAX;
             }
         }
-        work
-    }
-
-    /// Finds the pairs that may meet among all fat boxes that overlap.
-    fn search(&mut self, most: usize, work: &mut Work) -> Result<(), TooMany> {
-        let proxies = &self.proxies;
-        let may_meet = |pair| proxies.may_meet(pair);
-        let overlapping = self.layers.find_all(
-            &proxies.fat_boxes,
-            proxies.are_filtered.then_some(may_meet),
-            |slot| proxies.keys[slot as usize].clique(),
-            most,
-        );
-        work.searched += proxies.len();
-        work.found += overlapping?;
-        Ok(())
     }
 
     /// How many more pairs of fat boxes than in the last full search a search may find before it gives up.
@@ -164,8 +157,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Whether a search has found too many candidates, if there is a limit. How many of their boxes overlap is not known yet.
-    fn are_too_many_found(&self, most: usize) -> bool {
-        let (found, before) = (&self.layers.found, self.candidates.overlapping_count);
+    fn are_too_many_found(&self, found: &[[u32; 2]], most: usize) -> bool {
+        let before = self.candidates.overlapping_count;
         let overlapping = found.iter().filter(|&&pair| self.proxies.overlap(pair));
         // There are hardly ever that many, so boxes are hardly ever compared here.
         most < usize::MAX

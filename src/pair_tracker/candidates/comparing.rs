@@ -38,8 +38,8 @@ pub(in crate::pair_tracker) struct Comparing<'a, R, const D: usize, K, C> {
 }
 
 impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R, D, K, C> {
-    /// Replaces all candidates by those that were `found`. Leaves that list empty.
-    pub(in crate::pair_tracker) fn replace(&mut self, found: &mut Vec<[u32; 2]>) {
+    /// Replaces all candidates by those that were `found`.
+    pub(in crate::pair_tracker) fn replace(&mut self, found: Vec<[u32; 2]>) {
         self.proxies.volumes.near.fill(0);
         let candidates = &mut *self.candidates;
         let pairs = std::mem::take(&mut candidates.pairs);
@@ -57,14 +57,14 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         self.candidates.retired.shrink_to(KEEP_SCRATCH_UP_TO);
     }
 
-    /// Adds the candidates that were `found`, and empties that list. Those that were retired and still overlap are among them, or forbidden.
-    pub(in crate::pair_tracker) fn extend(&mut self, found: &mut Vec<[u32; 2]>) {
+    /// Adds the candidates that were `found`. Those that were retired and still overlap are among them, or forbidden.
+    pub(in crate::pair_tracker) fn extend(&mut self, mut found: Vec<[u32; 2]>) {
         let candidates = &mut *self.candidates;
         found.append(&mut candidates.forbidden);
         let first = candidates.pairs.len();
         match first {
-            0 => std::mem::swap(&mut candidates.pairs, found),
-            _ => candidates.pairs.append(found),
+            0 => candidates.pairs = found,
+            _ => candidates.pairs.append(&mut found),
         }
         let rows = first..candidates.pairs.len();
         candidates.states.resize(rows.end, PairState::Apart);
