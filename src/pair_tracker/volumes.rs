@@ -6,15 +6,12 @@
 //!
 //! A ball takes a kind, a centre and a radius. Half axes are kept only up to the highest slot that has ever had some.
 
-mod chunk;
-
 use super::Colliders;
 use crate::aabb::max;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::prices::{BEYOND_BALLS, READ};
 use crate::volume::{Ball, Volume, VolumeKind, VolumeRef};
-pub(crate) use chunk::VolumesChunk;
 
 /// The skin of a volume, in margins of a box. If larger: more pairs begin that are near and do not touch. If smaller: more pairs of proxies
 /// that come to rest are asked in each update. Events depend on it.
@@ -43,6 +40,16 @@ pub(crate) struct Volumes<R, const D: usize> {
     reach: R,
     /// How much farther volumes are extended than boxes.
     shortfall: R,
+}
+
+/// A chunk of the volumes, numbered from its first slot; empty if volumes are not in use.
+pub(super) struct VolumesChunk<'a, R, const D: usize> {
+    pub(super) kinds: &'a [VolumeKind],
+    pub(super) balls: &'a mut [Ball<R, D>],
+    pub(super) are_stale: &'a mut [bool],
+    pub(super) near: &'a [u32],
+    pub(super) skin: R,
+    pub(super) shortfall: R,
 }
 
 /// The serialized form of volumes.
@@ -251,7 +258,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         Ok(())
     }
 
-    /// Chunks of this many slots, followed by empty ones without end. If volumes are not in use, all are empty.
+    /// Chunks of this many slots, followed by empty ones without end.
     pub(super) fn chunks(&mut self, slots: usize) -> impl Iterator<Item = VolumesChunk<'_, R, D>> {
         let mut kinds = self.kinds.chunks(slots);
         let mut balls = self.balls.chunks_mut(slots);

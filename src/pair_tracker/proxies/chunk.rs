@@ -4,6 +4,7 @@ use crate::aabb::Aabb;
 use crate::pair_tracker::notes::Notes;
 use crate::pair_tracker::volumes::VolumesChunk;
 use crate::real::Real;
+use crate::volume::VolumeKind;
 
 /// A chunk of slots, numbered from its first one.
 pub(crate) struct ProxyChunk<'a, R, const D: usize, K> {
@@ -59,10 +60,31 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
         are_valid
     }
 
-    /// Brings the volume of the proxy at `i` up to date with the box of its collider: see [`VolumesChunk::follow`].
+    /// Notes that the collider of the proxy at `i` is in this box now, if volumes are in use. A ball follows its box, and other volumes become
+    /// stale. `has_only_moved` is false if the collider may have changed in any other way.
     #[inline(always)]
     pub(crate) fn follow_volume(&mut self, i: usize, aabb: &Aabb<R, D>, has_only_moved: bool) {
-        if self.volumes.follow(i, aabb, has_only_moved) {
+        let volumes = &mut self.volumes;
+        let Some(&kind) = volumes.kinds.get(i) else {
+            return;
+        };
+        let is_asked = match kind {
+            VolumeKind::Ball if has_only_moved && !volumes.are_stale[i] => {
+                let ball = volumes.balls[i].in_box(&aabb.loosened(volumes.shortfall));
+                if volumes.balls[i].change_to(&ball) <= volumes.skin {
+                    return;
+                }
+                volumes.balls[i] = ball;
+                volumes.near[i] > 0
+            }
+            VolumeKind::BoxUntilRead if has_only_moved => false,
+            _ => {
+                volumes.are_stale[i] = true;
+                // The pairs of other volumes ask for them.
+                kind.axes::<D>() == 0 || volumes.near[i] > 0
+            }
+        };
+        if is_asked {
             let slot = self.slot(i);
             self.notes.revolumed.push(slot);
         }
