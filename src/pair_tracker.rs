@@ -12,8 +12,6 @@ mod candidates;
 mod changes;
 mod foresight;
 mod layers;
-mod notes;
-mod pair_state;
 mod policy;
 mod proxies;
 #[cfg(feature = "serde-serialize")]
@@ -29,14 +27,12 @@ use std::fmt::Debug;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::volume::Volume;
-use candidates::Candidates;
+use candidates::{Candidates, PairState};
 pub(crate) use changes::Changes;
 use foresight::Foresight;
 use layers::Layers;
-pub(crate) use notes::Notes;
-use pair_state::PairState;
 use policy::Cost;
-pub(crate) use proxies::{Proxies, ProxyChunk};
+pub(crate) use proxies::{Notes, Proxies, ProxyChunk};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
 #[cfg(test)]

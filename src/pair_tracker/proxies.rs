@@ -8,7 +8,6 @@ mod chunk;
 mod pair_rules;
 
 use super::foresight::Foresight;
-use super::notes::Notes;
 use super::policy::are_many_touched;
 use super::volumes::Volumes;
 use super::{Colliders, FilterKey};
@@ -17,7 +16,7 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::slot_set::SlotSet;
 use crate::tuning::prices::SLOT;
-pub(crate) use chunk::ProxyChunk;
+pub(crate) use chunk::{Notes, ProxyChunk};
 pub(super) use pair_rules::overlap;
 
 /// The state of each slot, and notes of what has changed since the last update.

@@ -3,10 +3,9 @@
 
 use std::ops::Range;
 
-use super::Candidates;
+use super::{Candidates, PairState, near_and_held};
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::changes::pack;
-use crate::pair_tracker::pair_state::{PairState, near_and_held};
 use crate::pair_tracker::policy::are_many_touched;
 use crate::pair_tracker::proxies::Proxies;
 use crate::pair_tracker::{Changes, Colliders, FilterKey};

@@ -4,7 +4,7 @@ use super::Proxies;
 use crate::aabb::Aabb;
 use crate::bit_set::{gather, ones};
 use crate::pair_tracker::FilterKey;
-use crate::pair_tracker::pair_state::{PairState, near_and_held};
+use crate::pair_tracker::candidates::{PairState, near_and_held};
 use crate::real::Real;
 
 impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
