@@ -4,8 +4,7 @@
 //! to all sides.
 //!
 //! A longer foresight makes fewer searches and more candidates to compare. Fat boxes reach as many moves ahead as take a box half its size
-//! on average, and no more than [`LONGEST`], because sooner or later bodies turn. Adapting the number to the measured cost of each scene was
-//! tried and gains nothing over this.
+//! on average, and no more than [`LONGEST`], because sooner or later bodies turn.
 
 use crate::aabb::{Aabb, max, min};
 use crate::real::Real;
@@ -14,11 +13,11 @@ use crate::real::Real;
 const AHEAD: f64 = 0.5;
 
 /// Moves: the longest foresight. If larger: where bodies are slow, more candidates than searches are saved. If smaller: more searches.
-const LONGEST: u16 = 32;
+const LONGEST: f64 = 32.0;
 
 /// Moves: the foresight before anything has moved. If larger: where the first body that moves is huge, thousands of candidates. If smaller:
 /// the first boxes that move soon leave their fat boxes again.
-const FIRST: u16 = 8;
+const FIRST: f64 = 8.0;
 
 /// A share of the extension along the move: how far the fat box extends to all sides. If larger: more candidates. If smaller: members of
 /// crowds, which keep turning, leave their fat boxes a third more often.
@@ -35,26 +34,23 @@ const SPEED_SAMPLE: usize = 128;
 /// until there are few enough.
 const CUT: u16 = 4;
 
-/// Full searches after a cut until the limit is doubled. If larger: foresight that would pay is lost. If smaller: too many candidates are
-/// found, and dropped, again and again.
-const CUT_SEARCHES: u32 = 16;
+/// One part in this many, plus 1: how much the limit grows in each full search after a cut, so that it is doubled in 17. If larger: foresight
+/// that would pay is lost. If smaller: too many candidates are found, and dropped, again and again.
+const REGROWN_ONE_IN: f64 = 24.0;
 
 /// For how many moves ahead fat boxes are made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Foresight {
     pub(super) moves: u16,
     /// The most moves, less than [`LONGEST`] after there were too many candidates.
-    limit: u16,
-    /// Full searches until the limit is doubled.
-    until_doubled: u32,
+    limit: f64,
 }
 
 impl Default for Foresight {
     fn default() -> Self {
         Self {
-            moves: FIRST,
+            moves: FIRST as u16,
             limit: LONGEST,
-            until_doubled: 0,
         }
     }
 }
@@ -62,27 +58,17 @@ impl Default for Foresight {
 impl Foresight {
     /// The foresight of a full search. `speed()` is the mean speed in box sizes per move, if anything moves.
     pub(super) fn renewed(mut self, speed: impl FnOnce() -> Option<f64>) -> Self {
-        if self.limit < LONGEST {
-            match self.until_doubled.checked_sub(1) {
-                Some(searches) => self.until_doubled = searches,
-                None => self.limit_to((2 * self.limit).max(1)),
-            }
-        }
-        let moves = speed().map_or(f64::from(FIRST), |speed| AHEAD / speed);
+        self.limit = (self.limit + (self.limit + 1.0) / REGROWN_ONE_IN).min(LONGEST);
+        let moves = speed().map_or(FIRST, |speed| AHEAD / speed);
         // Rounded down, so there are none where bodies are too fast.
-        self.moves = moves.min(f64::from(self.limit)) as u16;
+        self.moves = moves.min(self.limit) as u16;
         self
     }
 
     /// Shortens the foresight, because there are too many candidates.
     pub(super) fn shorten(&mut self) {
         self.moves /= CUT;
-        self.limit_to(self.moves);
-    }
-
-    fn limit_to(&mut self, limit: u16) {
-        self.limit = limit.min(LONGEST);
-        self.until_doubled = CUT_SEARCHES;
+        self.limit = f64::from(self.moves);
     }
 
     /// The fat box of a proxy whose box was `before` and is `now`. It contains `now`, for any numbers.
@@ -178,26 +164,22 @@ mod tests {
     fn it_reaches_half_a_size_ahead_and_no_farther_than_the_longest() {
         let moves = |speed| Foresight::default().renewed(|| speed).moves;
         let speeds = [None, Some(1e-9), Some(0.1), Some(0.5), Some(0.51)];
-        assert_eq!(speeds.map(moves), [FIRST, LONGEST, 5, 1, 0]);
+        assert_eq!(speeds.map(moves), [8, 32, 5, 1, 0]);
     }
 
     #[test]
     fn a_shortened_foresight_grows_again_step_by_step() {
-        let slow = |foresight: Foresight| foresight.renewed(|| Some(1e-9));
-        let mut foresight = slow(Foresight::default());
+        let mut foresight = Foresight::default();
         // From none as well.
         while foresight.moves > 0 {
             foresight.shorten();
         }
-        let mut expected = 0;
-        while expected < LONGEST {
-            for _ in 0..CUT_SEARCHES {
-                foresight = slow(foresight);
-                assert_eq!(foresight.moves, expected);
-            }
-            foresight = slow(foresight);
-            expected = (2 * expected).max(1);
-            assert_eq!(foresight.moves, expected);
-        }
+        let grown = (0..100).map(|_| {
+            foresight = foresight.renewed(|| Some(1e-9));
+            foresight.moves
+        });
+        let grown: Vec<_> = grown.collect();
+        assert!(grown.is_sorted());
+        assert_eq!([15, 16, 99].map(|i| grown[i]), [0, 1, 32]);
     }
 }
