@@ -31,7 +31,7 @@ use candidates::{Candidates, PairState};
 pub(crate) use changes::Changes;
 use foresight::Foresight;
 use layers::Layers;
-use policy::Cost;
+use policy::Work;
 pub(crate) use proxies::{Notes, Proxies, ProxyChunk};
 #[cfg(feature = "serde-serialize")]
 pub(crate) use snapshot::TrackerSnapshot;
@@ -74,8 +74,8 @@ pub(crate) trait FilterKey: Copy + Debug + Default + PartialEq + Send + Sync {
 pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     pub(crate) proxies: Proxies<R, D, K>,
     foresight: Foresight,
-    /// The cost of searching since the last full search, that one included.
-    cost: Cost,
+    /// The work of searching since the last full search, that one included.
+    cost: Work,
     full_searches: u64,
     candidates: Candidates,
     layers: Layers<R, D>,

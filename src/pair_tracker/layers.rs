@@ -116,10 +116,11 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let (recent, members) = (&mut self.recent, valid(outdated.slots()));
         let overlapping = recent.find_among(boxes, &members, Some(is_new), most, found);
         (overlapping <= most).then(|| Work {
-            looked_up: leavers.len(),
-            visited: tally.compared,
-            searched: outdated.len(),
-            found: found.len(),
+            looked_up: leavers.len() as u64,
+            visited: tally.compared as u64,
+            recent: outdated.len() as u64,
+            found: found.len() as u64,
+            ..Work::default()
         })
     }
 }

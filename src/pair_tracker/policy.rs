@@ -15,43 +15,32 @@ const IN_ORDER_FROM_ONE_IN: usize = 3;
 /// time, and that their boxes leave at one time, are looked up one by one.
 const FULL_SEARCH_TOLERANCE_ONE_IN: u64 = 16;
 
-/// The work of an update's searches, in counts of operations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The work of searches, in counts of operations: of one update, or of all since the last full search, that one included.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Work {
+    /// The updates that were added.
+    pub(super) updates: u64,
     /// Boxes that were looked up among all others.
-    pub(super) looked_up: usize,
-    /// Boxes with which these were compared, and the cost of finding them, in comparisons.
-    pub(super) visited: usize,
-    /// Boxes among which all pairs were searched for.
-    pub(super) searched: usize,
-    /// Pairs that were found by either.
-    pub(super) found: usize,
-}
-
-/// The cost of searching in some updates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Cost {
-    updates: u64,
-    searching: u64,
-    /// Look-ups, their visits, and the boxes of the searches of the recent layer.
     pub(super) looked_up: u64,
-    visited: u64,
-    recent: u64,
+    /// Boxes with which these were compared, and the cost of finding them, in comparisons.
+    pub(super) visited: u64,
+    /// Boxes of the recent layer, among which pairs were searched for.
+    pub(super) recent: u64,
+    /// Boxes of full searches.
+    pub(super) searched: u64,
+    /// Pairs that were found.
+    pub(super) found: u64,
 }
 
-impl Cost {
-    /// Adds an update. Sums do not overflow: they count work that was done, in tenths of a nanosecond, of which 2⁶⁴ are 58 years.
-    pub(super) fn add(&mut self, work: &Work) {
-        let counts = [work.looked_up, work.visited, work.searched, work.found];
-        let [looked_up, visited, searched, found] = counts.map(|count| count as u64);
+impl Work {
+    /// Adds that of an update.
+    pub(super) fn add(&mut self, update: &Self) {
         self.updates += 1;
-        self.searching += LOOKED_UP * looked_up + VISITED * visited;
-        self.searching += SEARCHED * searched + FOUND * found;
-        if looked_up > 0 {
-            self.looked_up += looked_up;
-            self.visited += visited;
-            self.recent += searched;
-        }
+        self.looked_up += update.looked_up;
+        self.visited += update.visited;
+        self.recent += update.recent;
+        self.searched += update.searched;
+        self.found += update.found;
     }
 
     /// Whether an update searches for all pairs, given how many slots are in the recent layer, how many are leavers, how many there is room
@@ -71,9 +60,12 @@ impl Cost {
         look_ups > self.mean() + tolerated || self.recent > slots
     }
 
-    /// The cost of an update, on average; 0 if there was none.
+    /// The cost of an update, on average; 0 if there was none. It does not overflow: this is work that was done, in tenths of a nanosecond, of
+    /// which 2⁶⁴ are 58 years.
     pub(super) fn mean(&self) -> u64 {
-        self.searching / self.updates.max(1)
+        let looked_up = LOOKED_UP * self.looked_up + VISITED * self.visited;
+        let searched = SEARCHED * (self.recent + self.searched) + FOUND * self.found;
+        (looked_up + searched) / self.updates.max(1)
     }
 }
 
@@ -88,14 +80,15 @@ mod tests {
 
     #[test]
     fn a_full_search_is_due_once_the_layers_or_look_ups_cost_as_much() {
-        let cost = |recent, visited| Cost {
+        let cost = |recent, visited| Work {
             updates: 1,
-            searching: 1000 * SEARCHED + 4000 * FOUND,
             looked_up: 1,
             visited,
             recent,
+            searched: 1000,
+            found: 4000,
         };
-        let is_due = |cost: Cost, leavers| cost.is_full_search_due(0, [leavers, 1000, 4000]);
+        let is_due = |cost: Work, leavers| cost.is_full_search_due(0, [leavers, 1000, 4000]);
         assert!(!is_due(cost(1000, 0), 1) && is_due(cost(1001, 0), 1));
         assert!(!is_due(cost(0, 0), 200) && is_due(cost(0, 0), 400));
         // Each look-up visits everything, and all slots have left.

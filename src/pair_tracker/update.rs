@@ -6,7 +6,7 @@
 
 use super::candidates::Comparing;
 use super::foresight::mean_speed;
-use super::policy::{Cost, Work, are_many_touched};
+use super::policy::{Work, are_many_touched};
 use super::{Changes, Colliders, FilterKey, PairTracker};
 use crate::real::Real;
 use crate::tuning::prices::{COMPARED, PICKED, SLOT};
@@ -116,7 +116,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     fn search_in_full(&mut self, found: &mut Vec<[u32; 2]>) -> Work {
         // A snapshot may hold any number.
         self.full_searches = self.full_searches.wrapping_add(1);
-        self.cost = Cost::default();
+        self.cost = Work::default();
         let (mut work, mut most) = (Work::default(), self.most_found());
         self.proxies.inflate(self.foresight, false);
         let count = self.candidates.len();
@@ -131,8 +131,8 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
                 most,
                 found,
             );
-            work.searched += proxies.len();
-            work.found += overlapping.unwrap_or(0);
+            work.searched += proxies.len() as u64;
+            work.found += overlapping.unwrap_or(0) as u64;
             if overlapping.is_some() && !self.are_too_many_found(found, most) {
                 return work;
             }
