@@ -339,22 +339,11 @@ mod tests {
         let mut volumes = volumes_in_use();
         volumes.make_room(1);
         volumes.note_extents(1.0, 0.0);
-        let ball = |x: f32, radius: f32| Volume::new(VolumeKind::Ball, [x, 0.0], radius, &[]);
         // The skin is a sixteenth.
-        for (x, radius, is_replaced) in [
-            (0.0, 0.5, true),
-            (0.06, 0.5, false),
-            (0.0, 0.51, true),
-            (0.07, 0.51, true),
-        ] {
-            let before = *volumes.get(0).ball;
-            assert_eq!(volumes.set(0, &ball(x, radius)), is_replaced);
-            let after = if is_replaced {
-                ball(x, radius).ball
-            } else {
-                before
-            };
-            assert_eq!(*volumes.get(0).ball, after);
-        }
+        let balls = [(0.0, 0.5), (0.06, 0.5), (0.0, 0.51), (0.07, 0.51)];
+        let balls = balls.map(|(x, radius)| Volume::new(VolumeKind::Ball, [x, 0.0], radius, &[]));
+        let replaced = balls.map(|ball| volumes.set(0, &ball));
+        assert_eq!(replaced, [true, false, true, true]);
+        assert_eq!(*volumes.get(0).ball, balls[3].ball);
     }
 }
