@@ -10,7 +10,6 @@
 
 mod passing;
 mod reading;
-mod refusals;
 #[cfg(feature = "serde-serialize")]
 mod snapshot;
 mod source;
@@ -147,18 +146,12 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             self.beyond.remove(&slot);
         }
         if let Some(slot) = self.slot_of(handle) {
-            self.remove_known(slot);
+            self.generations[slot as usize] = None;
+            self.memos[slot as usize] = M::default();
+            self.known -= 1;
+            self.stats.proxies -= usize::from(self.tracker.proxies.get(slot).is_some());
+            self.tracker.remove(slot);
         }
-    }
-
-    /// Removes the known collider of a slot.
-    fn remove_known(&mut self, slot: u32) {
-        let index = slot as usize;
-        self.generations[index] = None;
-        self.memos[index] = M::default();
-        self.known -= 1;
-        self.stats.proxies -= usize::from(self.tracker.proxies.get(slot).is_some());
-        self.tracker.remove(slot);
     }
 
     /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
@@ -166,16 +159,12 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     pub(crate) fn clear(&mut self) -> &[u32] {
         self.is_begun = true;
         self.beyond.clear();
-        for (slot, _) in std::mem::take(&mut self.pending) {
-            if self.generations.get(slot as usize) == Some(&None) {
-                self.tracker.proxies.clear_box(slot);
-            }
-        }
-        for slot in 0..self.known_slots {
-            if self.generations[slot].is_some() {
-                self.remove_known(slot as u32);
-            }
-        }
+        self.pending.clear();
+        self.generations.fill(None);
+        self.memos.fill(M::default());
+        (self.known, self.stats.proxies) = (0, 0);
+        let slots = 0..self.generations.len() as u32;
+        slots.for_each(|slot| self.tracker.remove(slot));
         self.touched()
     }
 
@@ -197,10 +186,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
         self.reinsert(lists.reinserted, source);
-        self.read_in_place(lists.unmoved, source, |handle, memo, key| {
-            source.has_changed_unmoved(handle, memo, key)
-        });
-        self.read_in_place(lists.swept, source, |_, _, _| true);
+        self.read_in_place(lists.unmoved, source, false);
+        self.read_in_place(lists.swept, source, true);
         &self.touched()[touched..]
     }
 
@@ -316,6 +303,46 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         [stats.deleted, stats.added] = changes.drain(|is_added, pair| {
             event(is_added, handles(generations, pair));
         });
+    }
+
+    /// The number of colliders that are left out: known ones without a box, and those beyond the maximum.
+    fn refused(&self) -> usize {
+        self.known - self.stats.proxies + self.beyond.len()
+    }
+
+    /// Leaves out a collider whose box is invalid, or infinite where such boxes are skipped.
+    #[cold]
+    fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
+        let slot = handle.into_raw_parts().0;
+        if self.tracker.proxies.get(slot).is_some() {
+            self.tracker.proxies.clear_box(slot);
+            self.stats.proxies -= 1;
+        }
+        self.warn(
+            handle,
+            format_args!("until its box is finite and valid: {aabb:?}"),
+        );
+    }
+
+    /// Leaves out a collider whose slot is beyond the maximum.
+    #[cold]
+    fn refuse_slot(&mut self, handle: impl Handle) {
+        let (slot, generation) = handle.into_raw_parts();
+        self.beyond.insert(slot, generation);
+        let most = self.most_known_slots;
+        self.warn(
+            handle,
+            format_args!("because its index is not less than {most}"),
+        );
+    }
+
+    /// Logs why, or until when, the first such collider is left out.
+    fn warn(&mut self, handle: impl Handle, why: std::fmt::Arguments<'_>) {
+        if !std::mem::replace(&mut self.has_warned, true) {
+            log::warn!(
+                "collider {handle:?} is left out of the broad phase {why}. Further ones are only counted, in Stats::refused."
+            );
+        }
     }
 
     /// Panics unless the table is consistent, and its pairs are those of a full search.

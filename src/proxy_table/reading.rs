@@ -38,16 +38,16 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         }
     }
 
-    /// Reads the filter key of each listed collider that `has_changed`, and has the update read its volume. Boxes stay, and unknown colliders
-    /// are skipped.
+    /// Reads the filter key of each listed collider that has changed, or of all, and has the update read its volume. Boxes stay, and unknown
+    /// colliders are skipped.
     pub(super) fn read_in_place<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         handles: &[S::Handle],
         source: &S,
-        has_changed: impl Fn(S::Handle, &M, &K) -> bool + Send + Sync,
+        are_all: bool,
     ) {
         let deferred = self.visit(handles, |proxies, memo, i, handle| {
-            if !has_changed(handle, memo, proxies.key(i)) {
+            if !are_all && !source.has_changed_unmoved(handle, memo, proxies.key(i)) {
                 return true;
             }
             source.read(handle, memo).is_none_or(|reading| {
