@@ -3,10 +3,8 @@
 //! A *proxy* is a box in a numbered slot. Between two updates, proxies are placed, moved and removed; [`PairTracker::update`] makes an
 //! update of these changes and reports which pairs begin and end.
 //!
-//! Each proxy has a fat box around its box. The pairs whose fat boxes overlap are the candidates. New candidates must be searched for only
-//! when proxies leave their fat boxes. Until then, a candidate is held while its two boxes overlap, unless its volumes or its keys keep
-//! them apart. Held pairs whose candidates are retired are kept in a hash table until the search has found them again or not. This is the
-//! neighbour list of molecular dynamics (Verlet 1967), made exact.
+//! The pairs whose fat boxes overlap are the candidates: the neighbour list of molecular dynamics (Verlet 1967), made exact. ARCHITECTURE.md
+//! says why that is right.
 
 mod candidates;
 mod changes;

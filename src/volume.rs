@@ -1,7 +1,6 @@
 //! Bounding volumes of shapes, which separate pairs whose boxes overlap and whose shapes cannot meet.
 //!
-//! A box has empty corners: 21 % of the box around a disk and 48 % of that around a ball are empty, and more around a tilted capsule. The
-//! paper goes from two dimensions to three by one more interval test. This module continues to as many axes as a pair needs. A volume is the
+//! The paper goes from two dimensions to three by one more interval test. This module continues to as many axes as a pair needs. A volume is the
 //! Minkowski sum of a point, a ball and up to `D` segments, so its interval along *any* axis `n` is `c · n ± (r |n| + Σ |h · n|)`. Two
 //! volumes are apart if their intervals along one of these axes do not meet:
 //!
@@ -15,8 +14,7 @@
 //! Any axis whose intervals do not meet proves that the volumes are apart, however inexactly the axis was computed. So a badly chosen axis may
 //! cost a superfluous pair, and never loses a necessary one. An axis so short that its square underflows proves nothing.
 //!
-//! Intervals along more axes than those of the world are the idea of k-DOPs (Klosowski and others 1998). Axes that are chosen for each pair
-//! come from the separating-axis test (Gottschalk and others 1996); they separate more pairs, in a fraction of the memory of a k-DOP.
+//! Intervals along more axes are the idea of k-DOPs (Klosowski and others 1998), axes for each pair that of Gottschalk and others (1996).
 
 use crate::aabb::Aabb;
 use crate::real::Real;

@@ -3,13 +3,9 @@
 //! First the ended pairs are reported, then the new ones, both sorted by the smaller slot and then by the larger one. A pair changes at most
 //! once in an update, so the order of the events does not depend on the order in which the changes were found.
 //!
-//! The order matters for speed as well. Rapier's narrow phase keeps pairs in the order of their events, and goes through them in that
-//! order in each step, as does the solver. In the order of slots, they access colliders and bodies in the order of memory. Steps are then
-//! faster with as many instructions and simulated cache misses, presumably because the processor prefetches.
-//!
-//! A solver that processes one contact after the other stalls if a contact shares a body with the one before it, as neighbors in the order of
-//! slots do. For such a solver, the new pairs are split into two runs, which are interleaved. Within each run an impulse still travels from
-//! body to body in one iteration. If all pairs of the first run came before those of the second, high stacks would collapse sooner.
+//! The order matters for speed as well: Rapier goes through pairs in the order of their events. For a solver that processes one contact after
+//! the other, and stalls if it shares a body with the one before, the new pairs are split into two runs, which are interleaved. See "The order
+//! of events" in docs/dev/design-notes.md.
 
 /// The changes of an update. Updates reuse its memory.
 #[derive(Clone, Debug)]

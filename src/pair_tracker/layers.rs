@@ -1,10 +1,7 @@
 //! The search for fat boxes that overlap, in two layers.
 //!
-//! When few boxes leave their fat boxes, sorting all of them in each update would be a waste. So there are two layers. The *base* keeps
-//! the order of the last full search. The *recent* boxes have left their fat boxes since then; they are few, and sorted in each update. An
-//! update looks the leavers up in the base, skipping entries that are outdated, and runs the kernel on the recent boxes.
-//!
-//! The [policy](super::policy) decides when the next full search is due.
+//! The *base* keeps the order of the last full search. The *recent* boxes have left their fat boxes since then; they are few, and sorted in each
+//! update. An update looks the leavers up in the base, skipping entries that are outdated, and runs the kernel on the recent boxes.
 
 use super::policy::Work;
 use crate::aabb::Aabb;

@@ -1,7 +1,6 @@
 //! Whether an update looks leavers up or searches for all pairs: a function of a few numbers.
 //!
-//! Comparing the boxes of candidates is cheap. Looking a few boxes up among all others costs more. A full search, a
-//! search for all pairs, costs most, and postpones the next one. The prices are in `tuning`.
+//! Looking up costs more than comparing candidates. A full search costs most, and postpones the next one. The prices are in `tuning`.
 
 use crate::tuning::prices::{FOUND, LOOKED_UP, SEARCHED, VISITED};
 

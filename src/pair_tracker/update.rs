@@ -1,8 +1,6 @@
 //! The update cycle: from one set of pairs to the next.
 //!
-//! Between two updates, writing proxies only takes notes. An update plans by a few numbers, the same on every machine; makes fat boxes ahead of
-//! the motion; searches; compares the candidates; and makes the present boxes the previous ones. ARCHITECTURE.md has these steps as a table.
-//! Fat boxes that nobody has left stay, and with them their candidates. The next updates live on these.
+//! ARCHITECTURE.md has its steps as a table. Fat boxes that nobody has left stay, and with them their candidates. The next updates live on these.
 
 use super::candidates::Comparing;
 use super::foresight::mean_speed;

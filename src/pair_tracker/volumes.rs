@@ -1,10 +1,8 @@
 //! The bounding volumes of all slots, if volumes are in use.
 //!
-//! Boxes are pushed, volumes are pulled. A ball follows from its box. Any other volume becomes *stale* when its collider has moved, and an update
-//! reads it once a pair asks for it: a pair whose boxes overlap and that is not held, or one that is held and whose box was renewed. So the
-//! volumes of *near* pairs, whose boxes overlap and that are not held, are always those of the colliders.
-//!
-//! A ball takes a kind, a centre and a radius. Half axes are kept only up to the highest slot that has ever had some.
+//! Boxes are pushed, volumes are pulled: see ARCHITECTURE.md. After an update, the volumes of *near* pairs, whose boxes overlap and that are
+//! not held, are those of the colliders. A ball takes a kind, a centre and a radius. Half axes are kept only up to the highest slot that has
+//! ever had some.
 
 use super::Colliders;
 use crate::aabb::max;

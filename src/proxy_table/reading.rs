@@ -1,11 +1,8 @@
 //! Reads listed colliders, in the order of their slots.
 //!
-//! Rapier lists colliders island by island. Once bodies have met, that order jumps around in memory. In the order of slots the processor
-//! prefetches the next collider, which halves the time to read a scene that does not fit in the caches. A long list is split into chunks
-//! of slots, one for each thread.
-//!
-//! The order only affects speed: events are sorted afterwards. A collider that needs more than a move, such as a new one, is deferred until all
-//! others have been read.
+//! Rapier lists colliders island by island. Once bodies have met, that order jumps around in memory; in the order of slots the processor
+//! prefetches. A long list is split into chunks of slots, one for each thread. A collider that needs more than a move, such as a new one, is
+//! deferred until all others have been read.
 
 use super::{ColliderSource, Handle, Memo, ProxyTable, Reading};
 use crate::bit_set::{BitSet, ones};
