@@ -204,12 +204,6 @@ impl<R: Real, const D: usize> Volumes<R, D> {
     fn set_kind(&mut self, i: usize, kind: VolumeKind) {
         self.kinds[i] = kind;
         if kind.axes::<D>() > 0 && i >= self.half_axes.len() {
-            let room = self.half_axes.capacity();
-            if i >= room {
-                // Twice as many, but no more than kinds have room for, which grow in the same way.
-                let room = (2 * room).min(self.kinds.capacity()).max(i + 1);
-                self.half_axes.reserve_exact(room - self.half_axes.len());
-            }
             self.half_axes.resize(i + 1, Volume::<R, D>::BOX.half_axes);
         }
     }
