@@ -1,8 +1,6 @@
 //! A set of small numbers: one bit each.
 
-use crate::parallel::Section;
-
-/// A set of numbers below a capacity. Its memory is kept when it is cleared.
+/// A set of numbers below a capacity.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BitSet {
     words: Vec<u64>,
@@ -44,27 +42,6 @@ impl BitSet {
     /// The words, of 64 numbers each; the smallest number is the lowest bit.
     pub(crate) fn words(&self) -> &[u64] {
         &self.words
-    }
-
-    /// Replaces the set by the numbers below `count` for which the answer is yes.
-    ///
-    /// `ask` answers for a range of up to 64 numbers, the first one in the lowest bit, which takes about `price` for each number. Several
-    /// threads call it if that is a lot of work.
-    pub(crate) fn fill_from(
-        &mut self,
-        count: usize,
-        price: u64,
-        ask: impl Fn(core::ops::Range<usize>) -> u64 + Send + Sync,
-    ) {
-        let section = Section::of(count, price);
-        self.words.resize(count.div_ceil(64), 0);
-        let words_a_part = self.words.len().div_ceil(section.parts()).max(1);
-        let mut parts: Vec<_> = self.words.chunks_mut(words_a_part).enumerate().collect();
-        section.for_each(&mut parts, |(part, words)| {
-            for (i, word) in (*part * words_a_part..).zip(words.iter_mut()) {
-                *word = ask(64 * i..count.min(64 * (i + 1)));
-            }
-        });
     }
 }
 

@@ -1,13 +1,12 @@
 //! The two steps of every counting sort: counts become starts, then each item takes the next place of its bucket.
 
-/// Turns the number of items in each bucket into the place of the bucket's first item. Returns the number of all items.
+/// Turns the number of items in each bucket into the place of the bucket's first item.
 #[inline]
-pub(crate) fn starts_from_counts(counts: &mut [u32]) -> u32 {
+pub(crate) fn starts_from_counts(counts: &mut [u32]) {
     let mut start = 0;
     for count in counts {
         start += core::mem::replace(count, start);
     }
-    start
 }
 
 /// Returns the place of the next item of a bucket. Once all items have their places, `next` holds the ends of the buckets.

@@ -5,7 +5,7 @@
 //! Samples decide only the speed, and some order of the boxes misleads every one of them. Whatever they say, n boxes with k pairs take
 //! **O(n logᴰ n + k log k)** time and **O(n + k)** memory:
 //!
-//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all boxes that are left. Each assigns them at most six
+//! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all valid boxes that are left. Each assigns them at most six
 //!    times: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), for the best of them or a single tube, and without the boxes
 //!    of crowded tubes.
 //! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
@@ -15,7 +15,8 @@
 //!    budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes those that
 //!    do, and all if the sample says that they will, unless they are so few that comparing them with all boxes of the other class takes an
 //!    eighth of the budget.
-//! 5. A look-up without a budget visits each tube and each entry of the other class at most once.
+//! 5. A look-up without a budget makes at most as many visits as the other class has tubes. Only tubes that hold boxes of distant strips may
+//!    be visited more than once.
 //! 6. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
 //!
 //! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
@@ -138,8 +139,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         self.compared
     }
 
-    /// Appends the wanted pairs among `members`, which are indices of at most [`MAX_BOXES`] valid boxes, and keeps the members in
-    /// order for [`look_up_queries`](Self::look_up_queries). `None` means that all pairs are wanted.
+    /// Appends the wanted pairs among `members`, which are indices of at most [`MAX_BOXES`] valid boxes, and `keeps` the members in order for
+    /// [`look_up_queries`](Self::look_up_queries). `None` means that all pairs are wanted.
     ///
     /// Returns how many pairs overlap, wanted or not. If they are more than `most`, the search stops early and appends some of them,
     /// and nothing may be looked up.
@@ -147,7 +148,8 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     pub(crate) fn find_among(
         &mut self,
         boxes: &[Aabb<R, D>],
-        members: &[u32],
+        members: impl IntoIterator<Item = u32>,
+        keeps: bool,
         wanted: Option<impl Fn([u32; 2]) -> bool + Sync>,
         most: usize,
         pairs: &mut Vec<[u32; 2]>,
@@ -155,13 +157,13 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         debug_assert!(boxes.len() <= MAX_BOXES);
         let filter = wanted.map(filter);
         let mut search = Search::new(boxes, filter.as_ref().map(|f| f as _), most, pairs);
-        search.keeps = true;
-        self.search(members.iter().copied(), &mut search);
+        search.keeps = keeps;
+        self.search(members, &mut search);
         search.tally.emitted
     }
 
     /// Appends the wanted pairs among the boxes with these indices, class by class. Invalid ones remain in the second list of members.
-    fn search(&mut self, indices: impl Iterator<Item = u32>, search: &mut Search<R, D>) {
+    fn search(&mut self, indices: impl IntoIterator<Item = u32>, search: &mut Search<R, D>) {
         const { assert!(D > 0, "boxes have at least one axis") };
         let [members, oversized] = &mut self.members;
         members.clear();
@@ -189,6 +191,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     /// Frees memory that only a search needs, and that is otherwise kept for the next one.
     pub(crate) fn free_scratch(&mut self) {
         self.assignment.parts = Vec::new();
+        self.assignment.starts = Vec::new();
         self.members = Default::default();
         for slab in self.classes.iter_mut().flat_map(|class| &mut class.slabs) {
             slab.entries = Vec::new();

@@ -71,7 +71,7 @@ fn is_outside() -> bool {
 }
 
 /// A part of an update that several threads can share.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Section {
     /// In tenths of a nanosecond on one thread.
     pub(crate) work: u64,

@@ -157,14 +157,14 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
     #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
     pub(crate) fn clear(&mut self) -> &[u32] {
-        self.is_begun = true;
         self.beyond.clear();
         self.pending.clear();
         self.generations.fill(None);
         self.memos.fill(M::default());
-        (self.known, self.stats.proxies) = (0, 0);
-        let slots = 0..self.generations.len() as u32;
-        slots.for_each(|slot| self.tracker.remove(slot));
+        (self.is_begun, self.known, self.stats.proxies) = (true, 0, 0);
+        let (tracker, slots) = (&mut self.tracker, self.generations.len());
+        tracker.proxies.notes.forget_repeats(slots);
+        (0..slots as u32).for_each(|slot| tracker.remove(slot));
         self.touched()
     }
 

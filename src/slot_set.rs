@@ -18,6 +18,12 @@ impl SlotSet {
         }
     }
 
+    /// Inserts slots, and makes room for them.
+    pub(crate) fn add(&mut self, slots: &[u32]) {
+        self.make_room(slots.iter().max().map_or(0, |&last| last as usize + 1));
+        self.extend(slots);
+    }
+
     pub(crate) fn extend<'a>(&mut self, slots: impl IntoIterator<Item = &'a u32>) {
         for &slot in slots {
             if !std::mem::replace(&mut self.is_member[slot as usize], true) {

@@ -87,9 +87,9 @@ pub(crate) mod kernel {
         range: [16, 64],
     };
 
-    /// Comparisons for each box of two classes and each squared binary digit of their number, besides some for each pair, in the cheaper
-    /// direction. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of another
-    /// direction in tube after tube. If smaller: the tree takes longer than look-ups.
+    /// Comparisons for each box of two classes, in the cheaper direction, besides some for each pair; times the squared binary logarithm of
+    /// their number. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
+    /// another direction in tube after tube. If smaller: the tree takes longer than look-ups.
     pub(crate) const TREE_FROM: f64 = 4.0;
 
     /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf, which compares the boxes that overlap on its axis.

@@ -68,9 +68,7 @@ impl QueryTree {
             *outdated = Some(tree);
         }
         if outdated.is_some() {
-            let highest = written.iter().fold(0, |highest, &slot| highest.max(slot));
-            self.written.make_room(highest as usize + 1);
-            self.written.extend(written);
+            self.written.add(written);
         }
     }
 

@@ -27,7 +27,7 @@ pub(super) struct Assignment {
     /// At most so many slabs.
     slab_count: usize,
     /// By tube, and for the end: how many entries the tubes before it have.
-    starts: Vec<u32>,
+    pub(super) starts: Vec<u32>,
 }
 
 impl Assignment {

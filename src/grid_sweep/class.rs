@@ -26,7 +26,8 @@ pub(super) struct Class<R, const D: usize> {
 }
 
 impl<R: Real, const D: usize> Class<R, D> {
-    /// Sorts the members into tubes, and appends their pairs. Replaces `oversized` by the members that are left to further classes.
+    /// Sorts the members into tubes, and appends their pairs. Replaces `oversized` by the members that are left to further classes, and by
+    /// invalid ones. Those of crowded tubes leave the list of members.
     pub(super) fn search(
         &mut self,
         members: &mut Vec<u32>,
@@ -114,7 +115,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             false => search.run_queries(queries, budget, look_up),
         };
         // Compared with each member, a few queries take an eighth of what the tree would.
-        match (costly.len() * members.len()) as f64 <= price / 8.0 {
+        match costly.len() as f64 * members.len() as f64 <= price / 8.0 {
             true => _ = search.run_queries(&costly, usize::MAX, look_up),
             false => search.match_lists(&costly, members),
         }
@@ -122,11 +123,9 @@ impl<R: Real, const D: usize> Class<R, D> {
 
     /// The boxes of the class, in the order of its tubes.
     fn members(&self) -> Vec<u32> {
-        let owners = self.slabs.iter().map(Slab::kept_owners);
-        let mut members = Vec::with_capacity(owners.clone().map(<[_]>::len).sum());
-        let at_home = owners.flatten().filter(|owner| owner.is_at_home());
-        members.extend(at_home.map(|owner| owner.index()));
-        members
+        let owners = self.slabs.iter().flat_map(Slab::kept_owners);
+        let at_home = owners.filter(|owner| owner.is_at_home());
+        at_home.map(|owner| owner.index()).collect()
     }
 
     /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.

@@ -64,7 +64,7 @@ impl TubeSpan {
         is_within(0) & is_within(1)
     }
 
-    /// How many strips the box reaches besides the first. Inverted boxes, which are refused later, wrap around to large numbers.
+    /// How many strips the box reaches besides the first. Inverted boxes, which no class takes, wrap around to large numbers.
     #[inline(always)]
     pub(super) fn beyond(&self) -> [u32; 2] {
         [0, 1].map(|cut| self.last[cut].wrapping_sub(self.first[cut]))

@@ -37,6 +37,9 @@ impl<R: Real, const D: usize> Class<R, D> {
         let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
         // Most of them may be empty, or not reached.
         worker.tally.compared += reached.min(tubes) as usize;
+        if worker.is_budget_exceeded() {
+            return;
+        }
         if reached > tubes {
             for slab in slabs {
                 for tube in &slab.tubes {

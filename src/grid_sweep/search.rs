@@ -6,7 +6,7 @@ use crate::parallel::Section;
 use crate::tuning::prices::LOOKED_UP;
 
 /// Removes unwanted pairs from the given one on.
-pub(super) type Filter<'a> = &'a (dyn Fn(&mut Vec<[u32; 2]>, usize) + Sync);
+type Filter<'a> = &'a (dyn Fn(&mut Vec<[u32; 2]>, usize) + Sync);
 
 /// The input and the output of a search, for all size classes.
 pub(super) struct Search<'a, R, const D: usize> {
@@ -17,7 +17,7 @@ pub(super) struct Search<'a, R, const D: usize> {
     pub(super) keeps: bool,
     pub(super) pairs: &'a mut Vec<[u32; 2]>,
     /// `None` means that all pairs are wanted.
-    pub(super) filter: Option<Filter<'a>>,
+    filter: Option<Filter<'a>>,
     /// How many pairs may overlap, wanted or not. If there are more, the search stops with some of them.
     pub(super) most: usize,
     pub(super) tally: Tally,

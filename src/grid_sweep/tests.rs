@@ -31,7 +31,7 @@ fn queries_within_their_budget_have_all_their_pairs() {
     let members: Vec<_> = (0..boxes.len() as u32).collect();
     let mut kernel = GridSweep::<f32, 3>::default();
     let none = None::<fn([u32; 2]) -> bool>;
-    kernel.find_among(&boxes, &members, none, usize::MAX, &mut vec![]);
+    kernel.find_among(&boxes, members.clone(), true, none, usize::MAX, &mut vec![]);
     assert!(kernel.classes.len() > 1);
     let mut given_up = Vec::new();
     for budget in (0..20).map(|i| 100 * i).chain([usize::MAX]) {
@@ -72,7 +72,8 @@ fn any_number_of_slabs_gives_up_if_there_are_too_many_pairs() {
         let mut kernel = GridSweep::<f32, 3>::with_slabs(slabs.try_into().unwrap());
         for most in [0, 1, count / 8, count / 2, count - 1, count, usize::MAX] {
             let mut found = Vec::new();
-            let overlapping = kernel.find_among(&boxes, &members, Some(wanted), most, &mut found);
+            let (list, want) = (members.clone(), Some(wanted));
+            let overlapping = kernel.find_among(&boxes, list, true, want, most, &mut found);
             assert_eq!(overlapping > most, count > most);
             assert!(found.len() <= slabs.saturating_mul(most));
             found.sort_unstable();

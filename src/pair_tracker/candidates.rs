@@ -11,10 +11,9 @@ use super::changes::pack;
 use super::proxies::overlap;
 use super::validation::set_of;
 use crate::aabb::Aabb;
-use crate::bit_set::{BitSet, gather};
+use crate::bit_set::{BitSet, gather, ones};
 use crate::real::Real;
 use crate::slot_set::SlotSet;
-use crate::tuning::prices::PICKED;
 pub(super) use comparing::Comparing;
 use comparing::RowChange;
 use retired::RetiredPairs;
@@ -137,16 +136,16 @@ impl Candidates {
             let slots = rows.as_flattened().iter();
             slots.fold(false, |has, &slot| has | (slot == new))
         };
-        let mut asked = BitSet::default();
-        asked.fill_from(cold.len(), PICKED, |rows| {
-            let rows = &cold[rows];
-            match new.len() > FEW_NEW || new.iter().any(|&new| has(rows, new)) {
-                true => gather(rows, |&pair| warm.has_any(pair)),
-                false => 0,
-            }
+        let picked = cold
+            .chunks(64)
+            .enumerate()
+            .filter(|(_, rows)| new.len() > FEW_NEW || new.iter().any(|&new| has(rows, new)));
+        let asked = picked.flat_map(|(i, rows)| {
+            let word = gather(rows, |&pair| warm.has_any(pair));
+            ones(word).map(move |bit| first + 64 * i + bit)
         });
-        for row in asked.iter() {
-            self.swap_with_first_cold(first + row);
+        for row in asked.collect::<Vec<_>>() {
+            self.swap_with_first_cold(row);
             self.first_cold += 1;
         }
     }

@@ -38,7 +38,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         self.is_base_sorted.then_some(self.outdated.len())
     }
 
-    /// Appends the overlapping pairs among the valid boxes that may meet; without a condition, all may. `clique` gives the
+    /// Finds the overlapping pairs among the valid boxes that may meet; without a condition, all may. The list must be empty. `clique` gives the
     /// [clique](super::FilterKey::clique) of a slot. Returns how many overlap, whether they may meet or not, except within a clique that is [left
     /// out](leave_out); `None` if they are more than in the last full search by more than `most`, and only some were found.
     pub(super) fn find_all(
@@ -71,7 +71,9 @@ impl<R: Real, const D: usize> Layers<R, D> {
             leave_out(&mut members, boxes, clique);
         }
         let most = self.overlapping.saturating_add(most);
-        let overlapping = self.base.find_among(boxes, &members, may_meet, most, found);
+        let listed = members.iter().copied();
+        let base = &mut self.base;
+        let overlapping = base.find_among(boxes, listed, true, may_meet, most, found);
         if overlapping > most {
             return None;
         }
@@ -84,8 +86,8 @@ impl<R: Real, const D: usize> Layers<R, D> {
         Some(overlapping)
     }
 
-    /// Appends the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that
-    /// have changed since the last search. The base layer must be [sorted](Self::recent). Returns the work it took; `None` as in a full search.
+    /// Finds the overlapping pairs among the valid boxes that may meet and have one of the `leavers`, which must be the only boxes that have
+    /// changed since the last search. The base layer must be [sorted](Self::recent), and the list empty. Returns the work it took; `None` as in a full search.
     pub(super) fn find_pairs_of_leavers(
         &mut self,
         boxes: &[Aabb<R, D>],
@@ -95,23 +97,24 @@ impl<R: Real, const D: usize> Layers<R, D> {
         found: &mut Vec<[u32; 2]>,
     ) -> Option<Work> {
         let is_valid = |&slot: &u32| boxes[slot as usize].is_valid();
-        let valid = |slots: &[u32]| slots.iter().copied().filter(is_valid).collect::<Vec<_>>();
         let outdated = &mut self.outdated;
-        outdated.make_room(boxes.len());
-        outdated.extend(leavers.slots());
+        outdated.add(leavers.slots());
         let is_current = |pair: [u32; 2]| {
             let [a, b] = pair.map(|slot| outdated.contains(slot));
             a != b && may_meet(pair)
         };
         let is_new = |pair| leavers.has_any(pair) && may_meet(pair);
         let most = self.overlapping.saturating_add(most);
-        let (base, queries) = (&mut self.base, valid(leavers.slots()));
+        let queries = leavers.slots().iter().copied().filter(is_valid);
+        let queries: Vec<_> = queries.collect();
+        let base = &self.base;
         let tally = base.look_up_queries(boxes, &queries, is_current, most, found);
         if tally.emitted > most {
             return None;
         }
-        let (recent, members) = (&mut self.recent, valid(outdated.slots()));
-        let overlapping = recent.find_among(boxes, &members, Some(is_new), most, found);
+        let members = outdated.slots().iter().copied().filter(is_valid);
+        let recent = &mut self.recent;
+        let overlapping = recent.find_among(boxes, members, false, Some(is_new), most, found);
         (overlapping <= most).then(|| Work {
             looked_up: leavers.len() as u64,
             visited: tally.compared as u64,

@@ -55,8 +55,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 /// A set of these slots.
 pub(super) fn set_of(members: &[u32]) -> SlotSet {
     let mut set = SlotSet::default();
-    set.make_room(members.iter().max().map_or(0, |&last| last as usize + 1));
-    set.extend(members);
+    set.add(members);
     set
 }
 

@@ -52,6 +52,7 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
             let asked = held | if self.proxies.are_rekeyed { near } else { 0 };
             ones(asked).for_each(|i| self.retire(pairs[i], states[i]));
         }
+        drop((pairs, states));
         self.extend(found);
         self.candidates.retired.shrink_to(KEEP_SCRATCH_UP_TO);
     }
