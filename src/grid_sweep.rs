@@ -182,7 +182,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         for (i, coarse) in self.classes.iter().enumerate() {
             for fine in &self.classes[..i] {
                 if !search.is_over() {
-                    fine.meet(coarse, search);
+                    fine.meet(coarse, self.classes.len() - 1, search);
                 }
             }
         }

@@ -88,7 +88,7 @@ pub(crate) mod kernel {
     };
 
     /// Comparisons for each box of two classes, in the cheaper direction, besides some for each pair; times the squared binary logarithm of
-    /// their number. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
+    /// their number, and divided by the number of classes that each meets. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
     /// another direction in tube after tube. If smaller: the tree takes longer than look-ups.
     pub(crate) const TREE_FROM: f64 = 4.0;
 

@@ -93,8 +93,9 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     /// Appends the pairs with a coarser class. A sample decides which class is looked up in the other, or that a segment tree finds the pairs.
-    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few.
-    pub(super) fn meet(&self, coarse: &Self, search: &mut Search<R, D>) {
+    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few. A box has one
+    /// budget for all `others` that its class meets.
+    pub(super) fn meet(&self, coarse: &Self, others: usize, search: &mut Search<R, D>) {
         let (boxes, coarser) = (search.boxes, coarse.members());
         if coarser.len() <= FEW_QUERIES {
             search.run_queries(&coarser, usize::MAX, |i, worker| {
@@ -107,7 +108,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let efforts = ways.map(|(class, queries, _)| class.effort(queries, boxes));
         let (class, queries, members) = ways[usize::from(efforts[1] < efforts[0])];
         let count = queries.len() + members.len();
-        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64;
+        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64 / others as f64;
         let budget = (price / queries.len() as f64) as usize;
         let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
         let costly = match efforts[0].min(efforts[1]) > price {
