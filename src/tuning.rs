@@ -90,7 +90,7 @@ pub(crate) mod kernel {
     /// Comparisons for each box of two classes, in the cheaper direction, besides some for each pair; times the squared binary logarithm of
     /// their number, and divided by the number of classes that each meets. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
     /// another direction in tube after tube. If smaller: the tree takes longer than look-ups.
-    pub(crate) const TREE_FROM: f64 = 4.0;
+    pub(crate) const TREE_FROM: f64 = 2.5;
 
     /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf, which compares the boxes that overlap on its axis.
     /// If larger: boxes are compared that a further axis would separate. If smaller: nodes of a few boxes, each of which costs more than it saves.
