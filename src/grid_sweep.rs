@@ -13,8 +13,8 @@
 //!    Where it exceeds the budget, the tree takes over.
 //! 4. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a
 //!    budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes those that
-//!    do, and all if the sample says that they will, unless they are so few that comparing them with all boxes of the other class takes an
-//!    eighth of the budget.
+//!    do, and all if the sample says that they will, unless they are so few that visiting all tubes and boxes of the other class with each
+//!    takes a tenth of the budget.
 //! 5. A look-up without a budget makes at most as many visits as the other class has tubes. Only tubes that hold boxes of distant strips may
 //!    be visited more than once.
 //! 6. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
@@ -182,7 +182,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
         for (i, coarse) in self.classes.iter().enumerate() {
             for fine in &self.classes[..i] {
                 if !search.is_over() {
-                    fine.meet(coarse, self.classes.len() - 1, search);
+                    fine.meet(coarse, search);
                 }
             }
         }

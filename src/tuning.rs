@@ -77,10 +77,6 @@ pub(crate) mod kernel {
     /// If larger: one long floor makes each look-up in its tube visit all entries along it. If smaller: more classes.
     pub(crate) const LONG_FROM: f64 = 4.0;
 
-    /// Queries. Up to this many are looked up in another class without an estimate. If larger: walls visit every tube. If smaller: both
-    /// directions are tried for a few boxes.
-    pub(crate) const FEW_QUERIES: usize = 16;
-
     /// The sample for choosing which of two classes is looked up in the other. If larger: time. If smaller: chance decides.
     pub(crate) const EFFORT_SAMPLE: Sample = Sample {
         one_in: 256,
@@ -88,9 +84,9 @@ pub(crate) mod kernel {
     };
 
     /// Comparisons for each box of two classes, in the cheaper direction, besides some for each pair; times the squared binary logarithm of
-    /// their number, and divided by the number of classes that each meets. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
+    /// their number. From so many on, a segment tree finds the pairs instead of look-ups. If larger: needles are compared with needles of
     /// another direction in tube after tube. If smaller: the tree takes longer than look-ups.
-    pub(crate) const TREE_FROM: f64 = 2.5;
+    pub(crate) const TREE_FROM: f64 = 3.0;
 
     /// Boxes. A node of the segment tree with at most so many intervals or points is a leaf, which compares the boxes that overlap on its axis.
     /// If larger: boxes are compared that a further axis would separate. If smaller: nodes of a few boxes, each of which costs more than it saves.
@@ -98,7 +94,7 @@ pub(crate) mod kernel {
 
     /// The cost of a query before its first tube, in comparisons. If larger: large boxes are looked up among small ones. If smaller: small
     /// boxes among large ones.
-    pub(crate) const QUERY: f64 = 400.0;
+    pub(crate) const QUERY: f64 = 128.0;
 
     /// The cost of visiting a tube, also if it is passed over, in comparisons: the search for the first entry to compare. If larger: small
     /// boxes are looked up among large ones. If smaller: large boxes among small ones.

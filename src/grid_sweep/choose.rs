@@ -40,11 +40,9 @@ impl<R: Real> Grid<R> {
 
         // Boxes per unit of volume, times the volume of a row of boxes: the candidates per box if strips were one box wide. An upper
         // bound is enough, so a flat axis counts as one box thick.
-        let shares = cut_samples
-            .iter()
-            .map(|axis| share_of(axis.size, axis.spread));
         let first_share = share_of(first.size, first.spread).max(first.mean_share);
-        let density = shares.fold(n * first_share, |density, share| density * share);
+        let density = cut_samples.iter().map(|cut| share_of(cut.size, cut.spread));
+        let density = density.fold(n * first_share, |density, share| density * share);
         let affordable = root(CANDIDATES_A_BOX / density, cuts);
         let widest = BOXES_PER_STRIP[cuts.saturating_sub(1)];
         let narrowest = match aim.is_narrow {
@@ -53,11 +51,9 @@ impl<R: Real> Grid<R> {
         };
         // Where boxes lie far apart, tubes of a few boxes each would cost more than they save.
         let places = cut_samples.iter().map(|axis| axis.inner_spread / axis.size);
-        let sparse = root(places.product::<f64>() / (n / BOXES_A_TUBE), cuts);
-        let widest = match sparse.is_finite() {
-            true => sparse.max(widest),
-            false => widest,
-        };
+        let sparse = Some(root(places.product::<f64>() / (n / BOXES_A_TUBE), cuts));
+        let sparse = sparse.filter(|width| width.is_finite());
+        let widest = widest.max(sparse.unwrap_or(widest));
         let width_in_boxes = affordable.clamp(narrowest, widest);
 
         let mut grid = Self::default();

@@ -10,8 +10,8 @@ use crate::aabb::Aabb;
 use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::kernel::{
-    COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, FEW_QUERIES, GRID_TRIES, ONE_TUBE_UP_TO, QUERY,
-    SECOND_SAMPLE, TREE_FROM,
+    COMPARED_A_PAIR, EFFORT_SAMPLE, FAR_FEWER, GRID_TRIES, ONE_TUBE_UP_TO, QUERY, SECOND_SAMPLE,
+    TREE_FROM, VISIT,
 };
 use crate::tuning::prices::SEARCHED;
 
@@ -19,6 +19,8 @@ use crate::tuning::prices::SEARCHED;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
+    /// How many boxes it has.
+    count: usize,
     /// Together they cover the grid.
     pub(super) slabs: Vec<Slab<R, D>>,
     /// A box around those of the class, if its tubes are kept.
@@ -37,7 +39,9 @@ impl<R: Real, const D: usize> Class<R, D> {
     ) {
         let boxes = search.boxes;
         self.assign(members, oversized, assignment, search);
+        self.count = members.len() - oversized.len();
         if !search.is_last_class && assignment.leave_crowds(boxes, members, oversized) {
+            self.count = members.len();
             assignment.assign(boxes, members, &self.grid, &mut Vec::new());
         }
         search.keeps |= !oversized.is_empty();
@@ -93,33 +97,41 @@ impl<R: Real, const D: usize> Class<R, D> {
     }
 
     /// Appends the pairs with a coarser class. A sample decides which class is looked up in the other, or that a segment tree finds the pairs.
-    /// Queries that exceed their share of what the tree would take are given up, and left to the tree unless they are few. A box has one
-    /// budget for all `others` that its class meets.
-    pub(super) fn meet(&self, coarse: &Self, others: usize, search: &mut Search<R, D>) {
-        let (boxes, coarser) = (search.boxes, coarse.members());
-        if coarser.len() <= FEW_QUERIES {
-            search.run_queries(&coarser, usize::MAX, |i, worker| {
-                self.look_up(boxes, i, worker);
-            });
-            return;
-        }
-        let finer = self.members();
-        let ways = [(self, &coarser, &finer), (coarse, &finer, &coarser)];
-        let efforts = ways.map(|(class, queries, _)| class.effort(queries, boxes));
-        let (class, queries, members) = ways[usize::from(efforts[1] < efforts[0])];
-        let count = queries.len() + members.len();
-        let price = TREE_FROM * f64::from(count.ilog2()).powi(2) * count as f64 / others as f64;
-        let budget = (price / queries.len() as f64) as usize;
-        let look_up = |i: u32, worker: &mut Worker| class.look_up(boxes, i, worker);
-        let costly = match efforts[0].min(efforts[1]) > price {
-            true => queries.clone(),
-            false => search.run_queries(queries, budget, look_up),
+    /// Queries that exceed their share of what the tree would take, and of a third more because samples mislead, are given up. The tree takes
+    /// them, unless they are few.
+    pub(super) fn meet(&self, coarse: &Self, search: &mut Search<R, D>) {
+        let boxes = search.boxes;
+        let run = |class: &Self, queries: &[u32], budget, search: &mut Search<R, D>| {
+            search.run_queries(queries, budget, |i, worker| class.look_up(boxes, i, worker))
         };
-        // Compared with each member, a few queries take an eighth of what the tree would.
-        match costly.len() as f64 * members.len() as f64 <= price / 8.0 {
-            true => _ = search.run_queries(&costly, usize::MAX, look_up),
-            false => search.match_lists(&costly, members),
+        let count = self.count + coarse.count;
+        let price = TREE_FROM * f64::from(count.max(1).ilog2()).powi(2) * count as f64;
+        // If each of them reaches all tubes, they take a tenth of what the tree would.
+        let are_few = |queries: &[u32], class: &Self| {
+            queries.len() as f64 * (class.count + VISIT * class.tubes()) as f64 <= price / 10.0
+        };
+        let (mut class, mut queries, mut members) = (self, coarse.members(), Vec::new());
+        if !are_few(&queries, class) {
+            members = self.members();
+            let efforts = [self.effort(&queries, boxes), coarse.effort(&members, boxes)];
+            if efforts[1] < efforts[0] {
+                class = coarse;
+                std::mem::swap(&mut queries, &mut members);
+            }
+            if efforts[0].min(efforts[1]) <= price {
+                let budget = (price / 0.75 / queries.len() as f64) as usize;
+                queries = run(class, &queries, budget, search);
+            }
         }
+        match are_few(&queries, class) {
+            true => _ = run(class, &queries, usize::MAX, search),
+            false => search.match_lists(&queries, &members),
+        }
+    }
+
+    /// The number of its tubes that have entries.
+    pub(super) fn tubes(&self) -> usize {
+        self.slabs.iter().map(|slab| slab.tubes.len()).sum()
     }
 
     /// The boxes of the class, in the order of its tubes.

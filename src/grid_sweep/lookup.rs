@@ -33,8 +33,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         let span = self.grid.tube_span(&near);
         let query = (aabb, i, span);
         let [rows, columns] = span.beyond().map(|beyond| u64::from(beyond) + 1);
-        let reached = rows * columns;
-        let tubes = slabs.iter().map(|slab| slab.tubes.len() as u64).sum();
+        let (reached, tubes) = (rows * columns, self.tubes() as u64);
         // Most of them may be empty, or not reached.
         worker.tally.compared += reached.min(tubes) as usize;
         if worker.is_budget_exceeded() {

@@ -53,10 +53,7 @@ fn queries_within_their_budget_have_all_their_pairs() {
         assert!(found == expected, "budget {budget}");
         given_up.push(costly.len());
     }
-    assert!(
-        given_up[0] > 0 && given_up[2] > 0 && given_up[20] == 0,
-        "{given_up:?}"
-    );
+    assert!(given_up[0].min(given_up[2]) > 0 && given_up[20] == 0);
 }
 
 #[cfg(feature = "_adapter")]
