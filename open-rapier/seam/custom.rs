@@ -203,25 +203,22 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Keeps the colliders of changed bodies that have soft CCD for the next update, and those of bodies whose rotation may be of any length:
-    /// changed kinematic bodies whose next rotation is not of unit length, and all links of multibodies, which are never renormalized.
-    pub(crate) fn note_bodies(
+    /// The list that takes the colliders of [swept](note_swept) bodies, if there is a custom broad phase.
+    pub(crate) fn swept(&mut self) -> Option<&mut Vec<ColliderHandle>> {
+        let is_custom = self.custom.broad_phase.is_some();
+        is_custom.then_some(&mut self.custom.swept)
+    }
+
+    /// Keeps the colliders of links that are awake for the next update: the rotations of multibodies are never renormalized.
+    pub(crate) fn note_links(
         &mut self,
         bodies: &RigidBodySet,
-        modified_bodies: &[RigidBodyHandle],
         links: impl Iterator<Item = RigidBodyHandle>,
     ) {
-        if self.custom.broad_phase.is_some() {
-            let is_off_unit = |body: &RigidBody| {
-                let norm = body.next_position().rotation.length_squared();
-                body.is_kinematic() && !((norm - 1.0).abs() <= 8.0 * Real::EPSILON)
-            };
-            let modified = modified_bodies.iter().filter_map(|handle| bodies.get(*handle));
-            let modified = modified.filter(|body| body.soft_ccd_prediction() > 0.0 || is_off_unit(body));
+        if let Some(swept) = self.swept() {
             let links = links.filter_map(|handle| bodies.get(handle));
             let links = links.filter(|body| !body.is_sleeping());
-            let swept = modified.chain(links).flat_map(|body| body.colliders().iter().copied());
-            self.custom.swept.extend(swept);
+            swept.extend(links.flat_map(|body| body.colliders().iter().copied()));
         }
     }
 
@@ -381,6 +378,15 @@ pub(crate) struct LastUpdate(AtomicUsize);
 impl Clone for LastUpdate {
     fn clone(&self) -> Self {
         Self(AtomicUsize::new(self.0.load(Ordering::Relaxed)))
+    }
+}
+
+/// Keeps the colliders of a changed body for the next update if it has soft CCD or is kinematic and its next rotation is not of unit length.
+pub(crate) fn note_swept(swept: &mut Vec<ColliderHandle>, body: &RigidBody) {
+    let norm = body.next_position().rotation.length_squared();
+    let is_off_unit = body.is_kinematic() && !((norm - 1.0).abs() <= 8.0 * Real::EPSILON);
+    if body.soft_ccd_prediction() > 0.0 || is_off_unit {
+        swept.extend(body.colliders());
     }
 }
 

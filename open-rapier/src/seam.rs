@@ -89,7 +89,7 @@ pub(crate) const EDITS: &[Edit] = &[
         times: 1,
         change: Change::After(
             "
-pub(crate) use self::broad_phase_bvh::LastUpdate;
+pub(crate) use self::broad_phase_bvh::{LastUpdate, note_swept};
 pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
         ),
     },
@@ -131,7 +131,7 @@ pub use self::broad_phase_bvh::{CustomBroadPhase, PipelineInput};",
 mod update;
 
 use self::custom::Custom;
-pub(crate) use self::custom::LastUpdate;
+pub(crate) use self::custom::{LastUpdate, note_swept};
 pub use self::custom::{CustomBroadPhase, PipelineInput};
 ",
         ),
@@ -210,23 +210,59 @@ pub use self::custom::{CustomBroadPhase, PipelineInput};
 "),
     },
     Edit {
-        file: "src/pipeline/physics_pipeline/substep.rs",
-        purpose: "passes the colliders of bodies whose contacts reach farther or whose rotation may be of any length",
-        find: "        // Disabled colliders are treated as if they were removed.
+        file: "src/pipeline/user_changes.rs",
+        purpose: "a list of the colliders of changed bodies whose contacts reach farther or whose rotation is of any length",
+        find: "    modified_colliders: &mut ModifiedColliders,
+) {
+    enum FinalAction {
 ",
         times: 1,
-        change: Change::Before("        let links = multibody_joints.multibodies().flat_map(|it| it.links().map(|link| link.rigid_body_handle()));
-        broad_phase.note_bodies(bodies, &modified_bodies, links);
-
-"),
+        change: Change::Replace(
+            "    modified_colliders: &mut ModifiedColliders,
+    mut swept: Option<&mut Vec<ColliderHandle>>,
+) {
+    enum FinalAction {
+",
+        ),
+    },
+    Edit {
+        file: "src/pipeline/user_changes.rs",
+        purpose: "fills the list while the bodies are in the cache",
+        find: "            let activation = rb.activation;\n",
+        times: 1,
+        change: Change::After(
+            "            if let Some(swept) = &mut swept {
+                crate::geometry::note_swept(swept, rb);
+            }
+",
+        ),
+    },
+    Edit {
+        file: "src/pipeline/physics_pipeline/substep.rs",
+        purpose: "passes the list of the custom broad phase",
+        find: "            &modified_bodies,
+            &mut modified_colliders,
+",
+        times: 1,
+        change: Change::After("            broad_phase.swept(),\n"),
     },
     Edit {
         file: "src/pipeline/collision_pipeline.rs",
         purpose: "the same without dynamics",
+        find: "            &modified_bodies,
+            &mut modified_colliders,
+",
+        times: 1,
+        change: Change::After("            broad_phase.swept(),\n"),
+    },
+    Edit {
+        file: "src/pipeline/physics_pipeline/substep.rs",
+        purpose: "passes the colliders of multibodies, whose rotations may be of any length",
         find: "        // Disabled colliders are treated as if they were removed.
 ",
         times: 1,
-        change: Change::Before("        broad_phase.note_bodies(bodies, &modified_bodies, core::iter::empty());
+        change: Change::Before("        let links = multibody_joints.multibodies().flat_map(|it| it.links().map(|link| link.rigid_body_handle()));
+        broad_phase.note_links(bodies, links);
 
 "),
     },
