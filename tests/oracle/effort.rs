@@ -12,8 +12,9 @@ const BOUND: f64 = 400.0;
 const GROWTH: f64 = 3.0;
 
 /// The boxes with the axes rotated `turns` times.
-fn turned<const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> Vec<Aabb<f32, D>> {
-    let turned = |corner: &[f32; D]| std::array::from_fn(|k| corner[(k + turns) % D]);
+fn turned<R: Real, const D: usize>(boxes: &[[[f32; D]; 2]], turns: usize) -> Vec<Aabb<R, D>> {
+    let number = |x: f32| R::from_f64(x.into());
+    let turned = |corner: &[f32; D]| std::array::from_fn(|k| number(corner[(k + turns) % D]));
     let boxes = boxes.iter();
     boxes
         .map(|[mins, maxs]| Aabb::new(turned(mins), turned(maxs)))
@@ -47,7 +48,7 @@ fn check_growth<const D: usize>(
     boxes: impl Fn(usize) -> Vec<[[f32; D]; 2]>,
 ) {
     for turns in 0..D {
-        let [few, many] = counts.map(|count| effort(&turned(&boxes(count), turns)));
+        let [few, many] = counts.map(|count| effort(&turned::<f32, D>(&boxes(count), turns)));
         assert!(
             many < BOUND && many < GROWTH * few.max(least),
             "{name} in {D}D, turned {turns} times: {few}, {many}"
@@ -137,10 +138,12 @@ fn effort_is_bounded_for_needles_that_pass_each_other() {
     let random = (0..40).map(|seed| Needles::random(seed).varied(seed));
     for (i, needles) in Needles::WORST.into_iter().chain(random).enumerate() {
         for turns in 0..3 {
-            let effort = effort(&turned(&needles.boxes::<3>(1 << 14, 7), turns));
+            let boxes = needles.boxes::<3>(1 << 14, 7);
+            let single = effort(&turned::<f32, 3>(&boxes, turns));
+            let double = effort(&turned::<f64, 3>(&boxes, turns));
             assert!(
-                effort < 1000.0,
-                "needles {i}, turned {turns} times: {effort}"
+                single.max(double) < 1000.0,
+                "needles {i}, turned {turns} times: {single}, {double}"
             );
         }
     }
@@ -173,7 +176,7 @@ fn no_order_of_boxes_takes_much_more_effort_than_another() {
 fn many_needles_have_the_pairs_of_brute_force() {
     for needles in Needles::WORST {
         for turns in 0..3 {
-            assert_pairs(&turned(&needles.boxes::<3>(1 << 14, 7), turns));
+            assert_pairs(&turned::<f32, 3>(&needles.boxes::<3>(1 << 14, 7), turns));
         }
     }
 }

@@ -16,8 +16,8 @@ const NUMBERS: usize = 10;
 pub struct Needles([[f32; NUMBERS]; BLOCKS]);
 
 impl Needles {
-    /// Needles on which look-ups alone take thousands of comparisons for each box: with 2¹⁴ boxes, and with more.
-    pub const WORST: [Self; 2] = [
+    /// Needles on which look-ups alone take thousands of comparisons for each box: with 2¹⁴ boxes, with more, and in double precision.
+    pub const WORST: [Self; 3] = [
         Self([
             [
                 0.2804, 0.0803, 0.8838, 0.8253, 0.0279, 0.0043, 1.0, 0.2284, 0.5936, 0.2072,
@@ -44,6 +44,20 @@ impl Needles {
             ],
             [
                 0.3270, 0.5251, 0.4115, 0.8979, 0.8747, 0.4708, 0.5396, 0.5122, 0.0045, 0.4645,
+            ],
+        ]),
+        Self([
+            [
+                0.1848, 0.5776, 0.7841, 1.0, 0.1688, 0.0, 0.7460, 0.5197, 0.2863, 0.3263,
+            ],
+            [
+                0.5906, 0.2209, 0.2529, 1.0, 0.8596, 0.2445, 0.2235, 0.5688, 0.3503, 0.3602,
+            ],
+            [
+                0.5088, 0.1718, 0.3535, 0.2476, 0.4213, 0.7326, 0.2329, 0.7273, 0.4502, 0.5018,
+            ],
+            [
+                0.9501, 0.6909, 0.7939, 0.8762, 0.7522, 0.0, 1.0, 0.2947, 0.5450, 0.2455,
             ],
         ]),
     ];
