@@ -3,7 +3,7 @@
 //! # The bound
 //!
 //! Samples decide only the speed, and some order of the boxes misleads every one of them. Whatever they say, n boxes with k pairs take
-//! **O(n logᴰ n + k log k)** time and **O(n + k)** memory:
+//! **O(n logᴰ n + k log k)** time and **O(n + k)** memory, and where the tree takes over, O(n) more for each thread:
 //!
 //! 1. There are at most eight [classes](MOST_CLASSES), because the last one takes all valid boxes that are left. Each assigns them at most six
 //!    times: for each [grid that it tries](crate::tuning::kernel::GRID_TRIES), for the best of them or a single tube, and without the boxes
@@ -11,12 +11,10 @@
 //! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
 //! 3. The sweep of a tube has a budget for each entry and each pair, unless it has [few entries](crate::tuning::kernel::NO_CROWD_UP_TO).
 //!    Where it exceeds the budget, the tree takes over.
-//! 4. There are at most 28 pairs of classes. Between two classes, a sample of at most 64 boxes is looked up in each direction without a
-//!    budget. A further query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes those that
-//!    do, and all if the sample says that they will, unless they are so few that visiting all tubes and boxes of the other class with each
-//!    takes a tenth of the budget.
-//! 5. A look-up without a budget makes at most as many visits as the other class has tubes. Only tubes that hold boxes of distant strips may
-//!    be visited more than once.
+//! 4. There are at most 28 pairs of classes. Between two, a sample of at most 64 boxes is looked up in each direction, until it costs more than
+//!    the tree would. Then each query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes
+//!    those that do, and all if the sample says that they will, unless even visiting all tubes and boxes takes them a tenth of its time.
+//! 5. A look-up without a budget visits each tube of the other class at most once, and compares each of its entries at most once.
 //! 6. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
 //!
 //! A pair meets in at most four tubes of each grid, so the budgets for pairs are bounded as well.
@@ -55,17 +53,15 @@ pub(crate) const MAX_BOXES: usize = 1 << 29;
 
 /// Cuts space into tubes along the first axis, sorts each by `mins[0]` and sweeps it.
 ///
-/// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. A box has an entry in each tube that it
-/// reaches, usually one. In each tube, eight boxes at a time are compared with those that follow them. Boxes much larger than most form a
-/// size class of their own with a coarser grid. For each two classes, the boxes of one are looked up in the other, in the direction that
-/// takes less time for a sample. Where look-ups cost too much in both directions, a segment tree finds the pairs. If the boxes of a tube
-/// crowd, because they are much smaller than most or lie where few others do, they get a class of their own.
+/// The second and the third axis are cut into strips a few boxes wide, and so space into tubes. In each tube, eight boxes at a time are
+/// compared with those that follow them. Boxes that are much larger than most, or that crowd in a tube, form a class with a grid of its own.
+/// For each two classes, the boxes of one are looked up in the other, or a segment tree finds the pairs where that costs too much.
 ///
 /// Exact for boxes of any sizes and in any dimension: the tubes decide only the speed.
 ///
 /// Computes in **O(n + pairs)** time if the boxes are of about one size, wherever they lie, and in **O((n + pairs) log n)** time for most
 /// boxes of different sizes. No input takes more than **O(n logᴰ n + pairs log pairs)**, whatever the order of the boxes. The head of
-/// `grid_sweep.rs` has the argument. Memory is always **O(n + pairs)**.
+/// `grid_sweep.rs` has the argument. Memory is always **O(n + pairs)** for any fixed number of threads.
 ///
 /// Takes at most 2²⁹ boxes and refuses more as [`TooMany`](crate::InvalidInputReason::TooMany).
 ///
@@ -92,7 +88,7 @@ pub struct GridSweep<R, const D: usize> {
     assignment: Assignment,
     /// Scratch: the members of a class, and those that it leaves to further ones.
     members: [Vec<u32>; 2],
-    compared: usize,
+    compared: u64,
 }
 
 impl<R: Real, const D: usize> PairFinder<R, D> for GridSweep<R, D> {
@@ -135,7 +131,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
 
     /// The comparisons of the last call of `find_pairs`, with visits of tubes in units of comparisons.
     #[doc(hidden)]
-    pub fn compared(&self) -> usize {
+    pub fn compared(&self) -> u64 {
         self.compared
     }
 
@@ -214,7 +210,7 @@ impl<R: Real, const D: usize> GridSweep<R, D> {
     ) -> Tally {
         let filter = filter(wanted);
         let mut search = Search::new(boxes, Some(&filter), most, pairs);
-        search.run_queries(queries, usize::MAX, |i, worker| {
+        search.run_queries(queries, u64::MAX, |i, worker| {
             let classes = self.classes.iter();
             classes.for_each(|class| class.look_up(boxes, i, worker));
         });

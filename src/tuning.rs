@@ -51,7 +51,7 @@ pub(crate) mod kernel {
         }
     }
 
-    /// The grids that are tried in turn until one [fits](FITTING). If more: each try is a pass over the boxes. If fewer: plates in several
+    /// The grids that are tried in turn until one nearly [fits](FITTING). If more: each try is a pass over the boxes. If fewer: plates in several
     /// directions share tubes.
     pub(crate) const GRID_TRIES: [Aim; 4] = [
         aim(GRID_SAMPLE, 0.75, false),
@@ -127,8 +127,8 @@ pub(crate) mod kernel {
     /// Comparisons for each entry of a tube, and for each pair among them. A sample says whether a tube takes more: then it is crowded,
     /// and its boxes are left to further classes. Where a sweep takes more nevertheless, a segment tree takes over. If larger: crowds are swept.
     /// If smaller: classes and trees where a sweep is as fast.
-    pub(crate) const COMPARED_AN_ENTRY: usize = 128;
-    pub(crate) const COMPARED_A_PAIR: usize = 16;
+    pub(crate) const COMPARED_AN_ENTRY: u64 = 128;
+    pub(crate) const COMPARED_A_PAIR: u64 = 16;
 
     /// Entries. A tube of at most so many is never crowded. If larger: crowds are swept. If smaller: further classes take longer than comparing
     /// each entry with each.

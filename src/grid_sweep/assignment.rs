@@ -77,7 +77,7 @@ impl Assignment {
         oversized: &mut Vec<u32>,
     ) -> bool {
         let count = |tube: u32| self.entries_before(tube + 1) - self.entries_before(tube);
-        let tubes = 0..self.tube_count();
+        let tubes = 0..self.starts.len() as u32 - 1;
         let occupied = tubes.clone().filter(|&tube| count(tube) > 0).count();
         let mean = self.entries_before(tubes.end) / occupied.max(1);
         let mut leaving = Vec::new();
@@ -103,10 +103,6 @@ impl Assignment {
         true
     }
 
-    fn tube_count(&self) -> u32 {
-        self.starts.len() as u32 - 1
-    }
-
     /// How many entries the tubes before this one have.
     pub(super) fn entries_before(&self, tube: u32) -> usize {
         self.starts[tube as usize] as usize
@@ -114,12 +110,13 @@ impl Assignment {
 
     /// Divides the tubes into ranges with about as many entries each.
     pub(super) fn split(&self) -> Vec<Range<u32>> {
-        let total = self.entries_before(self.tube_count());
+        let tubes = self.starts.len() as u32 - 1;
+        let total = self.entries_before(tubes);
         let cut = |i: usize| {
             let before = start_of_part(i, self.slab_count, total) as u32;
             self.starts.partition_point(|&start| start < before) as u32
         };
-        let cuts = (0..self.slab_count).map(cut).chain([self.tube_count()]);
+        let cuts = (0..self.slab_count).map(cut).chain([tubes]);
         let mut cuts: Vec<_> = cuts.collect();
         cuts.dedup();
         cuts.windows(2).map(|cuts| cuts[0]..cuts[1]).collect()

@@ -10,8 +10,8 @@ use crate::tuning::kernel::{
 };
 
 impl<R: Real> Grid<R> {
-    /// A grid for boxes up to some size. The quantiles are the shares of the members that do not
-    /// exceed that size on the cut axes, and along the first axis of those that are not too large for the strips.
+    /// A grid for boxes up to some size. The [shares](Aim::sizes) of the aim are those of the members that do not exceed that size on the cut
+    /// axes, and along the first axis of those that are not too large for the strips.
     pub(super) fn choose<const D: usize>(boxes: &[Aabb<R, D>], members: &[u32], aim: Aim) -> Self {
         let cuts = (D - 1).min(2);
         let [cut_quantile, first_quantile] = aim.sizes;
@@ -117,7 +117,7 @@ pub(super) fn overlaps_and_pairs<R: Real, const D: usize>(
             pairs += usize::from(aabb.intersects(other));
         }
     }
-    [overlaps, pairs].map(|n| n as f64 / (sample.len() as f64).powi(2))
+    [overlaps, pairs].map(|n| n as f64 / (sample.len().max(1) as f64).powi(2))
 }
 
 /// A sample of these items: the same each time, but at irregular distances, so that a pattern in their order does not mislead.
@@ -144,7 +144,7 @@ fn share_of(size: f64, spread: f64) -> f64 {
 
 /// One axis of a sample. A few boxes that are far out or far larger change nothing.
 struct AxisSample {
-    /// The size that a share of the boxes does not exceed.
+    /// The size that a share of the boxes does not exceed. Without a sign, because that of ∞ - ∞ depends on the platform.
     size: f64,
     /// The mean size, as a share of the spread.
     mean_share: f64,
@@ -158,7 +158,7 @@ struct AxisSample {
 
 impl AxisSample {
     fn of<R: Real, const D: usize>(sample: &[&Aabb<R, D>], axis: usize, share: f64) -> Self {
-        let size = |b: &&Aabb<R, D>| b.maxs[axis].to_f64() - b.mins[axis].to_f64();
+        let size = |b: &&Aabb<R, D>| (b.maxs[axis].to_f64() - b.mins[axis].to_f64()).abs();
         let mut sizes: Vec<f64> = sample.iter().map(size).collect();
         let mins = sample.iter().map(|b| b.mins[axis].to_f64());
         let mut mins: Vec<f64> = mins.filter(|min| min.is_finite()).collect();

@@ -19,8 +19,9 @@ use crate::tuning::prices::SEARCHED;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Class<R, const D: usize> {
     pub(super) grid: Grid<R>,
-    /// How many boxes it has.
+    /// How many boxes it has, and how many of its tubes have entries.
     count: usize,
+    pub(super) tubes: usize,
     /// Together they cover the grid.
     pub(super) slabs: Vec<Slab<R, D>>,
     /// A box around those of the class, if its tubes are kept.
@@ -29,7 +30,7 @@ pub(super) struct Class<R, const D: usize> {
 
 impl<R: Real, const D: usize> Class<R, D> {
     /// Sorts the members into tubes, and appends their pairs. Replaces `oversized` by the members that are left to further classes, and by
-    /// invalid ones. Those of crowded tubes leave the list of members.
+    /// invalid ones. If there are crowded tubes, all of these leave the list of members.
     pub(super) fn search(
         &mut self,
         members: &mut Vec<u32>,
@@ -54,6 +55,7 @@ impl<R: Real, const D: usize> Class<R, D> {
             slab.sweep(boxes, assignment, kept, worker);
         });
         let tubes = self.slabs.iter().flat_map(|slab| &slab.tubes);
+        self.tubes = tubes.clone().count();
         let bounds = tubes.map(|tube| tube.bounds);
         self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
     }
@@ -106,32 +108,28 @@ impl<R: Real, const D: usize> Class<R, D> {
         };
         let count = self.count + coarse.count;
         let price = TREE_FROM * f64::from(count.max(1).ilog2()).powi(2) * count as f64;
-        // If each of them reaches all tubes, they take a tenth of what the tree would.
+        // If each of them reaches all tubes and boxes, they take a tenth of what the tree would.
         let are_few = |queries: &[u32], class: &Self| {
-            queries.len() as f64 * (class.count + VISIT * class.tubes()) as f64 <= price / 10.0
+            queries.len() as f64 * (class.count + VISIT * class.tubes) as f64 <= price / 10.0
         };
         let (mut class, mut queries, mut members) = (self, coarse.members(), Vec::new());
         if !are_few(&queries, class) {
             members = self.members();
-            let efforts = [self.effort(&queries, boxes), coarse.effort(&members, boxes)];
+            let efforts = [(self, &queries), (coarse, &members)]
+                .map(|(class, queries)| class.effort(queries, price, search));
             if efforts[1] < efforts[0] {
                 class = coarse;
                 std::mem::swap(&mut queries, &mut members);
             }
             if efforts[0].min(efforts[1]) <= price {
-                let budget = (price / 0.75 / queries.len() as f64) as usize;
+                let budget = (price / 0.75 / queries.len() as f64) as u64;
                 queries = run(class, &queries, budget, search);
             }
         }
         match are_few(&queries, class) {
-            true => _ = run(class, &queries, usize::MAX, search),
+            true => _ = run(class, &queries, u64::MAX, search),
             false => search.match_lists(&queries, &members),
         }
-    }
-
-    /// The number of its tubes that have entries.
-    pub(super) fn tubes(&self) -> usize {
-        self.slabs.iter().map(|slab| slab.tubes.len()).sum()
     }
 
     /// The boxes of the class, in the order of its tubes.
@@ -141,16 +139,19 @@ impl<R: Real, const D: usize> Class<R, D> {
         at_home.map(|owner| owner.index()).collect()
     }
 
-    /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample of them.
-    fn effort(&self, queries: &[u32], boxes: &[Aabb<R, D>]) -> f64 {
+    /// An estimate of the comparisons for looking these boxes up in the class, besides some for each pair, by a sample that ends at this price.
+    fn effort(&self, queries: &[u32], price: f64, search: &mut Search<R, D>) -> f64 {
         let mut pairs = Vec::new();
         let mut worker = Worker::new(&mut pairs, usize::MAX);
         let sample: Vec<_> = sample_of(queries, EFFORT_SAMPLE).collect();
+        let queries_a_sample = queries.len() as f64 / sample.len().max(1) as f64;
+        worker.begin_task((price / queries_a_sample) as u64);
         for &&i in &sample {
-            self.look_up(boxes, i, &mut worker);
+            self.look_up(search.boxes, i, &mut worker);
         }
         let Tally { compared, emitted } = worker.finish();
-        let besides = compared.saturating_sub(COMPARED_A_PAIR * emitted);
-        (QUERY + besides as f64 / sample.len().max(1) as f64) * queries.len() as f64
+        search.tally.compared += compared;
+        let besides = compared.saturating_sub(COMPARED_A_PAIR * emitted as u64);
+        QUERY * queries.len() as f64 + besides as f64 * queries_a_sample
     }
 }

@@ -26,68 +26,84 @@ const COMPARED_AT_ONCE: usize = 1024;
 impl<R: Real, const D: usize> Class<R, D> {
     /// Emits the pair of the box `i` with every box of the class that it overlaps.
     pub(super) fn look_up(&self, boxes: &[Aabb<R, D>], i: u32, worker: &mut Worker) {
-        let (slabs, aabb) = (&self.slabs, &boxes[i as usize]);
+        let aabb = &boxes[i as usize];
         let Some(near) = self.bounds.and_then(|bounds| aabb.within(&bounds)) else {
             return;
         };
         let span = self.grid.tube_span(&near);
         let query = (aabb, i, span);
         let [rows, columns] = span.beyond().map(|beyond| u64::from(beyond) + 1);
-        let (reached, tubes) = (rows * columns, self.tubes() as u64);
-        // Most of them may be empty, or not reached.
-        worker.tally.compared += reached.min(tubes) as usize;
+        let (reached, tubes) = (rows * columns, self.tubes as u64);
+        worker.tally.compared += reached.min(tubes);
         if worker.is_budget_exceeded() {
             return;
         }
         if reached > tubes {
-            for slab in slabs {
-                for tube in &slab.tubes {
-                    if tube.strips.is_none_or(|strips| span.contains(strips)) {
-                        self.look_up_in_tube((slab, tube), query, None, worker);
-                    }
-                }
+            for slab in &self.slabs {
+                let tubes = slab.tubes.iter();
+                let reached = tubes.filter(|tube| tube.strips.is_none_or(|of| span.contains(of)));
+                reached.for_each(|tube| self.look_up_in_tube((slab, tube), query, worker));
             }
             return;
         }
+        let mut are_shared = false;
         // In this order for any number of slabs.
-        let TubeSpan { first, last } = span;
-        for row in first[0]..=last[0] {
-            for column in first[1]..=last[1] {
-                let strips = [row, column];
-                let number = self.grid.tube(strips);
-                let slab = &slabs[slabs.partition_point(|slab| slab.range.end <= number)];
-                let position = slab.table[(number - slab.range.start) as usize];
-                let tube = slab.tubes.get(position as usize);
-                if let Some(tube) = tube.filter(|tube| tube.strips.is_none_or(|s| s == strips)) {
-                    self.look_up_in_tube((slab, tube), query, Some(strips), worker);
+        for row in span.first[0]..=span.last[0] {
+            for column in span.first[1]..=span.last[1] {
+                if let Some((slab, tube)) = self.tube(self.grid.tube([row, column])) {
+                    if tube.strips == Some([row, column]) {
+                        self.look_up_in_tube((slab, tube), query, worker);
+                    }
+                    are_shared |= tube.strips.is_none();
                 }
             }
         }
+        if are_shared {
+            self.look_up_in_shared_tubes(query, worker);
+        }
     }
 
-    /// Emits the pairs of a query, a box with its index and the tubes that it reaches, with the entries of a tube: those that are at `strips`,
-    /// or if that is `None`, those of all tubes that share the number.
+    /// Visits each tube once that shares its number with others.
+    #[cold]
+    fn look_up_in_shared_tubes(&self, query: (&Aabb<R, D>, u32, TubeSpan), worker: &mut Worker) {
+        let TubeSpan { first, last } = query.2;
+        let mut numbers = std::collections::BTreeSet::new();
+        for row in first[0]..=last[0] {
+            numbers.extend((first[1]..=last[1]).map(|column| self.grid.tube([row, column])));
+        }
+        let tubes = numbers.into_iter().filter_map(|number| self.tube(number));
+        for (slab, tube) in tubes.filter(|(_, tube)| tube.strips.is_none()) {
+            self.look_up_in_tube((slab, tube), query, worker);
+        }
+    }
+
+    /// The tube with a number, if it has entries.
+    fn tube(&self, number: u32) -> Option<(&Slab<R, D>, &Tube<R, D>)> {
+        let slab = &self.slabs[self.slabs.partition_point(|slab| slab.range.end <= number)];
+        let position = slab.table[(number - slab.range.start) as usize];
+        Some((slab, slab.tubes.get(position as usize)?))
+    }
+
+    /// Emits the pairs of a query, a box with its index and its tubes, with the entries of a tube, or of all tubes that share its number.
     #[inline(always)]
     fn look_up_in_tube(
         &self,
         (slab, tube): (&Slab<R, D>, &Tube<R, D>),
         (aabb, index, span): (&Aabb<R, D>, u32, TubeSpan),
-        strips: Option<[u32; 2]>,
         worker: &mut Worker,
     ) {
         if worker.is_budget_exceeded() {
             return;
         }
-        worker.tally.compared += VISIT;
+        worker.tally.compared += VISIT as u64;
         if (aabb.maxs[0] < tube.bounds.mins[0]) | (aabb.mins[0] > tube.bounds.maxs[0]) {
             return;
         }
         let (columns, maxs) = (slab.columns(), &slab.running_maxs[tube.entries.clone()]);
         let mut start = tube.entries.start + maxs.partition_point(|&max| max < aabb.mins[0]);
-        // A small box does not reach other tubes with the same number.
-        let is_small = span.beyond().iter().all(|&beyond| beyond <= 1);
-        let known = tube.strips.or(strips.filter(|_| is_small));
-        let owner = known.map(|strips| Owner::of(index, strips, span.first));
+        let owner = tube
+            .strips
+            .map(|strips| Owner::of(index, strips, span.first));
         loop {
             let window = start..start.saturating_add(COMPARED_AT_ONCE);
             let (compared, is_done) = match owner {
@@ -100,13 +116,11 @@ impl<R: Real, const D: usize> Class<R, D> {
                         let other = columns.owners[first + lane];
                         let home = self.grid.tube_span(&columns.entry(first + lane)).first;
                         let later = [0, 1].map(|cut| home[cut].max(span.first[cut]));
-                        let is_here =
-                            later == other.strips(home) && strips.is_none_or(|s| s == later);
-                        worker.emit_one(Owner(index), other, is_here);
+                        worker.emit_one(Owner(index), other, later == other.strips(home));
                     }
                 }),
             };
-            worker.tally.compared += compared;
+            worker.tally.compared += compared as u64;
             if is_done || worker.is_budget_exceeded() {
                 return;
             }

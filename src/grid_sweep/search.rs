@@ -19,7 +19,7 @@ pub(super) struct Search<'a, R, const D: usize> {
     /// `None` means that all pairs are wanted.
     filter: Option<Filter<'a>>,
     /// How many pairs may overlap, wanted or not. If there are more, the search stops with some of them.
-    pub(super) most: usize,
+    most: usize,
     pub(super) tally: Tally,
 }
 
@@ -87,7 +87,7 @@ impl<'a, R, const D: usize> Search<'a, R, D> {
     pub(super) fn run_queries(
         &mut self,
         queries: &[u32],
-        budget: usize,
+        budget: u64,
         look_up: impl Fn(u32, &mut Worker) + Sync,
     ) -> Vec<u32> {
         let section = Section::of(queries.len(), LOOKED_UP);

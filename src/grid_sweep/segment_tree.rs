@@ -1,7 +1,7 @@
 //! Pairs by a segment tree that is not stored: boxes stream through its nodes.
 //!
 //! No grid helps where boxes as long as the world pass each other without touching. This search takes **O(n logᴰ n + pairs)** time for
-//! boxes of any sizes in any places, and **O(n)** memory. It reads each box many times, so it is slower where a grid does help.
+//! boxes of any sizes in any places, and **O(n)** memory for each thread. It reads each box many times, so it is slower where a grid does help.
 //!
 //! If two intervals overlap, one of them holds the beginning of the other. So on one axis some boxes count as *intervals* and others by
 //! their `mins` as *points*, and then the other way round. Each node of the tree halves the points. An interval that holds all points of
@@ -83,7 +83,7 @@ fn stab<R: Real, const D: usize>(
     worker: &mut Worker,
 ) {
     if let Some(&axis) = axes.first() {
-        worker.tally.compared += points.len();
+        worker.tally.compared += points.len() as u64;
         points.sort_unstable_by(|a, b| order(a, b, axis));
         descend(intervals, points, axes, worker);
     } else {
@@ -112,7 +112,7 @@ fn descend<R: Real, const D: usize>(
     if worker.is_over() {
         return;
     }
-    worker.tally.compared += intervals.len();
+    worker.tally.compared += intervals.len() as u64;
     let count = partition(intervals, |i| holds(i, &last, &first, axis));
     let intervals = &mut intervals[..count];
     if intervals.len().min(points.len()) <= LEAF_UP_TO {

@@ -85,10 +85,9 @@ impl<R: Real, const D: usize> Slab<R, D> {
         let range = self.range.clone();
         if grid.is_some() {
             self.table.resize(range.len(), u32::MAX);
-            let count =
-                assignment.entries_before(range.end) - assignment.entries_before(range.start);
-            self.make_room(count + range.len() + PADDING);
-            self.running_maxs.resize(count + range.len(), R::NAN);
+            let [start, end] = [range.start, range.end].map(|tube| assignment.entries_before(tube));
+            self.make_room(end - start + range.len() + PADDING);
+            self.running_maxs.resize(end - start + range.len(), R::NAN);
         }
         let mut entries = std::mem::take(&mut self.entries);
         for tube in range {
@@ -102,8 +101,8 @@ impl<R: Real, const D: usize> Slab<R, D> {
                 self.keep(tube, sorted.clone(), grid);
             }
             worker.begin_task(match entries.len() {
-                ..=NO_CROWD_UP_TO => usize::MAX,
-                many => COMPARED_AN_ENTRY.saturating_mul(many),
+                ..=NO_CROWD_UP_TO => u64::MAX,
+                many => COMPARED_AN_ENTRY * many as u64,
             });
             let is_swept = self.columns().sweep(sorted, worker);
             if worker.is_over() {

@@ -59,7 +59,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
                 });
                 next += LANES;
             }
-            worker.tally.compared += (next - first - 1) * LANES;
+            worker.tally.compared += ((next - first - 1) * LANES) as u64;
             for lane in ones(alive.into()) {
                 self.follow(first + lane, next + lane, worker);
             }
@@ -70,8 +70,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
         true
     }
 
-    /// Compares eight entries, each in its lane, with those one to eight places further on. The result has a byte for each distance, with
-    /// a bit for each of the eight.
+    /// Compares eight entries, each in its lane, with those from `next` on. The result has a byte for each distance, with a bit for each lane.
     #[inline(always)]
     fn compare(self, these: &Aabb<R::Lanes, D>, next: usize, alive: &mut u32) -> u64 {
         // Arrays need their bounds checked here only.
@@ -103,7 +102,7 @@ impl<R: Real, const D: usize> Columns<'_, R, D> {
             let others: &[Owner; LANES] = many(self.owners, j);
             worker.emit(hits, |lane| [owner, others[lane % LANES]]);
         });
-        worker.tally.compared += compared;
+        worker.tally.compared += compared as u64;
     }
 
     /// The box of an entry.

@@ -18,7 +18,7 @@ pub(crate) struct Tally {
     pub(crate) emitted: usize,
     /// Comparisons of two boxes, also those of a sweep that was given up, and visits of tubes in units of comparisons. With vectors, eight
     /// boxes count even if fewer are left.
-    pub(crate) compared: usize,
+    pub(crate) compared: u64,
 }
 
 /// Collects the pairs of a thread and appends them to a list. Leaves out the pairs of ghosts on the same axis: another tube reports them.
@@ -32,7 +32,7 @@ pub(super) struct Worker<'a> {
     /// The work so far, without the pairs in the buffer.
     pub(super) tally: Tally,
     /// The most comparisons by the end of the present task, besides some for each of its pairs.
-    budget: usize,
+    budget: u64,
     /// The pairs before the present task.
     before_task: usize,
 }
@@ -46,13 +46,13 @@ impl<'a> Worker<'a> {
             buffer: [[0; 2]; BUFFER],
             len: 0,
             tally: Tally::default(),
-            budget: usize::MAX,
+            budget: u64::MAX,
             before_task: 0,
         }
     }
 
     /// Begins a task, with this many comparisons besides some for each of its pairs.
-    pub(super) fn begin_task(&mut self, budget: usize) {
+    pub(super) fn begin_task(&mut self, budget: u64) {
         self.before_task = self.tally.emitted + self.len;
         self.budget = self.tally.compared.saturating_add(budget);
     }
@@ -61,7 +61,7 @@ impl<'a> Worker<'a> {
     #[inline(always)]
     pub(super) fn is_budget_exceeded(&self) -> bool {
         let pairs = self.tally.emitted + self.len - self.before_task;
-        let for_pairs = COMPARED_A_PAIR.saturating_mul(pairs);
+        let for_pairs = COMPARED_A_PAIR * pairs as u64;
         self.tally.compared >= self.budget.saturating_add(for_pairs) || self.is_over()
     }
 

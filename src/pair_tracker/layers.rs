@@ -117,7 +117,7 @@ impl<R: Real, const D: usize> Layers<R, D> {
         let overlapping = recent.find_among(boxes, members, false, Some(is_new), most, found);
         (overlapping <= most).then(|| Work {
             looked_up: leavers.len() as u64,
-            visited: tally.compared as u64,
+            visited: tally.compared,
             recent: outdated.len() as u64,
             found: found.len() as u64,
             ..Work::default()

@@ -7,8 +7,8 @@ use unisize::{Aabb, BruteForce, GridSweep, PairFinder, Real};
 /// The limit of comparisons and visited tubes per box and pair.
 const BOUND: f64 = 400.0;
 
-/// The limit of growth per box and pair with four times as many boxes, above a number of comparisons: more tubes may be crowded, and a tree
-/// of grids may be one level deeper.
+/// The limit of growth per box and pair with four times as many boxes, above a number of comparisons: more tubes may be crowded, and a
+/// segment tree has more levels.
 const GROWTH: f64 = 3.0;
 
 /// The boxes with the axes rotated `turns` times.
@@ -169,6 +169,29 @@ fn no_order_of_boxes_takes_much_more_effort_than_another() {
     check::<f32, 3>(1e30);
     check::<f64, 2>(1e300);
     check::<f64, 3>(1e300);
+}
+
+/// A wall once visited a row of boxes again for each of thousands of strips that share the number of the row's tube.
+#[test]
+fn effort_is_bounded_where_walls_reach_tubes_that_share_numbers() {
+    for walls in [1, 20] {
+        let count = 16_448;
+        let cube = |corner: [f64; 3]| Aabb::new(corner, corner.map(|x| x + 1.0));
+        // So far apart that the grid has a power of two of strips along the last axis.
+        let place = |i: usize| 6.663_818_359_375 * (i as f64 / 2.0 - count as f64 / 4.0);
+        let one = |i: usize| match i % 2 {
+            0 => cube([2.0 * i as f64, 0.0, place(i)]),
+            _ => cube([2.0 * i as f64, 0.0, 0.0]),
+        };
+        let mut boxes: Vec<_> = (0..count - 1 - walls).map(one).collect();
+        boxes.push(cube([5.0, 43_416.0, 0.0]));
+        let end = 2.0 * count as f64 + 10.0;
+        let wall = Aabb::new([-10.0, 20.0, 0.25], [end, 43_418.0, 0.5]);
+        boxes.extend(std::iter::repeat_n(wall, walls));
+        let effort = effort(&boxes);
+        assert!(effort < BOUND, "{walls} walls: {effort}");
+        assert_pairs(&boxes);
+    }
 }
 
 /// Lists of a few hundred boxes seldom need a segment tree.
