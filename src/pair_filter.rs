@@ -51,7 +51,7 @@ pub enum PairFilter {
     /// | meshes, polylines, height fields, voxels, custom shapes | none: their pairs are those of [`Groups`](Self::Groups) |
     ///
     /// Some colliders have no volume, whatever their shape: those with physics hooks, so that hooks are called for the same pairs; those of
-    /// bodies with soft CCD; and those of a body with more than 32 colliders at the time of reading, if they are mostly within the body.
+    /// bodies with soft CCD; and those of a body with more than 32 colliders at the time of reading.
     ///
     /// Contacts and intersections stay the same. Rapier 0.36 tests a pair again only when its colliders have moved by some hundredths of a
     /// length unit since the pair began, so a contact of two colliders that are still apart may be predicted some steps earlier or later.

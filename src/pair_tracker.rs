@@ -74,7 +74,7 @@ pub(crate) struct PairTracker<R: Real, const D: usize, K> {
     foresight: Foresight,
     /// The work of searching since the last full search, that one included.
     cost: Work,
-    full_searches: u64,
+    pub(crate) full_searches: u64,
     candidates: Candidates,
     layers: Layers<R, D>,
 }

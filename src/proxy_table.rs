@@ -154,22 +154,17 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         }
     }
 
-    /// Removes all colliders, as a part of the next [update](Self::update). Returns the slots whose boxes it has written. **O(slots)**.
+    /// Removes all colliders; counts go on. Their pairs end without an event.
     #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
-    pub(crate) fn clear(&mut self) -> &[u32] {
-        self.beyond.clear();
-        self.pending.clear();
-        self.generations.fill(None);
-        self.memos.fill(M::default());
-        (self.is_begun, self.known, self.stats.proxies) = (true, 0, 0);
-        let (tracker, slots) = (&mut self.tracker, self.generations.len());
-        tracker.proxies.notes.forget_repeats(slots);
-        (0..slots as u32).for_each(|slot| tracker.remove(slot));
-        self.touched()
+    pub(crate) fn clear(&mut self) {
+        let mut empty = Self::new(self.tracker.proxies.volumes.are_used);
+        empty.tracker.full_searches = self.tracker.full_searches;
+        (empty.stats.updates, empty.has_warned) = (self.stats.updates, self.has_warned);
+        *self = empty;
     }
 
     /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
-    /// some may repeat. **O(listed colliders)**, or O(n) if all volumes become stale.
+    /// some may repeat. **O(listed colliders)** and a bit for each slot, or O(n) if all volumes become stale.
     pub(crate) fn update<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         lists: &Lists<'_, S::Handle>,
@@ -279,6 +274,14 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         self.tracker.proxies.place(slot, aabb);
     }
 
+    /// Takes the box of a slot.
+    fn clear_box(&mut self, slot: u32) {
+        let is_known = self.generations[slot as usize].is_some();
+        let counts = is_known && self.tracker.proxies.get(slot).is_some();
+        self.stats.proxies -= usize::from(counts);
+        self.tracker.proxies.clear_box(slot);
+    }
+
     /// Ends an update: reads volumes, and calls `event` for each change of the pair set, with whether the pair begins, in the order of
     /// [`Changes`]. If volumes are in use, a held pair ends once its volumes are farther apart than `slack` and its contact is not active.
     pub(crate) fn finish<S: ColliderSource<R, D, Memo = M, Key = K>>(
@@ -315,8 +318,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     fn refuse(&mut self, handle: impl Handle, aabb: Aabb<R, D>) {
         let slot = handle.into_raw_parts().0;
         if self.tracker.proxies.get(slot).is_some() {
-            self.tracker.proxies.clear_box(slot);
-            self.stats.proxies -= 1;
+            self.clear_box(slot);
         }
         self.warn(
             handle,
@@ -350,9 +352,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         assert_eq!(self.generations.len(), self.tracker.proxies.len());
         assert_eq!(self.generations.len(), self.memos.len());
         assert!(self.known_slots <= self.most_known_slots);
-        let unknown = self.generations.get(self.known_slots..);
-        let unknown = unknown.expect("there are at least as many slots as known ones");
-        assert!(unknown.iter().all(Option::is_none));
+        let mut unknown = self.generations[self.known_slots..].iter();
+        assert!(unknown.all(Option::is_none));
         assert_eq!(self.generations.iter().flatten().count(), self.known);
         assert_eq!(self.count_proxies(), Some(self.stats.proxies));
         // Another kernel than the one in use, so that one checks the other.

@@ -11,6 +11,12 @@ pub(crate) struct SlotSet {
 }
 
 impl SlotSet {
+    pub(crate) fn of(slots: &[u32]) -> Self {
+        let mut set = Self::default();
+        set.add(slots);
+        set
+    }
+
     /// Makes room for this number of slots; only those may be inserted.
     pub(crate) fn make_room(&mut self, slots: usize) {
         if slots > self.is_member.len() {

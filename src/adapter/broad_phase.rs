@@ -127,7 +127,7 @@ impl UnisizeBroadPhase {
         self.table.stats()
     }
 
-    /// Returns the scene at the last update, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
+    /// Returns the scene at the last update, and boxes that were set since, for queries. The counterpart of `BroadPhaseBvh::as_query_pipeline`.
     ///
     /// The first call builds a tree in **O(n log n)** time. The tree is kept while the program queries it. The first call after an update
     /// refreshes the tree, in about a tenth of the time of building it, or builds it again if it has become too loose. Other calls take
@@ -203,8 +203,8 @@ impl UnisizeBroadPhase {
     /// The distance by which a renewed box extends beyond its collider.
     pub(crate) fn margin(&self, params: &IntegrationParameters) -> Real {
         let margin = self.settings.margin.unwrap_or(Self::DEFAULT_MARGIN);
-        // A NaN counts as 0.
-        (margin * params.length_unit).max(0.0)
+        // A NaN counts as 0, also that of 0 · ∞.
+        (margin.max(0.0) * params.length_unit.max(0.0)).max(0.0)
     }
 
     /// Updates as a part of a pipeline of a patched Rapier 0.36, which then asks for [`unreported`](Self::unreported) colliders.
@@ -219,10 +219,11 @@ impl UnisizeBroadPhase {
         self.run(input, events);
     }
 
-    /// Removes all colliders, as a part of the next update. Their pairs end without an event.
+    /// Removes all colliders. Their pairs end without an event.
     #[allow(dead_code, reason = "only a patched Rapier 0.36 clears a broad phase")]
     pub(crate) fn remove_all(&mut self) {
-        self.query_tree.note(self.table.clear());
+        self.table.clear();
+        self.query_tree = QueryTree::default();
     }
 
     /// Sets boxes, as a part of the next update.

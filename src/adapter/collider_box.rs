@@ -86,8 +86,7 @@ impl ColliderSource<Real, DIM> for Input<'_> {
         let Some(collider) = self.colliders.get(handle) else {
             return Volume::BOX;
         };
-        let of_now = || without_volume(collider, body_of(collider, self.bodies));
-        if let Some(kind) = outline.without_volume.unwrap_or_else(of_now) {
+        if let Some(kind) = outline.without_volume {
             return Volume {
                 kind,
                 ..Volume::BOX
@@ -135,34 +134,28 @@ impl ColliderSource<Real, DIM> for Input<'_> {
         handle: ColliderHandle,
         outline: &mut Outline,
     ) -> Option<Reading<Real, DIM, ColliderKey>> {
-        let Input {
-            params,
-            colliders,
-            bodies,
-            ..
-        } = *self;
-        let collider = colliders.get(handle)?;
+        let collider = self.colliders.get(handle)?;
         if !collider.is_enabled() {
             return None;
         }
         let mut distance = distance(collider, self.reach());
         let has_changed = outline.note(collider);
         let outlined = outline.aabb(collider);
-        let body = body_of(collider, bodies);
-        let kind = Some(without_volume(collider, body));
+        let body = body_of(collider, self.bodies);
+        let kind = without_volume(collider, body);
         let former = std::mem::replace(&mut outline.without_volume, kind);
         let is_swept = body.is_some_and(|body| body.soft_ccd_prediction() > 0.0);
         // The compiler vectorizes the common branch only if both join before the box is loosened.
         let aabb = match outlined {
             Some(aabb) if !is_swept => aabb,
             _ => {
-                let aabb = version::unusual_box(collider, bodies, params, distance);
+                let aabb = version::unusual_box(collider, self.bodies, self.params, distance);
                 distance = 0.0;
                 aabb
             }
         };
         let is_off_unit = off_unit(version::norm_squared(collider.position())).is_none();
-        let has_no_volume = [former, kind] != [Some(None); 2];
+        let has_no_volume = [former, kind] != [None; 2];
         let aabb = aabb.loosened(distance);
         Some(Reading {
             aabb,

@@ -15,12 +15,18 @@ use crate::volume::{MOST_OFF_UNIT, Volume, VolumeKind};
 
 /// The cache of one collider; empty until it is first read.
 #[derive(Clone, Default)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 pub(crate) struct Outline {
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
     known: Option<(SharedShape, Profile)>,
     /// The properties at the last reading.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
     unrecorded: Option<UnrecordedProperties>,
     /// The kind of the volume, if it is a box whatever the shape is: as of the last reading, because bodies are scattered in memory.
-    pub(super) without_volume: Option<Option<VolumeKind>>,
+    pub(super) without_volume: Option<VolumeKind>,
 }
 
 /// The properties of a collider that affect its pairs, and that a program can change without Rapier recording what has changed; and
@@ -69,7 +75,7 @@ impl Profile {
     }
 
     fn is_ball(self) -> bool {
-        self.extent == Vector::default()
+        !self.is_cuboid() && self.extent == Vector::default()
     }
 }
 

@@ -7,13 +7,14 @@ use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
 use super::collider_key::ColliderKey;
+use super::outline::Outline;
 use super::rapier::math::{DIM, Real};
 use super::{Settings, UnisizeBroadPhase};
 use crate::pair_filter::PairFilter;
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
 /// The version of the format. It changes whenever a field or its meaning changes.
-const FORMAT: u32 = 14;
+const FORMAT: u32 = 15;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -22,7 +23,7 @@ struct Snapshot {
     #[serde(deserialize_with = "this_format")]
     format: u32,
     settings: Settings,
-    table: TableSnapshot<Real, DIM, ColliderKey>,
+    table: TableSnapshot<Real, DIM, Outline, ColliderKey>,
 }
 
 fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
@@ -35,7 +36,7 @@ fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Err
 }
 
 /// A snapshot has everything that decides future events: a restored simulation, with all of Rapier's sets, continues like the saved one. This
-/// needs a format that keeps numbers bit for bit, as binary formats do.
+/// needs a format that keeps numbers bit for bit, infinite ones too, as binary formats do.
 impl Serialize for UnisizeBroadPhase {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let snapshot = Snapshot {

@@ -130,9 +130,8 @@ impl Trial {
     pub(crate) fn remove_all(&mut self) {
         self.own = DefaultBroadPhase::new();
         (self.own_pairs, self.pairs) = Default::default();
-        self.tried
-            .iter_mut()
-            .for_each(UnisizeBroadPhase::remove_all);
+        let tried = self.tried.iter_mut();
+        tried.for_each(UnisizeBroadPhase::remove_all);
     }
 
     /// Updates all broad phases, and compares their pairs. The events are those of Rapier's own.

@@ -9,7 +9,6 @@ mod retired;
 #[cfg(feature = "serde-serialize")]
 use super::changes::pack;
 use super::proxies::overlap;
-use super::validation::set_of;
 use crate::aabb::Aabb;
 use crate::bit_set::{BitSet, gather, ones};
 use crate::real::Real;
@@ -115,7 +114,7 @@ impl Candidates {
             return;
         }
         self.warm(listed);
-        let asked = set_of(listed);
+        let asked = SlotSet::of(listed);
         let warm = self.pairs[..self.first_cold].iter().zip(&self.states);
         let near = warm.filter(|&(&pair, &state)| state == PairState::Near && asked.has_any(pair));
         near.for_each(|(&pair, _)| visit(pair));

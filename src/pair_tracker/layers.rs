@@ -148,7 +148,7 @@ fn leave_out<R: Real, const D: usize>(
     }
     let around = |is_in: &dyn Fn(&&u32) -> bool| {
         let slots = members.iter().filter(is_in);
-        slots.fold(Aabb::ABSENT, |all, &slot| all.around(&boxes[slot as usize]))
+        slots.fold(Aabb::EMPTY, |all, &slot| all.around(&boxes[slot as usize]))
     };
     let all = around(&|slot| !is_other(slot));
     let overlap = |slot: &&u32, aabb| boxes[**slot as usize].intersects(aabb);

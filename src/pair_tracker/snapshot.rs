@@ -8,12 +8,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::proxies::overlap;
-use super::validation::{overlapping, set_of};
+use super::validation::overlapping;
 use super::volumes::VolumesSnapshot;
 use super::{FilterKey, PairState, PairTracker};
 use crate::aabb::Aabb;
 use crate::grid_sweep::{GridSweep, MAX_BOXES};
 use crate::real::Real;
+use crate::slot_set::SlotSet;
 
 /// The state on which later changes depend.
 #[derive(Serialize, Deserialize)]
@@ -125,7 +126,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         self.candidates
             .restore(found, &snapshot.near, &snapshot.acquainted)?;
         let notes = &proxies.notes;
-        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat());
+        let are_noted = SlotSet::of(&[&notes.touched[..], &notes.revolumed].concat());
         for &pair in &snapshot.near {
             proxies.volumes.note_near(pair, true);
             let volumes = &proxies.volumes;

@@ -146,7 +146,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// How many more pairs of fat boxes than in the last full search a search may find before it gives up.
     fn most_found(&self) -> usize {
-        MOST_FOUND * (self.proxies.len() + self.candidates.overlapping_count)
+        MOST_FOUND.saturating_mul(self.proxies.len() + self.candidates.overlapping_count)
     }
 
     /// Whether there are more candidates than foresight can be worth, given how many of their boxes overlap.

@@ -15,7 +15,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         let lengths = [&proxies.previous, &proxies.fat_boxes].map(Vec::len);
         assert_eq!([lengths[0], lengths[1], proxies.keys.len()], [slots; 3]);
         let notes = &proxies.notes;
-        let [touched, leavers] = [&notes.touched, &notes.leavers].map(|list| set_of(list));
+        let [touched, leavers] = [&notes.touched, &notes.leavers].map(|list| SlotSet::of(list));
         for slot in 0..slots as u32 {
             let all = [&proxies.boxes, &proxies.previous, &proxies.fat_boxes];
             let [now, before, fat] = all.map(|boxes| &boxes[slot as usize]);
@@ -33,7 +33,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
             }
         }
         // Volumes that have changed since the last update say nothing about it.
-        let are_noted = set_of(&[&notes.touched[..], &notes.revolumed].concat());
+        let are_noted = SlotSet::of(&[&notes.touched[..], &notes.revolumed].concat());
         let should_be_held = |pair: [u32; 2], is_held: bool| {
             let meet = || !are_noted.has_any(pair) && proxies.volumes.meet(pair, R::ZERO);
             is_held || ((!proxies.volumes.are_used || meet()) && proxies.may_meet(pair))
@@ -50,13 +50,6 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
         expected.sort_unstable();
         assert!(candidates == expected, "the candidates do not overlap");
     }
-}
-
-/// A set of these slots.
-pub(super) fn set_of(members: &[u32]) -> SlotSet {
-    let mut set = SlotSet::default();
-    set.add(members);
-    set
 }
 
 /// The overlapping pairs among the valid `boxes` that may meet, as found by a kernel.

@@ -144,7 +144,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
         a | b
     }
 
-    /// Reads the stale volumes of these slots, in the order of slots. Keeps only the slots whose volumes have changed.
+    /// Reads the stale volumes of these slots, in the order of slots. Drops the slots whose stale volume has turned out the same.
     pub(super) fn pull(&mut self, slots: &mut Vec<u32>, colliders: &impl Colliders<R, D>) {
         slots.sort_unstable();
         slots.dedup();

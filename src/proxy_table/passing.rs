@@ -116,12 +116,10 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         if index < self.known_slots + ROOM_AHEAD {
             self.make_room(index + 1);
             let known = self.generations[index];
-            if let Some(known) = known {
-                // It is probably gone, and its removal not reported yet. If not, the next update reads it.
-                self.pending.insert((slot, known));
-            }
             if aabb.is_valid() {
                 self.place(slot, aabb);
+                // It is probably gone, and its removal not reported yet. If not, the next update reads it.
+                self.pending.extend(known.map(|known| (slot, known)));
             } else if known.is_none() {
                 self.tracker.proxies.clear_box(slot);
             }
@@ -135,10 +133,11 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         let mut pending = std::mem::take(&mut self.pending);
-        for &(slot, _) in &pending {
-            if self.generations.get(slot as usize) == Some(&None) {
+        for &(slot, generation) in &pending {
+            let known = self.generations.get(slot as usize);
+            if known.is_some_and(|known| known.is_none_or(|known| known == generation)) {
                 // The box was only there for queries.
-                self.tracker.proxies.clear_box(slot);
+                self.clear_box(slot);
             }
         }
         for handle in removed {

@@ -1,6 +1,6 @@
 //! A table as serde writes and reads it.
 //!
-//! Memos about colliders are not written, because the next reading makes them again.
+//! Of a memo about a collider, only the part is written that a volume depends on. The next reading makes the rest again.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,13 +13,13 @@ use crate::stats::Stats;
 /// The part of a table that decides future events, and counts.
 #[derive(Serialize, Deserialize)]
 #[serde(bound(
-    serialize = "R: Serialize, [R; D]: Serialize, K: Serialize",
-    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, K: Deserialize<'de>"
+    serialize = "R: Serialize, [R; D]: Serialize, M: Serialize, K: Serialize",
+    deserialize = "R: Deserialize<'de>, [R; D]: Deserialize<'de>, M: Deserialize<'de>, K: Deserialize<'de>"
 ))]
-pub(crate) struct TableSnapshot<R, const D: usize, K> {
+pub(crate) struct TableSnapshot<R, const D: usize, M, K> {
     stats: Stats,
-    /// Up to the highest slot that ever had a known collider.
-    generations: Vec<Option<u32>>,
+    /// Generations and memos by slot, up to the highest slot that ever had a known collider.
+    colliders: Vec<(Option<u32>, M)>,
     is_begun: bool,
     pending: Pending,
     tracker: TrackerSnapshot<R, D, K>,
@@ -27,10 +27,11 @@ pub(crate) struct TableSnapshot<R, const D: usize, K> {
 
 impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// A snapshot between two updates.
-    pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, K> {
+    pub(crate) fn snapshot(&self) -> TableSnapshot<R, D, M, K> {
+        let generations = self.generations[..self.known_slots].iter().copied();
         TableSnapshot {
             stats: self.stats,
-            generations: self.generations[..self.known_slots].to_vec(),
+            colliders: generations.zip(self.memos.iter().cloned()).collect(),
             is_begun: self.is_begun,
             pending: self.pending.clone(),
             tracker: self.tracker.snapshot(),
@@ -40,21 +41,20 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// The table that continues from a snapshot, or the first inconsistency. `volumes` says whether volumes are in use.
     pub(crate) fn restored(
         volumes: bool,
-        snapshot: TableSnapshot<R, D, K>,
+        snapshot: TableSnapshot<R, D, M, K>,
     ) -> Result<Self, &'static str> {
         let mut table = Self::new(volumes);
         table.tracker.restore(snapshot.tracker)?;
         let slots = table.tracker.proxies.len();
-        table.generations = snapshot.generations;
-        table.known_slots = table.generations.len();
+        table.known_slots = snapshot.colliders.len();
         if table.known_slots > slots {
-            return Err("snapshot: there are more generations than slots");
+            return Err("snapshot: there are more colliders than slots");
         }
         if table.known_slots > table.most_known_slots {
             return Err("snapshot: there are more colliders than a broad phase takes");
         }
-        table.generations.resize(slots, None);
-        table.memos.resize(slots, M::default());
+        (table.generations, table.memos) = snapshot.colliders.into_iter().unzip();
+        table.make_room(slots);
         table.known = table.generations.iter().flatten().count();
         table.pending = snapshot.pending;
         table.is_begun = snapshot.is_begun;

@@ -73,6 +73,18 @@ fn invalid_length_units_give_no_margin() {
     }
 }
 
+/// The product of two negative numbers is positive.
+#[test]
+fn a_negative_margin_and_a_negative_length_unit_give_no_margin() {
+    let (mut desk, [a, b]) = two_balls();
+    let settings = desk.broad_phase.settings().with_margin(-100.0);
+    desk.broad_phase = UnisizeBroadPhase::with_settings(settings);
+    desk.params.length_unit = -1.0;
+    assert_eq!(desk.update(&[a, b], &[]), [(true, [a, b])]);
+    desk.place(b, [20.0, 0.0]);
+    assert_eq!(desk.update(&[b], &[]), [(false, [a, b])]);
+}
+
 #[test]
 fn an_infinite_margin_gives_infinite_boxes() {
     let (mut desk, [a, b]) = two_balls();

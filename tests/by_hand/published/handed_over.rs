@@ -67,6 +67,60 @@ fn a_swept_box_is_no_ball_although_volumes_have_reached_as_far() {
     assert_eq!(desk.update(&[], &[]), [(true, balls)]);
 }
 
+/// Until the next update, queries see it: its collider may be new, and the removal of the other one not reported yet.
+#[test]
+fn a_box_for_a_generation_that_does_not_exist_changes_nothing() {
+    let mut desk = Desk::with_settings(Settings::default().with_filter(PairFilter::Off));
+    let balls = [0.0, 5.0].map(|x| desk.ball(0.5, [x, 0.0]));
+    desk.update(&balls, &[]);
+    let (slot, generation) = balls[0].into_raw_parts();
+    let later = ColliderHandle::from_raw_parts(slot, generation + 9);
+    for side in [20.0, Real::NAN] {
+        let aabb = Aabb::new((-Vector::ONE * side).into(), (Vector::ONE * side).into());
+        desk.broad_phase.set_aabb(&desk.params, later, aabb);
+        assert_eq!(desk.update(&[], &[]), []);
+        assert_eq!(desk.counts(), [2, 0, 0]);
+    }
+}
+
+/// A collider has a volume if it had no hooks, and its body few colliders, when it was last listed.
+#[cfg(feature = "serde-serialize")]
+#[test]
+fn a_snapshot_knows_which_colliders_have_volumes() {
+    let mut desk = Desk::default();
+    let ball = desk.ball(0.5, [0.0, 0.0]);
+    let body = desk.bodies.insert(RigidBodyBuilder::dynamic());
+    let mut capsules = Vec::new();
+    let mut add = |desk: &mut Desk| {
+        let Desk {
+            colliders, bodies, ..
+        } = desk;
+        let capsule = ColliderBuilder::capsule_x(0.3, 0.5);
+        let capsule = colliders.insert_with_parent(capsule, body, bodies);
+        capsules.push(capsule);
+        desk.place(capsule, [3.0 * capsules.len() as Real, 9.0]);
+        capsule
+    };
+    let hooked = ColliderBuilder::capsule_x(0.3, 0.5).active_hooks(ActiveHooks::all());
+    let hooked = hooked.active_collision_types(ActiveCollisionTypes::all());
+    let hooked = desk.colliders.insert(hooked.translation(Vector::X * -9.0));
+    let first = add(&mut desk);
+    let mut listed: Vec<_> = (1..32).map(|_| add(&mut desk)).collect();
+    listed.extend([ball, hooked, first]);
+    assert_eq!(desk.update(&listed, &[]), []);
+    let last = add(&mut desk);
+    assert_eq!(desk.update(&[last], &[]), []);
+    let saved = postcard::to_stdvec(&desk.broad_phase).unwrap();
+    // The boxes overlap at corners, where the shapes are apart.
+    desk.place(first, [1.1, 0.8]);
+    desk.place(hooked, [-1.1, 0.8]);
+    for _ in 0..2 {
+        desk.pass_boxes(&[first, hooked]);
+        assert_eq!(desk.update(&[], &[]), [(true, [ball, hooked])]);
+        desk.broad_phase = postcard::from_bytes(&saved).unwrap();
+    }
+}
+
 #[cfg(feature = "serde-serialize")]
 #[test]
 fn inconsistent_snapshots_are_refused() {

@@ -113,8 +113,8 @@ impl Model {
             if known.generation > generation {
                 return;
             }
-            self.awaited.insert((index, known.generation));
             if is_sound(&aabb) {
+                self.awaited.insert((index, known.generation));
                 let proxy = Proxy {
                     aabb: Some(aabb),
                     ..known
@@ -180,7 +180,15 @@ impl Model {
         let awaited =
             awaited.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
         let awaited = awaited.filter(|handle| !removed.contains(handle));
-        for handle in awaited.chain(modified.iter().copied()) {
+        let awaited: Vec<_> = awaited.collect();
+        for &handle in &awaited {
+            if self.knows(handle) {
+                // Its box was passed for another collider.
+                let index = handle.into_raw_parts().0;
+                self.proxies.get_mut(&index).unwrap().aabb = None;
+            }
+        }
+        for handle in awaited.into_iter().chain(modified.iter().copied()) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;

@@ -110,8 +110,8 @@ fn tracker(value: &mut Value) -> &mut Value {
     &mut value["table"]["tracker"]
 }
 
-fn generations(value: &mut Value) -> &mut Vec<Value> {
-    list(&mut value["table"]["generations"])
+fn colliders(value: &mut Value) -> &mut Vec<Value> {
+    list(&mut value["table"]["colliders"])
 }
 
 fn near(value: &mut Value) -> &mut Vec<Value> {
@@ -138,11 +138,13 @@ fn first_slot(value: &mut Value) -> usize {
 
 /// What the error must say, and the damage.
 const DAMAGES: [(&str, Change); 23] = [
-    ("no collider", |value| drop(generations(value).pop())),
-    ("generations", |value| generations(value).push(json!(7))),
+    ("no collider", |value| drop(colliders(value).pop())),
+    ("more colliders than slots", |value| {
+        colliders(value).push(json!([null, {"without_volume": null}]))
+    }),
     ("no collider", |value| {
         let slot = first_slot(value);
-        generations(value)[slot] = Value::Null;
+        colliders(value)[slot][0] = Value::Null;
     }),
     ("not valid", |value| {
         let slot = first_slot(value);
@@ -199,7 +201,7 @@ const DAMAGES: [(&str, Change); 23] = [
     }),
     ("", |value| volume(value, "Ball")[0] = json!("Sphere")),
     (
-        "format 1, and this version of unisize reads format 14",
+        "format 1, and this version of unisize reads format 15",
         |value| {
             value["format"] = json!(1);
         },

@@ -1,6 +1,7 @@
 //! A broad phase that takes the place of another in a running world.
 
 use super::physics_world::unisize;
+use super::rapier::geometry::CustomBroadPhase;
 use super::rapier::parry;
 use super::rapier::prelude::*;
 use super::snapshot::{EventLog, contacts};
@@ -238,6 +239,23 @@ fn a_broad_phase_that_knows_the_world_is_left_alone() {
     world.step();
     let after = unisize(&world).stats();
     assert_eq!((before.pairs, before.updates), (after.pairs, after.updates));
+}
+
+/// Its counts go on.
+#[test]
+fn a_cleared_broad_phase_receives_all_colliders_again() {
+    let (mut world, _) = column(ours());
+    let before = unisize(&world).stats();
+    let cleared = world.broad_phase.custom_mut::<UnisizeBroadPhase>().unwrap();
+    cleared.clear();
+    cleared.validate();
+    assert_eq!((cleared.pairs().count(), cleared.stats().pairs), (0, 0));
+    world.step();
+    let after = unisize(&world).stats();
+    assert_eq!(
+        (before.pairs, before.updates + 1),
+        (after.pairs, after.updates)
+    );
 }
 
 /// Clones of sets and broad phase belong together, in a world that goes back and in another one.
