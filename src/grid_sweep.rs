@@ -11,8 +11,8 @@
 //! 2. A box has at most four entries in the tubes of its class. A grid has at most twice as many tubes as boxes, or 64.
 //! 3. The sweep of a tube has a budget for each entry and each pair, unless it has [few entries](crate::tuning::kernel::NO_CROWD_UP_TO).
 //!    Where it exceeds the budget, the tree takes over.
-//! 4. There are at most 28 pairs of classes. Between two, a sample of at most 64 boxes is looked up in each direction, until it costs more than
-//!    the tree would. Then each query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes
+//! 4. There are at most 28 pairs of classes. Between two, a sample of at most 64 boxes is looked up in each direction, which takes at most a
+//!    sixteenth of what the tree would. Then each query stops soon after it has spent its budget, and some comparisons for each of its pairs. The tree takes
 //!    those that do, and all if the sample says that they will, unless even visiting all tubes and boxes takes them a tenth of its time.
 //! 5. A look-up without a budget visits each tube of the other class at most once, and compares each of its entries at most once.
 //! 6. The tree takes the time above for boxes in any order. Its sample decides only the order of the axes.
