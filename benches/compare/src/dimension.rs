@@ -18,6 +18,7 @@ pub(crate) fn compare(case: Case, options: &Options) -> Row {
         before: options.before(),
         rays: options.rays,
         repeats: options.repeats(),
+        threads: options.threads,
         ..Comparison::new(case.kind, options.bodies(case), SEED)
     };
     let outcome = if options.pair_filter() == PairFilter::Shapes {

@@ -32,7 +32,8 @@ const FULL_STEPS: usize = 300;
 /// `limit` is the ratio with a broad phase that takes no time: D / (D - B), with D the default's whole step and B the part of its broad
 /// phase, both of one more world on the default alone, whose broad phase is timed. `without contact` is the number of pairs without an
 /// active contact and without an intersection in the narrow phase of either world at the end of the first repeat. Pairs, contacts and the
-/// times of the broad phase are those of the simulation that the default drives.
+/// times of the broad phase are those of simulations that the default drives. The first update, which inserts all colliders, is timed
+/// apart. On one thread, all times are processor times.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "compare")]
 pub(super) struct Options {
@@ -46,7 +47,7 @@ pub(super) struct Options {
     /// How many steps to simulate [default: 60, or 40 with --quick, or 300 with --full]
     #[arg(long, value_name = "N", value_parser = between(1, 1_000_000))]
     steps: Option<usize>,
-    /// Which whole steps are timed, as in 600..720; the steps before are made on unisize alone [default: from the first one on]
+    /// Which steps are checked and timed, as in 600..720; the steps before are made on unisize alone [default: from the first one on]
     #[arg(long, value_name = "A..B", value_parser = parse_window, conflicts_with = "steps")]
     window: Option<Window>,
     /// Which pairs without an effect unisize leaves out: none, those of one body and of types of bodies that cannot meet, also those whose
@@ -68,7 +69,7 @@ pub(super) struct Options {
     /// Few bodies and steps, for a check of a minute
     #[arg(long)]
     quick: bool,
-    /// More steps and repeats, for publishable numbers: half an hour
+    /// More steps and repeats: a thorough check of half an hour
     #[arg(long, conflicts_with = "quick")]
     full: bool,
 }

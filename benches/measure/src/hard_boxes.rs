@@ -29,11 +29,15 @@ type Draw<'a, const D: usize> = dyn Fn(usize) -> Option<Vec<[[f32; D]; 2]>> + 'a
 /// Searches these boxes with one method, for this time at least.
 type Run<const D: usize> = fn(&[[[f32; D]; 2]], Duration) -> Figures;
 
-/// Measures in one dimension, of which `H` is Parry's tree.
-pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
+/// Measures in one dimension, of which `B` and `P` are Parry's tree, built in either way.
+pub(crate) fn measure<const D: usize, B, P>(
     options: &Options,
     report: &mut Report,
-) -> io::Result<()> {
+) -> io::Result<()>
+where
+    B: PairFinder<f32, D> + Default,
+    P: PairFinder<f32, D> + Default,
+{
     let counts = options.least(&COUNTS[..], &[1 << 8]);
     let enough = options.least(ENOUGH, Duration::ZERO);
     let mut grow = |boxes: &str, draw: &Draw<D>| {
@@ -47,7 +51,13 @@ pub(crate) fn measure<const D: usize, H: PairFinder<f32, D> + Default>(
         };
         grow("GridSweep", run::<GridSweep<f32, D>, D>)?;
         grow("RankSweep", run::<RankSweep<f32, D>, D>)?;
-        grow("Parry Bvh", run::<H, D>)?;
+        grow("Parry Bvh", |boxes, enough| {
+            let [binned, ploc] = [run::<B, D>(boxes, enough), run::<P, D>(boxes, enough)];
+            match binned.seconds <= ploc.seconds {
+                true => binned,
+                false => ploc,
+            }
+        })?;
         grow("BruteForce", run::<BruteForce, D>)
     };
     for kind in HardBoxes::ALL {

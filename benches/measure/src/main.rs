@@ -114,8 +114,12 @@ fn main() -> anyhow::Result<()> {
             Question::Memory => worlds::memory(&options, report)?,
             Question::Scale => worlds::scale(&options, report)?,
             Question::HardBoxes => {
-                hard_boxes::measure::<2, dim2::hierarchy::Hierarchy>(&options, report)?;
-                hard_boxes::measure::<3, dim3::hierarchy::Hierarchy>(&options, report)?;
+                hard_boxes::measure::<2, dim2::hierarchy::Binned, dim2::hierarchy::Ploc>(
+                    &options, report,
+                )?;
+                hard_boxes::measure::<3, dim3::hierarchy::Binned, dim3::hierarchy::Ploc>(
+                    &options, report,
+                )?;
             }
             Question::Adversary => {
                 adversary::search::<f32, 2>(&options, report)?;

@@ -41,7 +41,7 @@ pub use converging::ConvergingBoxes;
 pub use hard_motions::{HardFrames, HardMotion};
 pub use kind::SceneKind;
 pub use outcome::{Both, End, Limit, Outcome, Rays, Repeat, Spread, WholeSteps};
-pub use timing::{Times, Timing, milliseconds};
+pub use timing::{Clock, Stopwatch, Times, Timing, milliseconds};
 
 use arrangements::random;
 

@@ -35,7 +35,7 @@ pub struct Outcome {
     pub colliders: usize,
     /// The first difference, with its step; nothing is checked after it.
     pub first_difference: Option<String>,
-    /// How many times as fast as the default the candidate was, over all updates; NaN without updates.
+    /// How many times as fast as the default the candidate was, over all updates but the first: the median over all repeats.
     pub ratio: f64,
     /// How many pairs were held at the end, without those that the narrow phase drops anyway.
     pub pairs: Both<usize>,
@@ -47,7 +47,7 @@ pub struct Outcome {
     pub contact_checks: usize,
     /// The rays that were cast in the trees of both, and compared.
     pub rays: Rays,
-    /// How long the updates took.
+    /// How long the updates took: the medians over all repeats.
     pub broad_phase: Both<Times>,
     /// The scene simulated on each broad phase alone, if it was.
     pub whole_steps: Option<WholeSteps>,
@@ -133,6 +133,25 @@ impl Outcome {
     /// Whether the candidate did the same as the default, as far as was checked.
     pub fn is_equal(&self) -> bool {
         self.first_difference.is_none()
+    }
+
+    /// Sets the times of the updates to the medians over these repeats, of which there must be one.
+    pub fn time_updates(&mut self, repeats: &[Both<Times>]) {
+        let median = |figure: &dyn Fn(&Both<Times>) -> f64| {
+            let spread = Spread::of(repeats.iter().map(figure));
+            spread.map_or(f64::NAN, |spread| spread.median)
+        };
+        self.ratio = median(&|both| both.default.ms_per_step / both.candidate.ms_per_step);
+        let times = |of: fn(&Both<Times>) -> Times| Times {
+            ms_first_update: median(&|both| of(both).ms_first_update),
+            ms_per_step: median(&|both| of(both).ms_per_step),
+            ms_worst_update: median(&|both| of(both).ms_worst_update),
+            updates: of(&repeats[0]).updates,
+        };
+        self.broad_phase = Both {
+            default: times(|both| both.default),
+            candidate: times(|both| both.candidate),
+        };
     }
 }
 

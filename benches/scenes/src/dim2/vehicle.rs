@@ -6,6 +6,7 @@ use super::rapier::parry::partitioning::Bvh;
 use super::rapier::prelude::*;
 
 /// A vehicle, of which there is none.
+#[derive(Clone)]
 pub(super) enum Vehicle {}
 
 impl Vehicle {

@@ -22,6 +22,16 @@ pub(super) struct Vehicle {
     controller: DynamicRayCastVehicleController,
 }
 
+/// Rapier's controller cannot be cloned, but its wheels can.
+impl Clone for Vehicle {
+    fn clone(&self) -> Self {
+        let mut controller = controller(self.controller.chassis);
+        let wheels = self.controller.wheels();
+        controller.wheels_mut().clone_from_slice(wheels);
+        Self { controller }
+    }
+}
+
 impl Vehicle {
     /// Inserts a vehicle here.
     pub(super) fn insert(world: &mut World, place: Vector) -> Option<Self> {
@@ -32,26 +42,9 @@ impl Vehicle {
                 .can_sleep(false),
             ColliderBuilder::cuboid(half_length, height, width).density(DENSITY),
         );
-        let mut controller = DynamicRayCastVehicleController::new(chassis);
-        let tuning = WheelTuning {
-            suspension_stiffness: 100.0,
-            suspension_damping: 10.0,
-            ..WheelTuning::default()
-        };
-        for (forward, aside) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let mut connection = along(1, -height);
-            connection[0] = forward * 0.8 * half_length;
-            connection[2] = aside * width;
-            controller.add_wheel(
-                Point::from(connection),
-                -along(1, 1.0),
-                along(2, 1.0),
-                height,
-                0.5 * height,
-                &tuning,
-            );
-        }
-        Some(Self { controller })
+        Some(Self {
+            controller: controller(chassis),
+        })
     }
 
     /// Drives on, and returns the work of the engine.
@@ -68,4 +61,29 @@ impl Vehicle {
             .update_vehicle(dt, world.queries_mut(tree, filter));
         2.0 * FORCE * dt * length(own(world.bodies[chassis].linvel()))
     }
+}
+
+/// The controller of this chassis, with four wheels.
+fn controller(chassis: RigidBodyHandle) -> DynamicRayCastVehicleController {
+    let [half_length, height, width] = HALF;
+    let mut controller = DynamicRayCastVehicleController::new(chassis);
+    let tuning = WheelTuning {
+        suspension_stiffness: 100.0,
+        suspension_damping: 10.0,
+        ..WheelTuning::default()
+    };
+    for (forward, aside) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+        let mut connection = along(1, -height);
+        connection[0] = forward * 0.8 * half_length;
+        connection[2] = aside * width;
+        controller.add_wheel(
+            Point::from(connection),
+            -along(1, 1.0),
+            along(2, 1.0),
+            height,
+            0.5 * height,
+            &tuning,
+        );
+    }
+    controller
 }

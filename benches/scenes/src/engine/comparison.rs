@@ -11,7 +11,8 @@
 //! - [rays], if there are any, hit the same in the trees of both.
 //!
 //! The first difference ends the checks, not the simulation, and is kept as a sentence. Then whole steps are timed: the scene is
-//! simulated on each broad phase [alone], `repeats` times, and once more on the default, which measures the part of its broad phase.
+//! simulated on each broad phase [alone], `repeats` times, and once more on the default, which measures the part of its broad phase. In
+//! each repeat, the updates of both broad phases are timed as well, in a simulation without checks.
 
 use super::observed::{Observed, Tee};
 use super::pairs::{Pairs, describe, difference, in_order, is_relevant};
@@ -83,12 +84,14 @@ pub struct Comparison {
     pub seed: u64,
     /// The number of steps. Default: 300, five seconds.
     pub steps: usize,
-    /// The number of steps on the candidate alone before whole steps are timed. Default: 0.
+    /// The number of steps before those that are checked and timed. Default: 0.
     pub before: usize,
     /// The number of rays per step in addition to those of the scene. Default: 0.
     pub rays: usize,
     /// How often the scene is simulated on each broad phase alone, with seeds that count up from `seed`. Default: 1.
     pub repeats: usize,
+    /// The number of threads that share the work. Default: 1.
+    pub threads: usize,
 }
 
 impl Comparison {
@@ -102,22 +105,30 @@ impl Comparison {
             before: 0,
             rays: 0,
             repeats: 1,
+            threads: 1,
         }
     }
 
     /// Compares.
     pub fn run<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
         let mut outcome = self.run_together(candidate);
-        let repeats = (0..self.repeats).map(|repeat| self.run_alone(candidate, repeat));
-        let repeats: Vec<_> = repeats.collect();
-        let difference = || repeats.iter().find_map(alone::difference);
-        outcome.first_difference = outcome.first_difference.take().or_else(difference);
         if self.repeats > 0 {
-            outcome.whole_steps = WholeSteps::of(repeats, self.run_clocked(candidate));
+            let starts = (0..self.repeats).map(|repeat| self.start(candidate, repeat));
+            let (mut repeats, mut updates, mut limit) = (Vec::new(), Vec::new(), None);
+            for (repeat, start) in starts.enumerate() {
+                limit = limit.or_else(|| Some(self.run_clocked(&start)));
+                repeats.push(self.run_alone(candidate, repeat, &start));
+                updates.push(self.time_updates(candidate, repeat, &start));
+            }
+            let difference = || repeats.iter().find_map(alone::difference);
+            outcome.first_difference = outcome.first_difference.take().or_else(difference);
+            outcome.whole_steps = limit.and_then(|limit| WholeSteps::of(repeats, limit));
+            outcome.time_updates(&updates);
         }
         outcome
     }
 
+    /// From the first step on, since contacts that have come to rest may be older than a new broad phase.
     fn run_together<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
         let mut scene = Scene::build(self.kind, self.bodies, self.seed);
         let mut ray_check = RayCheck::new(candidate.queries, &scene, self);
@@ -128,7 +139,7 @@ impl Comparison {
             steps: self.steps,
             ..Outcome::default()
         };
-        for step in 1..=self.steps {
+        for step in 1..=self.before + self.steps {
             scene.prepare_asking(|| version::own_tree(&both.heard.inner));
             // A candidate that leaves out more holds only the pairs of the poses in its update.
             let before = candidate.leaves_out_more.then(|| Placed::of(&scene.world));
@@ -139,7 +150,7 @@ impl Comparison {
             let touching = Touching::of(&scene.world.narrow_phase);
             outcome.contacts_at_end = touching.contacts.len();
             outcome.intersections_at_end = touching.intersections.len();
-            if outcome.first_difference.is_none() {
+            if step > self.before && outcome.first_difference.is_none() {
                 // In a step of several updates, the poses of the last one are unknown.
                 let check_contacts = before.is_none() || updates.len() == 1;
                 outcome.contact_checks += usize::from(check_contacts);
@@ -172,21 +183,13 @@ impl Comparison {
             a_step: self.rays,
             ..ray_check.count
         };
-        let timing = Both {
-            default: both.heard.timing(),
-            candidate: both.unheard.timing(),
-        };
-        let seconds = timing.map(|timing| timing.total.as_secs_f64());
-        outcome.ratio = seconds.default / seconds.candidate;
-        outcome.broad_phase = timing.map(|timing| timing.over(self.steps));
         outcome
     }
 }
 
-/// A broad phase whose times, events and pairs are recorded.
+/// A broad phase whose events and pairs are recorded.
 fn watched<B: BroadPhase>(broad_phase: B) -> Observed<B> {
-    let observed = Observed::new(broad_phase).clocked();
-    observed.with_events().with_held()
+    Observed::new(broad_phase).with_events().with_held()
 }
 
 impl<C: BroadPhase + 'static> Candidate<C> {

@@ -4,6 +4,7 @@ use super::rapier::{math::DIM, prelude::*};
 use super::space::{UP, Vector, power, vector};
 
 /// A grid of cells, as wide along each horizontal axis, filled layer by layer from the bottom.
+#[derive(Clone)]
 pub(super) struct Lattice {
     /// How many cells there are along each horizontal axis.
     pub(super) columns: usize,

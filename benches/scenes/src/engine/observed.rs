@@ -6,9 +6,8 @@
 use super::pairs::{PairEvent, Pairs, in_order};
 use super::rapier::prelude::*;
 use super::version::{self, BroadPhase};
-use crate::Timing;
+use crate::{Clock, Timing};
 use std::collections::HashSet;
-use std::time::Instant;
 
 mod tee;
 
@@ -17,7 +16,7 @@ pub use tee::Tee;
 /// A broad phase under observation.
 #[derive(Default)]
 pub struct Observed<B> {
-    timing: Option<Timing>,
+    timing: Option<(Clock, Timing)>,
     has_lists: bool,
     has_events: bool,
     updates: Vec<Update>,
@@ -65,9 +64,9 @@ impl<B: BroadPhase> Observed<B> {
         }
     }
 
-    /// Times the updates, except in WebAssembly, whose standard library has no clock.
-    pub fn clocked(mut self) -> Self {
-        self.timing = (!cfg!(target_family = "wasm")).then(Timing::default);
+    /// Times the updates by a clock.
+    pub fn clocked(mut self, clock: Clock) -> Self {
+        self.timing = Some((clock, Timing::default()));
         self
     }
 
@@ -116,7 +115,14 @@ impl<B: BroadPhase> Observed<B> {
 impl<B> Observed<B> {
     /// How long the updates took; zero unless it is [clocked](Self::clocked).
     pub fn timing(&self) -> Timing {
-        self.timing.unwrap_or_default()
+        self.timing.map(|(_, timing)| timing).unwrap_or_default()
+    }
+
+    /// Forgets the times so far, also of the first update.
+    pub fn restart_timing(&mut self) {
+        if let Some((_, timing)) = &mut self.timing {
+            timing.restart();
+        }
     }
 
     /// The updates since this was last called.
@@ -190,9 +196,9 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
 
     version::when_boxes_are_handed_over! {
         fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
-            let start = self.timing.is_some().then(Instant::now);
+            let start = self.timing.map(|(clock, _)| clock.start());
             self.inner.set_aabbs(params, boxes);
-            if let (Some(timing), Some(start)) = (&mut self.timing, start) {
+            if let (Some((_, timing)), Some(start)) = (&mut self.timing, start) {
                 timing.record_boxes(start.elapsed());
             }
         }
@@ -235,9 +241,9 @@ impl<B: BroadPhase> Observed<B> {
         update: impl FnOnce(&mut B, &mut Vec<BroadPhasePairEvent>),
     ) {
         let first = events.len();
-        let start = self.timing.is_some().then(Instant::now);
+        let start = self.timing.map(|(clock, _)| clock.start());
         update(&mut self.inner, events);
-        if let (Some(timing), Some(start)) = (&mut self.timing, start) {
+        if let (Some((_, timing)), Some(start)) = (&mut self.timing, start) {
             timing.record(start.elapsed());
         }
 

@@ -29,6 +29,20 @@ pub struct Scene {
     kind: SceneKind,
 }
 
+impl Clone for Scene {
+    fn clone(&self) -> Self {
+        Self {
+            world: self.world.clone(),
+            containers: self.containers.clone(),
+            links: self.links.clone(),
+            may_fall_through: self.may_fall_through,
+            cue: self.cue.clone(),
+            script: self.script.copy(),
+            kind: self.kind,
+        }
+    }
+}
+
 impl Scene {
     /// Builds a scene of about this many bodies.
     ///

@@ -23,16 +23,24 @@ pub(super) trait Script: Send {
     fn rays(&self, _world: &World) -> Vec<Ray> {
         Vec::new()
     }
+
+    /// A script that goes on in the same way, in a clone of the world.
+    fn copy(&self) -> Box<dyn Script>;
 }
 
 /// A script without questions.
-impl<F: FnMut(&mut World, &mut Cue) + Send> Script for F {
+impl<F: FnMut(&mut World, &mut Cue) + Clone + Send + 'static> Script for F {
     fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
         self(world, cue);
+    }
+
+    fn copy(&self) -> Box<dyn Script> {
+        Box::new(self.clone())
     }
 }
 
 /// What a script works with, and a record of the energy that it adds to the world.
+#[derive(Clone)]
 pub(super) struct Cue {
     /// How many steps were done before.
     pub(super) step: usize,

@@ -10,6 +10,7 @@ use super::version::{OwnBroadPhase, install};
 use super::world::{Steppable, World};
 
 /// A joint of a rope.
+#[derive(Clone)]
 pub(super) struct Link {
     /// The joint.
     pub(super) joint: ImpulseJointHandle,

@@ -37,6 +37,26 @@ pub struct World {
     pub ccd_solver: CCDSolver,
 }
 
+/// The clone has scratch memory of its own.
+impl Clone for World {
+    fn clone(&self) -> Self {
+        Self {
+            gravity: self.gravity,
+            params: self.params,
+            pipeline: PhysicsPipeline::new(),
+            collision_pipeline: CollisionPipeline::new(),
+            islands: self.islands.clone(),
+            narrow_phase: self.narrow_phase.clone(),
+            bodies: self.bodies.clone(),
+            colliders: self.colliders.clone(),
+            impulse_joints: self.impulse_joints.clone(),
+            multibody_joints: self.multibody_joints.clone(),
+            soft_bodies: self.soft_bodies.clone(),
+            ccd_solver: self.ccd_solver.clone(),
+        }
+    }
+}
+
 impl World {
     /// An empty world with this gravity.
     pub fn new(gravity: Vector) -> Self {

@@ -1,4 +1,5 @@
-//! The scene simulated on each broad phase alone, which times whole steps.
+//! The scene simulated on each broad phase alone, which times whole steps; and on the default with the candidate beside it, which times
+//! the updates of both.
 //!
 //! The two worlds are stepped even/odd interleaved, so that other work of the machine slows both down. The queries of a step are a part
 //! of it: the default maintains its tree in every update, while others may build one for the first query.
@@ -6,13 +7,13 @@
 //! The worlds diverge, since the order of events decides the order in which the solver works, and with it the last bits of its result.
 //! So their end states are not compared with each other; each is checked by [`Sanity::verdict`].
 //!
-//! If whole steps are timed [later](Comparison::before), both worlds get there on the candidate, which does the same in either, so that
-//! both begin with the same piles and as many sleeping bodies. Then each gets a new broad phase, and all colliders are listed for it.
+//! If whole steps are timed [later](Comparison::before), a world gets there on the candidate, and both begin with clones of it: with the same
+//! piles and as many sleeping bodies. Then each gets a new broad phase, and all colliders are listed for it.
 //!
 //! Neither broad phase is timed inside of a step: Rapier 0.36's own would have to be wrapped, and a wrapped one does not work next to the
 //! solver. A world of its own has both times.
 
-use super::super::observed::Observed;
+use super::super::observed::{Observed, Tee};
 use super::super::queries::{AsQueryPipeline, tree_of};
 use super::super::rapier::prelude::*;
 use super::super::sanity::Sanity;
@@ -21,8 +22,8 @@ use super::super::version::{self, BroadPhase, OwnBroadPhase};
 use super::super::world::Steppable;
 use super::rays::{self, SomeRays};
 use super::{Candidate, Comparison};
-use crate::{Both, End, Limit, Repeat, milliseconds};
-use std::time::{Duration, Instant};
+use crate::{Both, Clock, End, Limit, Repeat, Times, milliseconds};
+use std::time::Duration;
 
 impl Comparison {
     /// Simulates the scene on both, each alone.
@@ -30,14 +31,13 @@ impl Comparison {
         &self,
         candidate: &Candidate<C>,
         repeat: usize,
+        start: &Start,
     ) -> Repeat {
-        let seed = self.seed.wrapping_add(repeat as u64);
+        let seed = self.seed_of(repeat);
         let (other, queries) = version::alone((candidate.create)(), candidate.queries);
         let own = DefaultBroadPhase::new();
-        let mut default = Run::new(self, seed, own, DefaultBroadPhase::as_query_pipeline);
-        let mut other = Run::new(self, seed, other, queries);
-        self.bring_there(&mut default, candidate);
-        self.bring_there(&mut other, candidate);
+        let mut default = Run::new(self, seed, start, own, DefaultBroadPhase::as_query_pipeline);
+        let mut other = Run::new(self, seed, start, other, queries);
         for step in 0..self.steps {
             if step % 2 == 0 {
                 default.step();
@@ -56,18 +56,18 @@ impl Comparison {
     }
 
     /// Simulates the scene on the default alone, and times its broad phase.
-    pub(super) fn run_clocked<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Limit {
-        let own = version::install(Observed::new(OwnBroadPhase::new()).clocked());
+    pub(super) fn run_clocked(&self, start: &Start) -> Limit {
+        let own = version::install(Observed::new(OwnBroadPhase::new()).clocked(self.clock()));
         let mut run = Run::new(
             self,
             self.seed,
+            start,
             own,
             |clocked, of, bodies, colliders, filter| {
                 let own = &clocked.inner;
                 own.as_query_pipeline(of, bodies, colliders, filter)
             },
         );
-        self.bring_there(&mut run, candidate);
         let before = run.broad_phase.timing().total;
         for _ in 0..self.steps {
             run.step();
@@ -77,30 +77,80 @@ impl Comparison {
         Limit::of(step, broad_phase)
     }
 
-    /// Makes the steps before the timed ones.
-    fn bring_there<B: Steppable, C: BroadPhase + 'static>(
+    /// Simulates the scene on the default, passes each update to the candidate as well, and times both. Which of them is first in the first
+    /// update changes from repeat to repeat.
+    pub(super) fn time_updates<C: BroadPhase + 'static>(
         &self,
-        run: &mut Run<B>,
         candidate: &Candidate<C>,
-    ) {
-        if self.before == 0 {
-            return;
+        repeat: usize,
+        start: &Start,
+    ) -> Both<Times> {
+        let own = Observed::new(OwnBroadPhase::new()).clocked(self.clock());
+        let other = Observed::new((candidate.create)()).clocked(self.clock());
+        let mut both = Tee::new(own, other);
+        if repeat % 2 == 1 {
+            both = both.with_unheard_first();
         }
-        let (mut broad_phase, queries) = version::alone((candidate.create)(), candidate.queries);
-        for _ in 0..self.before.saturating_sub(SETTLING) {
-            run.scene.prepare_asking(|| tree_of(&broad_phase, queries));
-            run.scene.world.step(broad_phase.for_step(), &(), &());
+        let mut run = Run::new(
+            self,
+            self.seed_of(repeat),
+            start,
+            version::install(both),
+            |both, of, bodies, colliders, filter| {
+                let own = &both.heard.inner;
+                own.as_query_pipeline(of, bodies, colliders, filter)
+            },
+        );
+        if self.before > 0 {
+            run.broad_phase.heard.restart_timing();
+            run.broad_phase.unheard.restart_timing();
         }
-        run.scene.world.touch_all();
-        for _ in 0..SETTLING.min(self.before) {
+        for _ in 0..self.steps {
             run.step();
         }
-        run.elapsed = Duration::ZERO;
+        Both {
+            default: run.broad_phase.heard.timing().over(self.steps),
+            candidate: run.broad_phase.unheard.timing().over(self.steps),
+        }
+    }
+
+    /// The scene of a repeat, after the steps on the candidate alone, with all colliders listed for the broad phase that comes next.
+    pub(super) fn start<C: BroadPhase + 'static>(
+        &self,
+        candidate: &Candidate<C>,
+        repeat: usize,
+    ) -> Start {
+        let mut scene = Scene::build(self.kind, self.bodies, self.seed_of(repeat));
+        let initial = scene.sanity();
+        let (mut broad_phase, queries) = version::alone((candidate.create)(), candidate.queries);
+        for _ in 0..self.before.saturating_sub(SETTLING) {
+            scene.prepare_asking(|| tree_of(&broad_phase, queries));
+            scene.world.step(broad_phase.for_step(), &(), &());
+        }
+        if self.before > 0 {
+            scene.world.touch_all();
+        }
+        Start { scene, initial }
+    }
+
+    fn seed_of(&self, repeat: usize) -> u64 {
+        self.seed.wrapping_add(repeat as u64)
+    }
+
+    fn clock(&self) -> Clock {
+        Clock::of_threads(self.threads)
     }
 }
 
 /// The number of steps after the exchange of a broad phase that are not timed.
 const SETTLING: usize = 10;
+
+/// What all simulations of a repeat begin with: clones of one scene, and how it was when it was built.
+#[derive(Clone)]
+pub(super) struct Start {
+    scene: Scene,
+    initial: Sanity,
+}
 
 /// A scene on one broad phase.
 struct Run<B> {
@@ -109,29 +159,38 @@ struct Run<B> {
     broad_phase: B,
     queries: AsQueryPipeline<B>,
     rays: SomeRays,
+    clock: Clock,
     elapsed: Duration,
 }
 
 impl<B: Steppable> Run<B> {
+    /// A run whose next step is the first to be timed.
     fn new(
         comparison: &Comparison,
         seed: u64,
+        start: &Start,
         broad_phase: B,
         queries: AsQueryPipeline<B>,
     ) -> Self {
-        let scene = Scene::build(comparison.kind, comparison.bodies, seed);
-        Self {
-            initial: scene.sanity(),
+        let Start { scene, initial } = start.clone();
+        let mut run = Self {
+            initial,
             rays: SomeRays::new(&scene, comparison.rays, seed),
             scene,
             broad_phase,
             queries,
+            clock: comparison.clock(),
             elapsed: Duration::ZERO,
+        };
+        for _ in 0..SETTLING.min(comparison.before) {
+            run.step();
         }
+        run.elapsed = Duration::ZERO;
+        run
     }
 
     fn step(&mut self) {
-        let start = Instant::now();
+        let start = self.clock.start();
         let tree = || tree_of(&self.broad_phase, self.queries);
         self.scene.prepare_asking(tree);
         self.scene.world.step(self.broad_phase.for_step(), &(), &());
@@ -140,7 +199,7 @@ impl<B: Steppable> Run<B> {
         if rays.is_empty() {
             return;
         }
-        let start = Instant::now();
+        let start = self.clock.start();
         let tree = tree_of(&self.broad_phase, self.queries);
         std::hint::black_box(rays::cast(tree, &self.scene.world, rays));
         self.elapsed += start.elapsed();

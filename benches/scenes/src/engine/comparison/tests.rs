@@ -69,9 +69,6 @@ fn default_equals_itself() {
         assert_eq!(outcome.first_difference, None, "{name}");
         assert_eq!(outcome.pairs.default, outcome.pairs.candidate);
         assert_eq!(outcome.contact_checks, 40);
-        let times = outcome.broad_phase;
-        assert_eq!(times.default.updates, times.candidate.updates);
-        assert!(times.default.updates >= 40);
         let looks = if kind == SceneKind::Player { 16 } else { 0 };
         assert_eq!(outcome.rays.cast, 40 * (10 + looks));
         assert!(outcome.rays.hits > 0, "{name}");
@@ -99,6 +96,11 @@ fn whole_steps_are_sane() {
     }
     let limit = whole_steps.limit.ratio;
     assert!(limit > 1.0 && limit.is_finite());
+    let times = outcome.broad_phase;
+    assert_eq!(times.default.updates, times.candidate.updates);
+    // All but the first.
+    assert!(times.default.updates >= 39);
+    assert!(outcome.ratio > 0.0 && outcome.ratio.is_finite());
 }
 
 #[test]

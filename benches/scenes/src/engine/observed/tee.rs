@@ -12,6 +12,7 @@ pub struct Tee<A, B> {
     pub unheard: B,
     unheard_events: Vec<BroadPhasePairEvent>,
     updates: usize,
+    is_unheard_first: bool,
     #[allow(dead_code)] // A step of Rapier 0.27 asks no tree.
     has_tree_of_unheard: bool,
 }
@@ -24,6 +25,7 @@ impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
             unheard,
             unheard_events: Vec::new(),
             updates: 0,
+            is_unheard_first: false,
             has_tree_of_unheard: false,
         }
     }
@@ -34,18 +36,28 @@ impl<A: BroadPhase, B: BroadPhase> Tee<A, B> {
         self
     }
 
+    /// Begins with the second broad phase. The one that is second finds the colliders in the cache.
+    pub fn with_unheard_first(mut self) -> Self {
+        self.is_unheard_first = true;
+        self
+    }
+
+    /// Which of the two is first. Most steps have two updates, of which only the second has much to do, so the order changes from step to
+    /// step.
+    fn is_heard_first(&self) -> bool {
+        (self.updates.div_ceil(2) % 2 == 0) != self.is_unheard_first
+    }
+
     /// Runs an update on both.
     fn update_both(
         &mut self,
         events: &mut Vec<BroadPhasePairEvent>,
         update: impl Fn(&mut dyn BroadPhase, &mut Vec<BroadPhasePairEvent>),
     ) {
-        // The second one finds the colliders in the cache. Most steps have two updates, of which only the second has much to do, so
-        // the order changes from step to step.
-        let heard_is_first = self.updates.div_ceil(2) % 2 == 0;
+        let is_heard_first = self.is_heard_first();
         self.updates += 1;
         self.unheard_events.clear();
-        for is_heard in [heard_is_first, !heard_is_first] {
+        for is_heard in [is_heard_first, !is_heard_first] {
             let (broad_phase, events): (&mut dyn BroadPhase, _) = if is_heard {
                 (&mut self.heard, &mut *events)
             } else {
@@ -74,7 +86,7 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
     version::when_boxes_are_handed_over! {
         fn set_aabbs(&mut self, params: &IntegrationParameters, boxes: &[(ColliderHandle, Aabb)]) {
             // The one that was first in the last update, which reads colliders, is second here.
-            if self.updates.div_ceil(2) % 2 == 0 {
+            if self.is_heard_first() {
                 self.heard.set_aabbs(params, boxes);
                 self.unheard.set_aabbs(params, boxes);
             } else {

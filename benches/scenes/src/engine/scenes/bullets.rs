@@ -32,6 +32,7 @@ const INTERVAL: usize = 15;
 const VOLLEYS: usize = 8;
 
 /// Shoots bullets of one kind along the first axis: new ones first, then those that have lain about for longest.
+#[derive(Clone)]
 struct Gun {
     bullets: Vec<RigidBodyHandle>,
     magazine: usize,

@@ -19,6 +19,7 @@ const CHANGED: usize = 200;
 const PUSHED_APART: Real = 10.0;
 
 /// Replaces some bodies at every step, and changes others.
+#[derive(Clone)]
 struct Replacement {
     balls: Vec<RigidBodyHandle>,
     disabled: Vec<RigidBodyHandle>,
@@ -29,6 +30,10 @@ struct Replacement {
 }
 
 impl Script for Replacement {
+    fn copy(&self) -> Box<dyn Script> {
+        Box::new(self.clone())
+    }
+
     fn prepare(&mut self, world: &mut World, cue: &mut Cue) {
         if self.balls.is_empty() {
             return;

@@ -23,6 +23,7 @@ const STUCK: Real = 0.1;
 const RAYS: usize = 16;
 
 /// The character, and what else is driven.
+#[derive(Clone)]
 struct Play {
     body: RigidBodyHandle,
     shape: SharedShape,
@@ -34,6 +35,10 @@ struct Play {
 }
 
 impl Script for Play {
+    fn copy(&self) -> Box<dyn Script> {
+        Box::new(self.clone())
+    }
+
     fn asks(&self) -> bool {
         true
     }

@@ -16,6 +16,7 @@ const SPEED: Real = 6.0;
 const SWAY: Real = 0.06;
 
 /// A ball on its way.
+#[derive(Clone)]
 struct Mover {
     body: RigidBodyHandle,
     place: Vector,

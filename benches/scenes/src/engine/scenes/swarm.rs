@@ -15,6 +15,7 @@ const DRIFT: Real = 3.0;
 const CIRCLE: Real = 0.5;
 
 /// A body with its flight.
+#[derive(Clone)]
 struct Flyer {
     body: RigidBodyHandle,
     home: Vector,
