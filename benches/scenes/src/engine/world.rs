@@ -39,6 +39,11 @@ pub struct World {
 
 /// The clone has scratch memory of its own.
 impl Clone for World {
+    #[allow(
+        clippy::clone_on_copy,
+        clippy::unit_arg,
+        reason = "Rapier 0.27 has no soft bodies"
+    )]
     fn clone(&self) -> Self {
         Self {
             gravity: self.gravity,
