@@ -12,7 +12,7 @@ use std::ptr::NonNull;
 
 const DEFAULT_CUTOFF: usize = 10;
 
-const CUTOFFS: [usize; 8] = [10, 50, 100, 200, 500, 1000, 2000, 5000];
+const CUTOFFS: [usize; 9] = [10, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
 
 /// CGAL as it comes, and with the best of some cutoffs.
 pub(crate) fn families<const D: usize>() -> Vec<Family<D>> {

@@ -16,7 +16,7 @@ pub(crate) fn families() -> Vec<Family<DIM>> {
         setting("binned", Upkeep::Build(BvhBuildStrategy::Binned)),
         setting("PLOC", Upkeep::Build(BvhBuildStrategy::Ploc)),
     ];
-    let kept = [4, 8, MAX_PERIOD].map(|frames| {
+    let kept = [8, 16, MAX_PERIOD].map(|frames| {
         let name = format!("rebuilt one frame in {frames}");
         setting(&name, Upkeep::RebuildOneIn(frames))
     });
@@ -27,7 +27,7 @@ pub(crate) fn families() -> Vec<Family<DIM>> {
 
 /// Frames between two rebuilds at most. Without any, the tree would be twenty times slower after some hundred
 /// frames than at first.
-const MAX_PERIOD: usize = 16;
+const MAX_PERIOD: usize = 32;
 
 /// What is done to the tree before it is traversed.
 #[derive(Clone, Copy)]
