@@ -5,6 +5,7 @@
 use crate::Options;
 use crate::growth::{self, Figures};
 use std::io;
+use std::panic;
 use std::time::{Duration, Instant};
 use unisize::{Aabb, BruteForce, GridSweep, PairFinder, RankSweep};
 use unisize_report::Report;
@@ -52,10 +53,11 @@ where
         grow("GridSweep", run::<GridSweep<f32, D>, D>)?;
         grow("RankSweep", run::<RankSweep<f32, D>, D>)?;
         grow("Parry Bvh", |boxes, enough| {
-            let [binned, ploc] = [run::<B, D>(boxes, enough), run::<P, D>(boxes, enough)];
-            match binned.seconds <= ploc.seconds {
-                true => binned,
-                false => ploc,
+            let binned = run::<B, D>(boxes, enough);
+            // Where volumes overflow, Parry panics.
+            match panic::catch_unwind(|| run::<P, D>(boxes, enough)) {
+                Ok(ploc) if ploc.seconds < binned.seconds => ploc,
+                _ => binned,
             }
         })?;
         grow("BruteForce", run::<BruteForce, D>)
