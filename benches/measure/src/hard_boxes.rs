@@ -4,6 +4,7 @@
 
 use crate::Options;
 use crate::growth::{self, Figures};
+use std::cell::Cell;
 use std::io;
 use std::panic;
 use std::time::{Duration, Instant};
@@ -21,6 +22,9 @@ const LONG: Duration = Duration::from_secs(1);
 const RUNS: usize = 5;
 const ENOUGH: Duration = Duration::from_millis(200);
 
+/// A builder of Parry's tree that takes so many times as long as the other one is not tried on more boxes.
+const HOPELESS: f64 = 3.0;
+
 /// A mixture, or needles, with more pairs than this for each box are hard for any method, and are left out.
 const MOST_PAIRS: usize = 64;
 
@@ -28,7 +32,7 @@ const MOST_PAIRS: usize = 64;
 type Draw<'a, const D: usize> = dyn Fn(usize) -> Option<Vec<[[f32; D]; 2]>> + 'a;
 
 /// Searches these boxes with one method, for this time at least.
-type Run<const D: usize> = fn(&[[[f32; D]; 2]], Duration) -> Figures;
+type Run<'a, const D: usize> = dyn Fn(&[[[f32; D]; 2]], Duration) -> Figures + 'a;
 
 /// Measures in one dimension, of which `B` and `P` are Parry's tree, built in either way.
 pub(crate) fn measure<const D: usize, B, P>(
@@ -42,7 +46,7 @@ where
     let counts = options.least(&COUNTS[..], &[1 << 8]);
     let enough = options.least(ENOUGH, Duration::ZERO);
     let mut grow = |boxes: &str, draw: &Draw<D>| {
-        let mut grow = |method: &str, run: Run<D>| {
+        let mut grow = |method: &str, run: &Run<D>| {
             let case = [
                 ("dim", D.into()),
                 ("boxes", boxes.into()),
@@ -50,17 +54,21 @@ where
             ];
             growth::measure(&case, counts, |n| Some(run(&draw(n)?, enough)), report)
         };
-        grow("GridSweep", run::<GridSweep<f32, D>, D>)?;
-        grow("RankSweep", run::<RankSweep<f32, D>, D>)?;
-        grow("Parry Bvh", |boxes, enough| {
+        grow("GridSweep", &run::<GridSweep<f32, D>, D>)?;
+        grow("RankSweep", &run::<RankSweep<f32, D>, D>)?;
+        let is_hopeless = Cell::new(false);
+        grow("Parry Bvh", &|boxes, enough| {
             let binned = run::<B, D>(boxes, enough);
-            // Where volumes overflow, Parry panics.
-            match panic::catch_unwind(|| run::<P, D>(boxes, enough)) {
-                Ok(ploc) if ploc.seconds < binned.seconds => ploc,
-                _ => binned,
+            if is_hopeless.get() {
+                return binned;
             }
+            // PLOC panics where volumes overflow, and becomes quadratic where many are equal.
+            let ploc = panic::catch_unwind(|| run::<P, D>(boxes, enough)).ok();
+            let times = ploc.as_ref().map(|ploc| ploc.seconds / binned.seconds);
+            is_hopeless.set(times.is_none_or(|times| times > HOPELESS));
+            ploc.filter(|_| times < Some(1.0)).unwrap_or(binned)
         })?;
-        grow("BruteForce", run::<BruteForce, D>)
+        grow("BruteForce", &run::<BruteForce, D>)
     };
     for kind in HardBoxes::ALL {
         grow(kind.name(), &|n| {
