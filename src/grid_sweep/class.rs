@@ -56,8 +56,7 @@ impl<R: Real, const D: usize> Class<R, D> {
         });
         let tubes = self.slabs.iter().flat_map(|slab| &slab.tubes);
         self.tubes = tubes.clone().count();
-        let bounds = tubes.map(|tube| tube.bounds);
-        self.bounds = bounds.reduce(|all, bounds| all.around(&bounds));
+        self.bounds = tubes.map(|tube| tube.bounds).reduce(|a, b| a.around(&b));
     }
 
     /// Chooses a grid and places the members in its tubes.

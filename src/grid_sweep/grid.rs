@@ -115,10 +115,9 @@ impl<R: Real> Grid<R> {
     ) -> usize {
         let ([rows, columns], home) = (span.beyond(), self.tube(span.first));
         // The cut axes on which each is a ghost, as bits. The second of two is a ghost on the axis along which the box reaches two strips.
-        let (axes, most) = if D > 2 {
-            ([0, 2 - rows, 2, 3], 4)
-        } else {
-            ([0, 1, 2, 3], 2)
+        let (axes, most) = match D > 2 {
+            true => ([0, 2 - rows, 2, 3], 4),
+            false => ([0, 1, 2, 3], 2),
         };
         for (entry, axes) in list.iter_mut().zip(axes).take(most) {
             let tube = home.wrapping_add((axes & 1) * self.stride + (axes >> 1)) & self.mask;

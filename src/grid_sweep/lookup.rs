@@ -67,12 +67,15 @@ impl<R: Real, const D: usize> Class<R, D> {
     #[cold]
     fn look_up_in_shared_tubes(&self, query: (&Aabb<R, D>, u32, TubeSpan), worker: &mut Worker) {
         let TubeSpan { first, last } = query.2;
-        let mut numbers = std::collections::BTreeSet::new();
+        let is_shared = |(_, tube): (_, &Tube<R, D>)| tube.strips.is_none();
+        let mut numbers = Vec::new();
         for row in first[0]..=last[0] {
-            numbers.extend((first[1]..=last[1]).map(|column| self.grid.tube([row, column])));
+            let in_row = (first[1]..=last[1]).map(|column| self.grid.tube([row, column]));
+            numbers.extend(in_row.filter(|&number| self.tube(number).is_some_and(is_shared)));
         }
-        let tubes = numbers.into_iter().filter_map(|number| self.tube(number));
-        for (slab, tube) in tubes.filter(|(_, tube)| tube.strips.is_none()) {
+        numbers.sort_unstable();
+        numbers.dedup();
+        for (slab, tube) in numbers.into_iter().filter_map(|number| self.tube(number)) {
             self.look_up_in_tube((slab, tube), query, worker);
         }
     }

@@ -122,8 +122,7 @@ impl<R: Real, const D: usize> Slab<R, D> {
         let mins = self.mins.each_ref().map(|column| &column[entries.clone()]);
         let maxs = self.maxs.each_ref().map(|column| &column[entries.clone()]);
         let mut bounds = Aabb::EMPTY;
-        let running_maxs = self.running_maxs[entries.clone()].iter_mut();
-        for (i, running_max) in running_maxs.enumerate() {
+        for (i, running_max) in self.running_maxs[entries.clone()].iter_mut().enumerate() {
             for k in 0..D {
                 bounds.mins[k] = min(mins[k][i], bounds.mins[k]);
                 bounds.maxs[k] = max(maxs[k][i], bounds.maxs[k]);

@@ -154,10 +154,9 @@ mod tests {
             let panics = || enter(u64::MAX, || std::panic::panic_any(7));
             let panics = || catch_unwind(AssertUnwindSafe(panics));
             let callers = callers(23);
-            let panic = if is_worker {
-                callers.install(panics)
-            } else {
-                panics()
+            let panic = match is_worker {
+                true => callers.install(panics),
+                false => panics(),
             };
             assert_eq!(panic.unwrap_err().downcast_ref(), Some(&7));
             assert_eq!(callers.install(|| enter(u64::MAX, threads)), 23);
