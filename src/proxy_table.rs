@@ -56,7 +56,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     has_warned: bool,
     /// Whether an update has begun that [finish](Self::finish) ends.
     is_begun: bool,
-    pending: Pending,
+    pending: Pending<R, D>,
     /// Scratch: one for each chunk of slots.
     notes: Vec<Notes>,
 }
@@ -114,10 +114,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         if felt.len() + removed.len() == 0 || !self.tracker.proxies.volumes.are_used {
             return;
         }
-        let acquainted = |&handle: &H| {
-            let slot = self.slot_of(handle)?;
-            self.tracker.is_acquainted(slot).then_some(slot)
-        };
+        let is_acquainted = |slot: &u32| self.tracker.is_acquainted(*slot);
+        let acquainted = |&handle: &H| self.slot_of(handle).filter(is_acquainted);
         let mut slots: Vec<_> = felt.iter().filter_map(acquainted).collect();
         let mut woken = BitSet::default();
         woken.resize(self.generations.len());
@@ -189,9 +187,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// An estimate of the work of an update, in tenths of a nanosecond.
     pub(crate) fn work_ahead<H>(&self, lists: &Lists<'_, H>) -> u64 {
         let touched = self.touched().len() + lists.modified.len();
-        self.reading_section(lists.len())
-            .work
-            .saturating_add(self.tracker.work_ahead(touched))
+        let reading = self.reading_section(lists.len()).work;
+        reading.saturating_add(self.tracker.work_ahead(touched))
     }
 
     /// Whether an update without listed colliders has something to do: boxes have been set, or all volumes must be read again.

@@ -9,6 +9,7 @@ use crate::geometry::{
 use crate::math::Real;
 use core::any::Any;
 use core::sync::atomic::{AtomicUsize, Ordering};
+use parry::bounding_volume::BoundingVolume;
 use parry::partitioning::Bvh;
 
 /// The input of an update in a pipeline.
@@ -178,7 +179,8 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Sets the boxes of the enabled colliders that an update with this list would not read.
+    /// Sets the boxes of the enabled colliders that an update with this list would not read. Boxes of bodies that can move are looser by the
+    /// recycle distance: the narrow phase keeps a contact until its bodies have moved that far, so boxes of sleepers that touch may have parted.
     fn set_unread(
         &mut self,
         params: &IntegrationParameters,
@@ -195,7 +197,11 @@ impl BroadPhaseBvh {
         read.sort_unstable();
         for (handle, collider) in colliders.iter_enabled() {
             if read.binary_search(&handle.into_raw_parts()).is_err() {
-                let aabb = collider.compute_broad_phase_aabb(params, bodies);
+                let mut aabb = collider.compute_broad_phase_aabb(params, bodies);
+                let body = collider.parent().and_then(|parent| bodies.get(parent));
+                if params.contact_recycling && body.is_some_and(|body| !body.is_fixed()) {
+                    aabb.loosen(params.contact_recycle_distance());
+                }
                 if aabb.mins.is_finite() && aabb.maxs.is_finite() {
                     self.set_aabb(params, handle, aabb);
                 }

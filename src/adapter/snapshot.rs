@@ -14,7 +14,7 @@ use crate::pair_filter::PairFilter;
 use crate::proxy_table::{ProxyTable, TableSnapshot};
 
 /// The version of the format. It changes whenever a field or its meaning changes.
-const FORMAT: u32 = 15;
+const FORMAT: u32 = 16;
 
 /// The fields of a [`UnisizeBroadPhase`] that cannot be derived from others.
 #[derive(serde::Serialize, serde::Deserialize)]

@@ -3,10 +3,10 @@
 //! They count in the next update. The table does not read a known collider again, and nearly all boxes are moves of known colliders, which
 //! one tight loop applies.
 //!
-//! Only the next update can tell whether an unknown collider exists and what it may meet, so that update reads it. Until then its slot has
-//! the passed box, for queries.
+//! Only the next update can tell whether an unknown collider exists and what it may meet, so that update reads it, except its box. Until then
+//! its slot has the passed box, for queries.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{ColliderSource, Handle, Memo, ProxyTable, Reading, is_known};
 use crate::aabb::Aabb;
@@ -15,8 +15,11 @@ use crate::parallel::Section;
 use crate::real::Real;
 use crate::tuning::update::{MOST_NOTES_A_SLOT, ROOM_AHEAD};
 
-/// The colliders that the next update reads if they exist, by slot and generation.
-pub(super) type Pending = BTreeSet<(u32, u32)>;
+/// A slot and a generation.
+pub(super) type Id = (u32, u32);
+
+/// The colliders that the next update reads if they exist, and the valid boxes that were passed for them.
+pub(super) type Pending<R, const D: usize> = BTreeMap<Id, Option<Aabb<R, D>>>;
 
 impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     /// Sets boxes without their margin, as a part of the next [update](Self::update). Colliders keep their filter keys. Returns the slots
@@ -119,12 +122,13 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             if aabb.is_valid() {
                 self.place(slot, aabb);
                 // It is probably gone, and its removal not reported yet. If not, the next update reads it.
-                self.pending.extend(known.map(|known| (slot, known)));
+                self.pending.extend(known.map(|old| ((slot, old), None)));
             } else if known.is_none() {
                 self.tracker.proxies.clear_box(slot);
             }
         }
-        self.pending.insert((slot, generation));
+        self.pending
+            .insert((slot, generation), Some(aabb).filter(Aabb::is_valid));
     }
 
     /// Reads the pending colliders, except those that have been removed since.
@@ -133,7 +137,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         S: ColliderSource<R, D, Memo = M, Key = K>,
     {
         let mut pending = std::mem::take(&mut self.pending);
-        for &(slot, generation) in &pending {
+        for &(slot, generation) in pending.keys() {
             let known = self.generations.get(slot as usize);
             if known.is_some_and(|known| known.is_none_or(|known| known == generation)) {
                 // The box was only there for queries.
@@ -143,9 +147,13 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         for handle in removed {
             pending.remove(&handle.into_raw_parts());
         }
-        for (slot, generation) in pending {
+        for ((slot, generation), aabb) in pending {
             let handle = S::Handle::from_raw_parts(slot, generation);
-            self.admit(handle, margin, |memo| source.read(handle, memo));
+            self.admit(handle, margin, |memo| {
+                let reading = source.read(handle, memo)?;
+                let aabb = aabb.unwrap_or(reading.aabb);
+                Some(Reading { aabb, ..reading })
+            });
         }
     }
 }

@@ -4,8 +4,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::passing::Pending;
+use super::passing::Id;
 use super::{Memo, ProxyTable};
+use crate::aabb::Aabb;
 use crate::pair_tracker::{FilterKey, TrackerSnapshot};
 use crate::real::Real;
 use crate::stats::Stats;
@@ -21,7 +22,7 @@ pub(crate) struct TableSnapshot<R, const D: usize, M, K> {
     /// Generations and memos by slot, up to the highest slot that ever had a known collider.
     colliders: Vec<(Option<u32>, M)>,
     is_begun: bool,
-    pending: Pending,
+    pending: Vec<(Id, Option<Aabb<R, D>>)>,
     tracker: TrackerSnapshot<R, D, K>,
 }
 
@@ -33,7 +34,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
             stats: self.stats,
             colliders: generations.zip(self.memos.iter().cloned()).collect(),
             is_begun: self.is_begun,
-            pending: self.pending.clone(),
+            pending: self.pending.clone().into_iter().collect(),
             tracker: self.tracker.snapshot(),
         }
     }
@@ -56,7 +57,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         (table.generations, table.memos) = snapshot.colliders.into_iter().unzip();
         table.make_room(slots);
         table.known = table.generations.iter().flatten().count();
-        table.pending = snapshot.pending;
+        table.pending = snapshot.pending.into_iter().collect();
         table.is_begun = snapshot.is_begun;
         if !(table.is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were set for no update");

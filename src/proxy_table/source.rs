@@ -87,7 +87,7 @@ pub(crate) struct Reading<R, const D: usize, K> {
 }
 
 /// Tells whether the contact of two colliders is active.
-pub(crate) type IsActive<'a, H> = &'a (dyn Fn(H, H) -> bool + Sync);
+pub(crate) type IsActive<'a, H> = &'a (dyn Fn([H; 2]) -> bool + Sync);
 
 /// The known colliders, by slot.
 pub(super) struct Known<'a, S, H, M, R> {
@@ -112,9 +112,7 @@ impl<R: Real, const D: usize, S: ColliderSource<R, D>> Colliders<R, D>
     }
 
     fn is_active(&self, pair: [u32; 2]) -> bool {
-        self.is_active.is_some_and(|is_active| {
-            let [first, second] = handles(self.generations, pair);
-            is_active(first, second)
-        })
+        self.is_active
+            .is_some_and(|is_active| is_active(handles(self.generations, pair)))
     }
 }

@@ -2,6 +2,7 @@
 
 use oorandom::Rand32;
 
+use super::passing::Id;
 use super::{Changes, ColliderSource, Handle, Lists, ProxyTable, Reading};
 use crate::aabb::Aabb;
 use crate::pair_filter::PairFilter;
@@ -11,9 +12,6 @@ use crate::tuning::update::{MOST_NOTES_A_SLOT, ROOM_AHEAD};
 use crate::volume::{Volume, VolumeKind};
 
 const MARGIN: f32 = 0.125;
-
-/// Slot and generation.
-type Id = (u32, u32);
 
 impl Handle for Id {
     fn from_raw_parts(slot: u32, generation: u32) -> Self {
@@ -229,8 +227,7 @@ fn boxes_for_unknown_colliders_make_room_once() {
     // Each slot is within reach of the one before.
     let set_boxes = |table: &mut Table, first: u32| {
         let step = ROOM_AHEAD as u32 - 1;
-        let boxes = (1..50).map(|i| ((first + i * step, 0), aabb));
-        let boxes: Vec<_> = boxes.collect();
+        let boxes: Vec<_> = (1..50).map(|i| ((first + i * step, 0), aabb)).collect();
         table.set_boxes(&boxes, [MARGIN, 0.0]);
     };
     for _ in 0..3 {
@@ -256,10 +253,8 @@ fn boxes_of_many_unknown_colliders_are_all_kept() {
     // Apart, for so many boxes in one place have more pairs than fit in the memory of a processor of 32 bits.
     let aabb = |slot: u32| Aabb::new([2.0 * slot as f32, 0.0], [2.0 * slot as f32 + 1.0, 1.0]);
     let boxes: Vec<_> = (0..20_000).map(|slot| ((slot, 0), aabb(slot))).collect();
-    let colliders: Vec<_> = boxes
-        .iter()
-        .map(|&(_, aabb)| (0, Some((aabb, Side(1)))))
-        .collect();
+    let colliders = boxes.iter().map(|&(_, aabb)| (0, Some((aabb, Side(1)))));
+    let colliders = colliders.collect();
     for (threads, known) in [(8, 0), (8, 1), (16, 100), (16, 1000)] {
         let mut table = table(PairFilter::Groups);
         let ids: Vec<Id> = (0..known).map(|slot| (slot, 0)).collect();

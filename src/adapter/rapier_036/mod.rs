@@ -110,7 +110,7 @@ impl UnisizeBroadPhase {
     /// by the margin and takes its place. Only the pose of the collider may have changed, by a rotation of unit length; list it as modified after
     /// any other change.
     ///
-    /// If the collider is unknown, the next update reads it from the set. The box is ignored if a newer collider has the index. A collider
+    /// If the collider is unknown, the next update reads the rest from the set. The box is ignored if a newer collider has the index. A collider
     /// with an invalid box is left out, and counted in [`Stats::refused`](crate::Stats::refused), until it gets a valid one.
     pub fn set_aabb(
         &mut self,

@@ -48,7 +48,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// Whether two colliders have an active contact or an intersection.
-    fn is_active(&self, first: ColliderHandle, second: ColliderHandle) -> bool {
+    fn is_active(&self, [first, second]: [ColliderHandle; 2]) -> bool {
         let touches_none = |handle| {
             let i = index(handle) as usize;
             let touching = self.touching.get_or_init(|| self.find_touching());
@@ -79,9 +79,7 @@ fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_
         asked: last.deleted,
         touching: OnceLock::new(),
     });
-    let is_active = contacts
-        .as_ref()
-        .map(|contacts| |a, b| contacts.is_active(a, b));
+    let is_active = contacts.as_ref().map(|all| |pair| all.is_active(pair));
     run(&Input {
         lists: Lists {
             modified: input.modified,

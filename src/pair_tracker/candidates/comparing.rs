@@ -239,12 +239,14 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         }
     }
 
-    /// What becomes of a pair whose boxes overlap. A pair that would end by its volumes alone stays while its contact is active.
+    /// What becomes of a pair whose boxes overlap. A pair that would end by its volumes alone stays while its contact is active. A former broad
+    /// phase may have reported a pair of a new proxy.
     #[inline(always)]
     fn outcome_if_overlapping(&self, pair: [u32; 2], was_held: bool) -> Outcome {
+        let may_be_active = || was_held || !self.proxies.both_existed(pair);
         match self.proxies.holds(pair, was_held) {
             None => Outcome::Unread,
-            Some(false) if !(was_held && self.colliders.is_active(pair)) => {
+            Some(false) if !(may_be_active() && self.colliders.is_active(pair)) => {
                 Outcome::Is(PairState::Near)
             }
             Some(_) => Outcome::Is(PairState::Held),

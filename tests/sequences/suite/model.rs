@@ -31,8 +31,8 @@ pub(super) struct Model {
     prediction: Real,
     /// Whether anything was handed over since the last update.
     is_begun: bool,
-    /// Colliders that the next update reads, by index and generation.
-    awaited: BTreeSet<(u32, u32)>,
+    /// Colliders that the next update reads, by index and generation, and the boxes that they were handed over with.
+    awaited: BTreeMap<(u32, u32), Option<Aabb>>,
 }
 
 #[derive(Clone)]
@@ -77,7 +77,7 @@ impl Model {
             skin: 0.0,
             prediction: 0.0,
             is_begun: false,
-            awaited: BTreeSet::new(),
+            awaited: BTreeMap::new(),
         }
     }
 
@@ -89,13 +89,13 @@ impl Model {
 
     /// For how many indices boxes were handed over, though no collider is known there. Each may have a box for queries.
     pub(super) fn announced(&self) -> usize {
-        let indices = self.awaited.iter().map(|&(index, _)| index);
+        let indices = self.awaited.keys().map(|&(index, _)| index);
         let unknown = indices.filter(|index| !self.proxies.contains_key(index));
         unknown.collect::<BTreeSet<_>>().len()
     }
 
     /// A box is handed over between two updates. It counts at once if its collider is known, and keeps what filters look
-    /// at; otherwise the next update reads the collider, unless a newer one is known.
+    /// at; otherwise the next update reads the collider, but for its box, unless a newer one is known.
     pub(super) fn hand_over(
         &mut self,
         handle: ColliderHandle,
@@ -114,7 +114,7 @@ impl Model {
                 return;
             }
             if is_sound(&aabb) {
-                self.awaited.insert((index, known.generation));
+                self.awaited.insert((index, known.generation), None);
                 let proxy = Proxy {
                     aabb: Some(aabb),
                     ..known
@@ -122,7 +122,8 @@ impl Model {
                 self.proxies.insert(index, proxy);
             }
         }
-        self.awaited.insert((index, generation));
+        let aabb = is_sound(&aabb).then_some(aabb);
+        self.awaited.insert((index, generation), aabb);
     }
 
     pub(super) fn held(&self) -> &BTreeSet<Pair> {
@@ -176,23 +177,24 @@ impl Model {
                 proxy.volume.forget_center();
             }
         }
-        let awaited = std::mem::take(&mut self.awaited).into_iter();
-        let awaited =
-            awaited.map(|(index, generation)| ColliderHandle::from_raw_parts(index, generation));
-        let awaited = awaited.filter(|handle| !removed.contains(handle));
-        let awaited: Vec<_> = awaited.collect();
-        for &handle in &awaited {
-            if self.knows(handle) {
+        let awaited = std::mem::take(&mut self.awaited);
+        for &(index, generation) in awaited.keys() {
+            if self.knows(ColliderHandle::from_raw_parts(index, generation)) {
                 // Its box was passed for another collider.
-                let index = handle.into_raw_parts().0;
                 self.proxies.get_mut(&index).unwrap().aabb = None;
             }
         }
-        for handle in awaited.into_iter().chain(modified.iter().copied()) {
+        let awaited = awaited.into_iter().map(|((index, generation), aabb)| {
+            (ColliderHandle::from_raw_parts(index, generation), aabb)
+        });
+        let awaited = awaited.filter(|(handle, _)| !removed.contains(handle));
+        let modified = modified.iter().map(|&handle| (handle, None));
+        for (handle, handed_over) in awaited.chain(modified) {
             match colliders.get(handle) {
                 Some(collider) if collider.is_enabled() => {
                     let skin = params.prediction_distance() / 2.0;
                     let aabb = collider.compute_collision_aabb(skin);
+                    let aabb = handed_over.unwrap_or(aabb);
                     let body = collider.parent().and_then(|body| bodies.get(body));
                     let key = Key {
                         body: collider.parent(),

@@ -201,7 +201,7 @@ const DAMAGES: [(&str, Change); 23] = [
     }),
     ("", |value| volume(value, "Ball")[0] = json!("Sphere")),
     (
-        "format 1, and this version of unisize reads format 15",
+        "format 1, and this version of unisize reads format 16",
         |value| {
             value["format"] = json!(1);
         },

@@ -85,6 +85,38 @@ fn what_rests_goes_on_resting_on_another_broad_phase() {
     }
 }
 
+/// Some contacts of a settled wall are active although the boxes have parted: Rapier looks at a pair again only once it has moved.
+#[test]
+fn a_wall_sleeps_on() {
+    let mut settled = world_on(ours());
+    for i in 0..200 {
+        let (row, column) = (i / 10, i % 10);
+        let x = 1.02 * column as Real + 0.51 * (row % 2) as Real - 5.0;
+        settled.insert(dynamic(x, 1.0 + row as Real), cube());
+    }
+    for _ in 0..600 {
+        settled.step();
+    }
+    let asleep = |world: &PhysicsWorld| {
+        let bodies = world.bodies.iter().filter(|(_, body)| body.is_sleeping());
+        bodies.count()
+    };
+    assert!(asleep(&settled) > 190);
+    let (sleepers, touching) = (asleep(&settled), contacts(&settled.narrow_phase));
+    let on = |broad_phase, world| PhysicsWorld {
+        broad_phase,
+        ..world
+    };
+    let [first, second] = saved(&settled);
+    let [third, fourth] = saved(&settled).map(|world| on(ours(), world));
+    let exchanged = on(DefaultBroadPhase::new(), settled);
+    for mut world in [first, second, third, fourth, exchanged] {
+        world.step();
+        assert_eq!(asleep(&world), sleepers);
+        assert_eq!(contacts(&world.narrow_phase), touching);
+    }
+}
+
 /// As it is done where the pipelines do not help.
 #[test]
 fn a_new_narrow_phase_and_a_list_of_all_do_as_well() {
