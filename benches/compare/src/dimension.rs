@@ -21,20 +21,16 @@ pub(crate) fn compare(case: Case, options: &Options) -> Row {
         threads: options.threads,
         ..Comparison::new(case.kind, options.bodies(case), SEED)
     };
-    let outcome = if options.pair_filter() == PairFilter::Shapes {
+    let filter = candidate(options.pair_filter());
+    let candidates = match options.pair_filter() {
         // The default holds all pairs whose boxes overlap. So these have to be equal first.
-        let boxes = Comparison {
-            repeats: 0,
-            ..comparison
-        };
-        let boxes = boxes.run(&candidate(crate::FILTER_OF_DEFAULT));
-        let shapes = candidate(PairFilter::Shapes).leaving_out_more();
-        let mut outcome = comparison.run(&shapes);
-        outcome.first_difference = boxes.first_difference.or(outcome.first_difference);
-        outcome
-    } else {
-        comparison.run(&candidate(options.pair_filter()))
+        PairFilter::Shapes => {
+            let boxes = candidate(crate::FILTER_OF_DEFAULT);
+            vec![boxes, filter.leaving_out_more()]
+        }
+        _ => vec![filter],
     };
+    let outcome = comparison.run(&candidates);
     Row::new(case, DIM, options, outcome)
 }
 

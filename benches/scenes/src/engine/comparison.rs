@@ -24,7 +24,8 @@ use super::world::{Steppable, World};
 use crate::{Both, Outcome, Rays, SceneKind, WholeSteps};
 use contacts::{Follower, Placed, Touching};
 use rays::RayCheck;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::thread::ScopedJoinHandle;
 
 mod alone;
 mod contacts;
@@ -34,7 +35,7 @@ mod tests;
 
 /// The broad phase that is compared with the default, as functions that create and query it.
 pub struct Candidate<C> {
-    create: Box<dyn Fn() -> C>,
+    create: Box<dyn Fn() -> C + Send + Sync>,
     pairs: Ask<C, Vec<ColliderPair>>,
     queries: AsQueryPipeline<C>,
     validate: Option<Ask<C, ()>>,
@@ -42,13 +43,13 @@ pub struct Candidate<C> {
 }
 
 /// A question to a candidate after each step.
-type Ask<C, T> = Box<dyn Fn(&C) -> T>;
+type Ask<C, T> = Box<dyn Fn(&C) -> T + Send + Sync>;
 
 impl<C: BroadPhase + 'static> Candidate<C> {
     /// A candidate from functions that create one, list the pairs that it holds, and query its tree.
     pub fn new(
-        create: impl Fn() -> C + 'static,
-        pairs: impl Fn(&C) -> Vec<ColliderPair> + 'static,
+        create: impl Fn() -> C + Send + Sync + 'static,
+        pairs: impl Fn(&C) -> Vec<ColliderPair> + Send + Sync + 'static,
         queries: AsQueryPipeline<C>,
     ) -> Self {
         Self {
@@ -67,7 +68,7 @@ impl<C: BroadPhase + 'static> Candidate<C> {
     }
 
     /// Checks its invariants after each step by a function that panics if one is broken. The panic is caught, and counts as a difference.
-    pub fn with_validation(mut self, validate: impl Fn(&C) + 'static) -> Self {
+    pub fn with_validation(mut self, validate: impl Fn(&C) + Send + Sync + 'static) -> Self {
         self.validate = Some(Box::new(validate));
         self
     }
@@ -109,16 +110,25 @@ impl Comparison {
         }
     }
 
-    /// Compares.
-    pub fn run<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
-        let mut outcome = self.run_together(candidate);
+    /// Checks all candidates, and times the last one. Until the first timed step, all worlds are simulated side by side.
+    pub fn run<C: BroadPhase + 'static>(&self, candidates: &[Candidate<C>]) -> Outcome {
+        let timed = candidates.last().expect("there is a candidate");
+        let (mut checked, starts) = std::thread::scope(|scope| {
+            let check = |candidate| scope.spawn(move || self.check(candidate));
+            let checks: Vec<_> = candidates.iter().map(check).collect();
+            let start = |repeat| scope.spawn(move || self.start(timed, repeat));
+            let starts: Vec<_> = (0..self.repeats).map(start).collect();
+            (joined(checks), joined(starts))
+        });
+        let mut outcome = checked.pop().expect("a check of each candidate");
+        let earlier = checked.into_iter().find_map(|check| check.first_difference);
+        outcome.first_difference = earlier.or(outcome.first_difference);
         if self.repeats > 0 {
-            let starts = (0..self.repeats).map(|repeat| self.start(candidate, repeat));
             let (mut repeats, mut updates, mut limit) = (Vec::new(), Vec::new(), None);
-            for (repeat, start) in starts.enumerate() {
-                limit = limit.or_else(|| Some(self.run_clocked(&start)));
-                repeats.push(self.run_alone(candidate, repeat, &start));
-                updates.push(self.time_updates(candidate, repeat, &start));
+            for (repeat, start) in starts.iter().enumerate() {
+                limit = limit.or_else(|| Some(self.run_clocked(start)));
+                repeats.push(self.run_alone(timed, repeat, start));
+                updates.push(self.time_updates(timed, repeat, start));
             }
             let difference = || repeats.iter().find_map(alone::difference);
             outcome.first_difference = outcome.first_difference.take().or_else(difference);
@@ -129,7 +139,7 @@ impl Comparison {
     }
 
     /// From the first step on, since contacts that have come to rest may be older than a new broad phase.
-    fn run_together<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
+    fn check<C: BroadPhase + 'static>(&self, candidate: &Candidate<C>) -> Outcome {
         let mut scene = Scene::build(self.kind, self.bodies, self.seed);
         let mut ray_check = RayCheck::new(candidate.queries, &scene, self);
         let watched_candidate = watched((candidate.create)());
@@ -185,6 +195,14 @@ impl Comparison {
         };
         outcome
     }
+}
+
+/// What the threads return; a panic goes on.
+fn joined<T>(threads: Vec<ScopedJoinHandle<'_, T>>) -> Vec<T> {
+    let join = |thread: ScopedJoinHandle<'_, T>| {
+        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+    };
+    threads.into_iter().map(join).collect()
 }
 
 /// A broad phase whose events and pairs are recorded.

@@ -12,7 +12,7 @@ fn compare(comparison: Comparison) {
         UnisizeBroadPhase::as_query_pipeline,
     )
     .with_validation(UnisizeBroadPhase::validate);
-    let outcome = comparison.run(&candidate);
+    let outcome = comparison.run(&[candidate]);
     let name = comparison.kind.name();
     assert!(outcome.is_equal(), "{name}: {:?}", outcome.first_difference);
     // A single body has none that count.

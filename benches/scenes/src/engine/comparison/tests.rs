@@ -53,7 +53,7 @@ fn difference(copies: fn(PairEvent) -> usize, edit: fn(&mut Vec<ColliderPair>)) 
         steps: 80,
         ..comparison(SceneKind::FallingBalls)
     };
-    comparison.run(&candidate).first_difference
+    comparison.run(&[candidate]).first_difference
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn default_equals_itself() {
             rays: 10,
             ..comparison(kind)
         };
-        let outcome = comparison.run(&candidate);
+        let outcome = comparison.run(&[candidate]);
         let name = kind.name();
         assert_eq!(outcome.first_difference, None, "{name}");
         assert_eq!(outcome.pairs.default, outcome.pairs.candidate);
@@ -82,7 +82,7 @@ fn whole_steps_are_sane() {
         rays: 1,
         ..comparison(SceneKind::FallingBalls)
     }
-    .run(&Candidate::new(listed, list, QUERIES));
+    .run(&[Candidate::new(listed, list, QUERIES)]);
     assert!(outcome.is_equal());
     let whole_steps = outcome.whole_steps.expect("they were asked for");
     let seeds = whole_steps.repeats.iter().map(|repeat| repeat.seed);
@@ -112,7 +112,7 @@ fn whole_steps_are_timed_later_from_one_state() {
             repeats: 1,
             ..comparison(SceneKind::FallingBalls)
         };
-        let outcome = comparison.run(&Candidate::new(listed, list, QUERIES));
+        let outcome = comparison.run(&[Candidate::new(listed, list, QUERIES)]);
         let whole_steps = outcome.whole_steps.expect("they were asked for");
         let end = &whole_steps.repeats[0].end;
         [end.default.energy, end.candidate.energy]
@@ -140,7 +140,7 @@ fn a_ray_that_misses_is_reported() {
         rays: 10,
         ..comparison(SceneKind::FallingBalls)
     };
-    let difference = comparison.run(&candidate).first_difference;
+    let difference = comparison.run(&[candidate]).first_difference;
     let difference = difference.expect("a difference");
     assert!(difference.contains(": the ray from"), "{difference}");
     assert!(
@@ -164,9 +164,9 @@ fn a_forgotten_pair_is_named() {
             usize::from(!is_forgotten)
         })
     };
-    let candidate = Candidate::new(create, list, QUERIES);
+    let candidates = [Candidate::new(create, list, QUERIES)];
     let mut comparison = comparison(SceneKind::FallingBalls);
-    let outcome = comparison.run(&candidate);
+    let outcome = comparison.run(&candidates);
     let difference = outcome.first_difference.expect("a difference");
     let named = forgotten.lock().unwrap().iter().any(|pair| {
         let mut ends = pair.iter();
@@ -181,7 +181,7 @@ fn a_forgotten_pair_is_named() {
         .and_then(|rest| rest.split_once(": "));
     let step: usize = step.unwrap().0.parse().unwrap();
     comparison.steps = step - 1;
-    assert!(comparison.run(&candidate).is_equal());
+    assert!(comparison.run(&candidates).is_equal());
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn every_fault_is_reported() {
 fn a_broken_invariant_is_reported() {
     let sound = Candidate::new(listed, list, QUERIES);
     let candidate = sound.with_validation(|_| panic!("box {} is askew", 17));
-    let outcome = comparison(SceneKind::FallingBalls).run(&candidate);
+    let outcome = comparison(SceneKind::FallingBalls).run(&[candidate]);
     let difference = outcome.first_difference.expect("a difference");
     assert!(difference.starts_with("step 1: "), "{difference}");
     assert!(difference.contains("box 17 is askew"), "{difference}");
