@@ -172,9 +172,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         self.is_begun = true;
         let touched = self.touched().len();
         // Removals first: a listed collider may already have the slot of a removed one.
-        for &handle in lists.removed {
-            self.remove(handle);
-        }
+        lists.removed.iter().for_each(|&handle| self.remove(handle));
         self.tracker.proxies.note_extents(margin, source.reach());
         self.admit_pending(lists.removed, source, margin);
         self.read(lists.modified, source, margin);
@@ -361,10 +359,9 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
     fn count_proxies(&self) -> Option<usize> {
         let mut count = 0;
         for (slot, _) in (0..).zip(self.boxes()).filter(|(_, aabb)| aabb.is_valid()) {
-            if self.generations[slot as usize].is_some() {
-                count += 1;
-            } else {
-                self.pending.range((slot, 0)..=(slot, u32::MAX)).next()?;
+            match self.generations[slot as usize] {
+                Some(_) => count += 1,
+                None => _ = self.pending.range((slot, 0)..=(slot, u32::MAX)).next()?,
             }
         }
         Some(count)

@@ -195,14 +195,16 @@ impl BroadPhaseBvh {
         let read = modified_colliders.iter().filter(is_read);
         let mut read: Vec<_> = read.map(|handle| handle.into_raw_parts()).collect();
         read.sort_unstable();
+        let slack = params.contact_recycle_distance();
+        let has_slack = params.contact_recycling && slack > 0.0;
+        let is_finite = |aabb: &Aabb| aabb.mins.is_finite() && aabb.maxs.is_finite();
         for (handle, collider) in colliders.iter_enabled() {
             if read.binary_search(&handle.into_raw_parts()).is_err() {
-                let mut aabb = collider.compute_broad_phase_aabb(params, bodies);
+                let aabb = collider.compute_broad_phase_aabb(params, bodies);
                 let body = collider.parent().and_then(|parent| bodies.get(parent));
-                if params.contact_recycling && body.is_some_and(|body| !body.is_fixed()) {
-                    aabb.loosen(params.contact_recycle_distance());
-                }
-                if aabb.mins.is_finite() && aabb.maxs.is_finite() {
+                let is_looser = has_slack && body.is_some_and(|body| !body.is_fixed());
+                let looser = is_looser.then(|| aabb.loosened(slack));
+                if let Some(aabb) = looser.filter(is_finite).or(Some(aabb)).filter(is_finite) {
                     self.set_aabb(params, handle, aabb);
                 }
             }

@@ -140,7 +140,6 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         for &(slot, generation) in pending.keys() {
             let known = self.generations.get(slot as usize);
             if known.is_some_and(|known| known.is_none_or(|known| known == generation)) {
-                // The box was only there for queries.
                 self.clear_box(slot);
             }
         }
@@ -150,9 +149,10 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         for ((slot, generation), aabb) in pending {
             let handle = S::Handle::from_raw_parts(slot, generation);
             self.admit(handle, margin, |memo| {
-                let reading = source.read(handle, memo)?;
-                let aabb = aabb.unwrap_or(reading.aabb);
-                Some(Reading { aabb, ..reading })
+                let mut reading = source.read(handle, memo)?;
+                reading.is_skipped &= aabb.is_none();
+                reading.aabb = aabb.unwrap_or(reading.aabb);
+                Some(reading)
             });
         }
     }

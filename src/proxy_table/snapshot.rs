@@ -1,6 +1,5 @@
-//! A table as serde writes and reads it.
-//!
-//! Of a memo about a collider, only the part is written that a volume depends on. The next reading makes the rest again.
+//! A table as serde writes and reads it. Of a memo about a collider, only the part is written that a volume depends on. The next reading makes
+//! the rest again.
 
 use serde::{Deserialize, Serialize};
 
@@ -58,6 +57,9 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         table.make_room(slots);
         table.known = table.generations.iter().flatten().count();
         table.pending = snapshot.pending.into_iter().collect();
+        if !table.pending.values().flatten().all(Aabb::is_valid) {
+            return Err("snapshot: a passed box is not valid");
+        }
         table.is_begun = snapshot.is_begun;
         if !(table.is_begun || table.pending.is_empty() && table.touched().is_empty()) {
             return Err("snapshot: boxes were set for no update");

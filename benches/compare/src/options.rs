@@ -60,8 +60,8 @@ pub(super) struct Options {
     /// The number of rays per step, in the tree of the broad phase, in addition to those of the scene itself
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = between(0, 1_000_000))]
     pub(super) rays: usize,
-    /// How often whole steps are timed; differences of a few per cent take nine, and 0 leaves it out [default: 1, or 3 with --full]
-    #[arg(long, value_name = "N", value_parser = between(0, 1_000))]
+    /// How often whole steps are timed; differences of a few per cent take nine, 0 leaves it out, and all repeats are in memory at once [default: 1, or 3 with --full]
+    #[arg(long, value_name = "N", value_parser = between(0, 100))]
     repeats: Option<usize>,
     /// Append the results to this file, a JSON object a line
     #[arg(long, value_name = "FILE")]

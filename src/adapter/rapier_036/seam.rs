@@ -72,11 +72,12 @@ fn index(handle: ColliderHandle) -> u32 {
     handle.into_raw_parts().0
 }
 
-/// Calls `run` with the input of a pipeline, for an update that is expected to end about as many pairs as the last one.
+/// Calls `run` with the input of a pipeline. The update is expected to end about as many pairs as the last one; a first one asks about many.
 fn with_input(input: &PipelineInput<'_>, last: Stats, run: impl FnOnce(&Input<'_>)) {
+    let all = usize::MAX * usize::from(last.proxies == 0);
     let contacts = input.narrow_phase.map(|narrow_phase| Contacts {
         narrow_phase,
-        asked: last.deleted,
+        asked: last.deleted.max(all),
         touching: OnceLock::new(),
     });
     let is_active = contacts.as_ref().map(|all| |pair| all.is_active(pair));

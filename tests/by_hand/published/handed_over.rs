@@ -135,7 +135,10 @@ fn inconsistent_snapshots_are_refused() {
         outcome.expect_err("the snapshot is accepted").to_string()
     }
     type Change = fn(&mut Value);
-    let damages: [(&str, Change); 5] = [
+    let damages: [(&str, Change); 6] = [
+        ("passed box is not valid", |table| {
+            table["pending"][0][1]["mins"][0] = json!(99.0);
+        }),
         ("for no update", |table| table["is_begun"] = json!(false)),
         ("no collider", |table| table["pending"] = json!([])),
         ("out of range", |table| {

@@ -8,7 +8,7 @@
 //! So their end states are not compared with each other; each is checked by [`Sanity::verdict`].
 //!
 //! If whole steps are timed [later](Comparison::before), a world gets there on the candidate, and both begin with clones of it: with the same
-//! piles and as many sleeping bodies. Then each gets a new broad phase, and all colliders are listed for it.
+//! piles. Then each gets a new broad phase, and all colliders are listed for it, which wakes their bodies.
 //!
 //! Neither broad phase is timed inside of a step: Rapier 0.36's own would have to be wrapped, and a wrapped one does not work next to the
 //! solver. A world of its own has both times.

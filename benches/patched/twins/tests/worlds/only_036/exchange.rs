@@ -117,6 +117,36 @@ fn a_wall_sleeps_on() {
     }
 }
 
+/// However far Rapier is told that bodies may move before their contacts are computed again, and whether the boxes have parted or not.
+#[test]
+fn a_cube_sleeps_on_beside_a_wall_that_it_has_left() {
+    for distance in [0.05, 0.0, -1.0, Real::NAN, Real::INFINITY, Real::MAX] {
+        for make in [DefaultBroadPhase::new, ours, other] {
+            let mut world = PhysicsWorld {
+                gravity: Default::default(),
+                ..world_on(ours())
+            };
+            world
+                .integration_parameters
+                .normalized_contact_recycle_distance = distance;
+            let (cube, _) = world.insert(dynamic(0.0, 1.0), cube());
+            world.step();
+            world.bodies[cube].set_translation(at(0.0, 1.03), false);
+            run(&mut world);
+            let touching = contacts(&world.narrow_phase);
+            assert_eq!(touching.len(), usize::from(distance > 0.0));
+            world.broad_phase = make();
+            world.step();
+            assert_eq!(world.broad_phase.bvh().leaf_count(), 2);
+            // No finite box is looser by more.
+            if distance.is_nan() || distance < 1.0 {
+                assert!(world.bodies[cube].is_sleeping());
+                assert_eq!(contacts(&world.narrow_phase), touching);
+            }
+        }
+    }
+}
+
 /// As it is done where the pipelines do not help.
 #[test]
 fn a_new_narrow_phase_and_a_list_of_all_do_as_well() {
