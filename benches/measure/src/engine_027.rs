@@ -1,5 +1,6 @@
 //! How Rapier 0.27 drives a broad phase: it lists the colliders that are new or have moved, and the broad phase reads them.
 
+use super::ours::PairFilter;
 use super::rapier::prelude::*;
 use super::world::{Driven, World};
 use crate::time;
@@ -7,6 +8,9 @@ use std::time::Duration;
 
 /// The version of Rapier.
 pub(crate) const RAPIER: &str = "0.27";
+
+/// The filter levels that are measured: the default, which is that of Rapier's own broad phase.
+pub(crate) const LEVELS: &[PairFilter] = &[PairFilter::Off];
 
 /// Removes a collider.
 pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {

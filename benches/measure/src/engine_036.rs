@@ -1,7 +1,7 @@
 //! How Rapier 0.36 drives a broad phase: it computes and passes the boxes of moved colliders, and lists new ones. The
 //! work that its own broad phase defers, to do it next to the solver, counts as a part of the next update.
 
-use super::ours::UnisizeBroadPhase;
+use super::ours::{PairFilter, UnisizeBroadPhase};
 use super::rapier::prelude::*;
 use super::world::{Driven, World};
 use crate::time;
@@ -9,6 +9,9 @@ use std::time::Duration;
 
 /// The version of Rapier.
 pub(crate) const RAPIER: &str = "0.36";
+
+/// The filter levels that are measured: the default, and that of Rapier's own broad phase.
+pub(crate) const LEVELS: &[PairFilter] = &[PairFilter::Shapes, PairFilter::Groups];
 
 /// Removes a collider.
 pub(crate) fn remove(handle: ColliderHandle, world: &mut World) {

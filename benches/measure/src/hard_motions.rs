@@ -5,7 +5,7 @@
 //! listing them is not timed.
 
 use super::engine;
-use super::ours::UnisizeBroadPhase;
+use super::ours::{Settings, UnisizeBroadPhase};
 use super::rapier::prelude::*;
 use super::world::{Driven, World};
 use crate::bytes_held;
@@ -45,8 +45,12 @@ pub(crate) fn measure(is_small: bool, report: &mut Report) -> io::Result<()> {
         };
         let default = |count| follow(&case(count), DefaultBroadPhase::new());
         grow(format!("Rapier {version}"), &default)?;
-        let ours = |count| follow(&case(count), UnisizeBroadPhase::new());
-        grow(format!("unisize for {version}"), &ours)?;
+        for &level in engine::LEVELS {
+            let settings = Settings::default().with_filter(level);
+            let broad_phase = || UnisizeBroadPhase::with_settings(settings);
+            let ours = |count| follow(&case(count), broad_phase());
+            grow(format!("unisize for {version}, {level:?}"), &ours)?;
+        }
     }
     Ok(())
 }
