@@ -9,7 +9,7 @@ use std::env;
 const COPIES: [&str; 4] = ["rapier2d", "rapier3d", "rapier2d_f64", "rapier3d_f64"];
 
 /// The seam that this version of the library knows.
-const SEAM: &str = "3";
+const SEAM: &str = "4";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

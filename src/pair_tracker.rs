@@ -22,6 +22,7 @@ mod volumes;
 
 use std::fmt::Debug;
 
+use crate::aabb::Aabb;
 use crate::real::Real;
 use crate::stats::Stats;
 use crate::volume::Volume;
@@ -101,7 +102,9 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
 
     /// Removes a proxy; its pairs end without an event.
     pub(crate) fn remove(&mut self, slot: u32) {
-        self.proxies.remove(slot);
+        self.proxies.previous[slot as usize] = Aabb::ABSENT;
+        self.proxies.volumes.forget(slot);
+        self.proxies.clear_box(slot);
         self.candidates.acquainted.remove(slot as usize);
     }
 
@@ -111,7 +114,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     }
 
     /// Calls `visit` with each pair of one of these slots whose boxes overlapped at the end of the last update, that might touch, and that is
-    /// not held only because of its volumes. Passes over the candidates that are not cold.
+    /// near: not held because of its volumes, whatever its keys have come to say. Passes over the candidates that are not cold.
     pub(crate) fn visit_near(&mut self, listed: &[u32], mut visit: impl FnMut([u32; 2])) {
         let keys = &self.proxies.keys;
         self.candidates.visit_near(listed, |pair| {

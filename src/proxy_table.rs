@@ -51,7 +51,7 @@ pub(crate) struct ProxyTable<R: Real, const D: usize, M, K> {
     most_known_slots: usize,
     /// Slot and generation of each collider beyond these slots. It is refused, and is not a known collider.
     beyond: BTreeMap<u32, u32>,
-    /// Only `proxies`, the number of known colliders with a box, is current; the last update set the others.
+    /// `proxies` is current; `updates`, `added` and `deleted` are those of the last update. [`stats`](Self::stats) fills in the others.
     stats: Stats,
     has_warned: bool,
     /// Whether an update has begun that [finish](Self::finish) ends.
@@ -90,7 +90,7 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         fat_boxes.iter().filter(|fat| fat.is_valid())
     }
 
-    /// The slots whose boxes were written since the last [finish](Self::finish); some may repeat.
+    /// The slots whose boxes or keys were written since the last [finish](Self::finish); some may repeat.
     fn touched(&self) -> &[u32] {
         &self.tracker.proxies.notes.touched
     }
@@ -103,7 +103,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
 
     /// Replaces `unreported` by the colliders to wake whose pairs volumes may have suppressed, in the order of slots: each felt collider whose
     /// box has ever overlapped that of another one that it may meet; and both colliders of each pair of a felt or removed one whose boxes
-    /// overlapped at the end of the last update, and that only their volumes keep from being a pair. There are none if volumes are not in use.
+    /// overlapped at the end of the last update, and that is not held because of its volumes, whatever its keys have come to say. There are none
+    /// if volumes are not in use.
     pub(crate) fn find_unreported<H: Handle>(
         &mut self,
         felt: &[H],
@@ -161,8 +162,8 @@ impl<R: Real, const D: usize, M: Memo, K: FilterKey> ProxyTable<R, D, M, K> {
         *self = empty;
     }
 
-    /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes it has written;
-    /// some may repeat. **O(listed colliders)** and a bit for each slot, or O(n) if all volumes become stale.
+    /// Removes colliders, then reads the listed ones. A renewed box is loosened by `margin`. Returns the slots whose boxes or keys it has
+    /// written; some may repeat. **O(listed colliders)** and a bit for each slot, or O(n) if all volumes become stale.
     pub(crate) fn update<S: ColliderSource<R, D, Memo = M, Key = K>>(
         &mut self,
         lists: &Lists<'_, S::Handle>,

@@ -13,9 +13,9 @@
 pub struct Stats {
     /// Colliders with a box.
     pub proxies: usize,
-    /// Colliders that are left out. One whose box has a NaN or is inverted, or in a pipeline of 0.36 is
-    /// infinite and its first one, returns automatically once its box is valid. One whose
-    /// index is 2²⁹ - 2¹⁶ or more never does, because `GridSweep` takes no more boxes; a snapshot does not count those.
+    /// Colliders that are left out. A collider returns by itself once its box is valid, if its box was inverted or had a NaN; and once its box
+    /// is finite, if its first box in a pipeline of 0.36 was infinite. A collider whose index is 2²⁹ - 2¹⁶ or more never returns, because
+    /// `GridSweep` takes no more boxes; a loaded broad phase does not count these.
     pub refused: usize,
     /// Pairs held.
     pub pairs: usize,

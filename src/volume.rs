@@ -53,14 +53,13 @@ pub(crate) struct Ball<R, const D: usize> {
 }
 
 /// The kind of a volume.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
 pub(crate) enum VolumeKind {
     /// Only the box is known: the volume meets all others.
-    #[default]
     Box,
     Ball,
     /// One segment.

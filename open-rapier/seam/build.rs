@@ -2,5 +2,5 @@
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::metadata=SEAM=3");
+    println!("cargo::metadata=SEAM=4");
 }

@@ -88,10 +88,9 @@ pub trait CustomBroadPhase: Any + Send + Sync {
         }
     }
 
-    /// Visits the colliders that the narrow phase would have woken in the last update if all pairs of overlapping boxes had been reported.
-    /// Calls `visit` with each collider of [`PipelineInput::felt`] that has ever had a pair, and with each felt or removed collider and
-    /// each collider that it forms a pair with.
-    fn visit_unreported(&self, _visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {}
+    /// Visits the colliders that the narrow phase would have woken in the last update if all pairs of overlapping boxes had been reported:
+    /// each collider of [`PipelineInput::felt`] that has ever had a pair, and both colliders of each unreported pair of a felt or removed one.
+    fn visit_unreported(&self, _visit: &mut dyn FnMut(ColliderHandle)) {}
 
     /// A tree over the current boxes, for queries and CCD. Its leaves are the indices of handles.
     fn bvh(&self) -> &Bvh;
@@ -240,12 +239,9 @@ impl BroadPhaseBvh {
         let Some(custom) = &self.custom.broad_phase else {
             return;
         };
-        custom.visit_unreported(&mut |felt, neighbor| {
-            for handle in [Some(felt), neighbor] {
-                let collider = handle.and_then(|handle| colliders.get(handle));
-                if let Some(parent) = collider.and_then(|collider| collider.parent) {
-                    islands.wake_up(bodies, parent.handle, true);
-                }
+        custom.visit_unreported(&mut |handle| {
+            if let Some(parent) = colliders.get(handle).and_then(|collider| collider.parent) {
+                islands.wake_up(bodies, parent.handle, true);
             }
         });
     }

@@ -8,8 +8,8 @@ use crate::pair_tracker::FilterKey;
 
 /// The properties of a collider and its body that decide whether it may meet another collider. They are packed into 16 bytes, because the keys
 /// of candidates are read at random. Properties that neither the filter nor [`renews_box`](FilterKey::renews_box) reads are the same in all
-/// keys.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// keys. All may meet a collider with the default key.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
@@ -48,18 +48,6 @@ const IS_EITHER_ENOUGH: u32 = 2 << FLAGS;
 /// Whether bodies and their types decide, and whether groups decide: the same in all keys.
 const BODIES_DECIDE: u32 = 4 << FLAGS;
 const GROUPS_DECIDE: u32 = 8 << FLAGS;
-
-impl Default for ColliderKey {
-    /// The key of colliders that may all meet each other.
-    fn default() -> Self {
-        Self {
-            body: NO_BODY,
-            memberships: u32::MAX,
-            filter: u32::MAX,
-            bits: type_bits(RigidBodyType::Dynamic, ActiveCollisionTypes::all()),
-        }
-    }
-}
 
 /// The bits for the type of the body, and for the types that it meets.
 #[inline(always)]
@@ -133,7 +121,7 @@ impl FilterKey for ColliderKey {
         (!is_of_one_body & types_meet | !has(BODIES_DECIDE)) & (groups_meet | !has(GROUPS_DECIDE))
     }
 
-    /// The body, unless it is fixed: then it hardly takes part in searches.
+    /// The body, unless it is fixed: then its colliders hardly move, so few are searched for.
     fn clique(self) -> Option<u32> {
         let body_type = TYPES[(self.bits >> TYPE & 3) as usize];
         let is_one = self.body != NO_BODY && body_type != RigidBodyType::Fixed;

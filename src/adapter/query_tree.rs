@@ -26,9 +26,9 @@ pub(super) struct QueryTree {
     current: OnceLock<Tree>,
     /// The tree of earlier boxes, if there is none of the present ones.
     outdated: Mutex<Option<Tree>>,
-    /// The slots whose boxes were written since the outdated tree was current. Unspecified if there is no outdated tree.
+    /// The slots whose boxes or keys were written since the outdated tree was current. Unspecified if there is no outdated tree.
     written: SlotSet,
-    /// The number of updates since the last query.
+    /// The number of updates since a tree was current.
     unused: u32,
 }
 
@@ -37,7 +37,7 @@ struct Tree {
     bvh: Bvh,
     /// Scratch memory of Parry's.
     workspace: BvhWorkspace,
-    /// By slot, the box for which its leaf was inserted.
+    /// By slot, the box for which its leaf was inserted, or an older one if the tree was small or many leaves were written.
     placed: Vec<Aabb>,
     /// The number of leaves that were written alone or removed since the last [refit](Bvh::refit).
     loose: usize,
@@ -55,7 +55,7 @@ impl Clone for QueryTree {
 }
 
 impl QueryTree {
-    /// Notes that the boxes of these slots were written. **O(1)** each, and **O(1)** in all without a tree.
+    /// Notes that the boxes or keys of these slots were written. **O(1)** each, and **O(1)** in all without a tree.
     pub(super) fn note(&mut self, written: &[u32]) {
         if written.is_empty() {
             return;
@@ -89,7 +89,7 @@ impl QueryTree {
     /// tree has become too loose, and **O(1)** otherwise.
     pub(super) fn of(&self, boxes: Boxes) -> &Bvh {
         let tree = self.current.get_or_init(|| match self.lock().take() {
-            Some(tree) => tree.refreshed(boxes, self.written.slots()),
+            Some(tree) => tree.refreshed(boxes, &self.written),
             None => Tree::new(boxes),
         });
         &tree.bvh
@@ -97,7 +97,7 @@ impl QueryTree {
 
     /// Panics unless the leaves of the refreshed tree, if there is one, are these boxes.
     pub(super) fn validate(&self, boxes: Boxes) {
-        let refreshed = || Some(self.lock().clone()?.refreshed(boxes, self.written.slots()));
+        let refreshed = || Some(self.lock().clone()?.refreshed(boxes, &self.written));
         let Some(tree) = self.current.get().cloned().or_else(refreshed) else {
             return;
         };
@@ -143,14 +143,17 @@ impl Tree {
     ///
     /// A leaf that has moved far since it was inserted makes its ancestors large, and rays then visit more nodes. If few leaves have moved,
     /// each such leaf is inserted again. If many have moved, they usually move far at about the same time. Then the tree is built again.
-    fn refreshed(mut self, boxes: Boxes, renewed: &[u32]) -> Self {
+    fn refreshed(mut self, boxes: Boxes, written: &SlotSet) -> Self {
+        // Threads note slots in another order, and the order decides what the tree is like.
+        let mut renewed = written.slots().to_vec();
+        renewed.sort_unstable();
         let leaves = self.bvh.leaf_count() as usize;
         self.placed.resize(boxes.len(), Aabb::ABSENT);
         let are_few = renewed.len() * FEW_UP_TO_ONE_IN < leaves;
-        if !are_few && self.have_strayed(boxes, renewed) {
+        if !are_few && self.have_strayed(boxes, &renewed) {
             return Self::new(boxes);
         }
-        for &slot in renewed {
+        for slot in renewed {
             let aabb = boxes[slot as usize];
             if !aabb.is_valid() {
                 if self.bvh.leaf_count() <= SMALL_UP_TO {

@@ -36,7 +36,8 @@ fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Err
 }
 
 /// A snapshot has everything that decides future events: a restored simulation, with all of Rapier's sets, continues like the saved one. This
-/// needs a format that keeps numbers bit for bit, infinite ones too, as binary formats do.
+/// needs a format that keeps numbers bit for bit, infinite ones too, as binary formats do. The tree for queries is built anew, so queries,
+/// and CCD in 0.36, may visit colliders in another order.
 impl Serialize for UnisizeBroadPhase {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let snapshot = Snapshot {

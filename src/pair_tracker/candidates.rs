@@ -113,7 +113,7 @@ impl Candidates {
         if listed.is_empty() || self.overlapping_count == self.held_count {
             return;
         }
-        self.warm(listed);
+        self.warm_up(listed);
         let asked = SlotSet::of(listed);
         let warm = self.pairs[..self.first_cold].iter().zip(&self.states);
         let near = warm.filter(|&(&pair, &state)| state == PairState::Near && asked.has_any(pair));
@@ -121,7 +121,7 @@ impl Candidates {
     }
 
     /// Moves the cold rows of these slots before the others. Takes a pass over the cold rows if there is a slot that was not warm.
-    fn warm(&mut self, listed: &[u32]) {
+    fn warm_up(&mut self, listed: &[u32]) {
         let known = self.warm.len();
         self.warm.extend(listed);
         let new = &self.warm.slots()[known..];

@@ -4,7 +4,7 @@
 
 use crate::tuning::prices::{FOUND, LOOKED_UP, SEARCHED, VISITED};
 
-/// One slot in this many. If more were touched, an update goes through all slots and all candidates, in order; otherwise only through the
+/// One slot in this many. If as many were touched, an update goes through all slots and all candidates, in order; otherwise only through the
 /// touched slots, and it picks their candidates. If larger: all candidates are compared though few can have changed. If smaller: picking
 /// costs as much as comparing.
 const IN_ORDER_FROM_ONE_IN: usize = 3;

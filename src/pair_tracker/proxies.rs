@@ -122,18 +122,8 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
 
     /// Removes the box of a slot; its pairs end in the next update, with an event each. Its fat box and its candidates stay until then.
     pub(crate) fn clear_box(&mut self, slot: u32) {
-        if let Some(aabb) = self.boxes.get_mut(slot as usize) {
-            *aabb = Aabb::ABSENT;
-            self.search_again(slot);
-        }
-    }
-
-    /// Removes a proxy; its pairs end without an event.
-    pub(crate) fn remove(&mut self, slot: u32) {
-        if let Some(previous) = self.previous.get_mut(slot as usize) {
-            *previous = Aabb::ABSENT;
-            self.clear_box(slot);
-        }
+        self.boxes[slot as usize] = Aabb::ABSENT;
+        self.search_again(slot);
     }
 
     fn search_again(&mut self, slot: u32) {
@@ -228,6 +218,6 @@ impl<R: Real, const D: usize, K: FilterKey> Proxies<R, D, K> {
     /// A section that goes through all slots, and the number of slots in each part of it.
     fn section(&self) -> (Section, usize) {
         let section = Section::of(self.boxes.len(), SLOT);
-        (section, self.boxes.len().div_ceil(section.parts()).max(1))
+        (section, self.boxes.len().div_ceil(section.parts()))
     }
 }

@@ -25,7 +25,7 @@ use crate::slot_set::SlotSet;
 pub(crate) struct TrackerSnapshot<R, const D: usize, K> {
     /// By slot, the boxes at the end of the last update.
     boxes: Vec<Option<Aabb<R, D>>>,
-    /// By slot. One without a box may get one without a new key.
+    /// By slot, also without a box: a box that is passed later comes without a key.
     keys: Vec<K>,
     /// The slots touched since the last update, with their present boxes.
     touched: Vec<(u32, Option<Aabb<R, D>>)>,

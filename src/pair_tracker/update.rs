@@ -25,7 +25,7 @@ impl<R: Real, const D: usize, K: FilterKey> PairTracker<R, D, K> {
     /// Brings the pairs up to date and reports what has changed since the last call.
     ///
     /// Takes no time if nothing was written. Otherwise it compares the candidates of the touched proxies, or all candidates in order if
-    /// most proxies were touched. Each proxy that has left its fat box is looked up in about **O(log n)**; if there are many, the kernel
+    /// a third of all proxies or more were touched. Each proxy that has left its fat box is looked up in about **O(log n)**; if there are many, the kernel
     /// searches among all proxies instead.
     ///
     /// If volumes are in use, a held pair ends when one of its boxes is renewed and its volumes are farther apart than `slack`, unless its

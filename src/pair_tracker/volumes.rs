@@ -56,7 +56,7 @@ pub(super) struct VolumesChunk<'a, R, const D: usize> {
 pub(crate) struct VolumesSnapshot<R> {
     /// `None` if it is infinite.
     skin: Option<R>,
-    /// `None` if it is not finite.
+    /// `None` if it is infinite.
     reach: Option<R>,
     /// For each slot the kind, whether it is stale, and the numbers; empty if volumes are not in use.
     by_slot: Vec<(VolumeKind, bool, Vec<R>)>,
@@ -156,7 +156,7 @@ impl<R: Real, const D: usize> Volumes<R, D> {
                 !is_stale || self.set(slot, &colliders.volume(slot))
             });
         }
-        let slots_a_part = slots.len().div_ceil(section.parts()).max(1);
+        let slots_a_part = slots.len().div_ceil(section.parts());
         let parts = slots.chunks(slots_a_part).map(|slots| (slots, Vec::new()));
         let mut parts: Vec<_> = parts.collect();
         let volumes = &*self;
@@ -248,6 +248,14 @@ impl<R: Real, const D: usize> Volumes<R, D> {
             self.are_stale[slot as usize] = is_stale;
         }
         Ok(())
+    }
+
+    /// Forgets the volume of a slot whose proxy is removed, so that the pairs of the next one there do not depend on it.
+    pub(super) fn forget(&mut self, slot: u32) {
+        if self.are_used {
+            self.set_kind(slot as usize, VolumeKind::Box);
+            self.balls[slot as usize] = Volume::BOX.ball;
+        }
     }
 
     /// Chunks of this many slots, followed by empty ones without end.

@@ -20,7 +20,7 @@ pub(crate) struct Lists<'a, H> {
     /// New colliders, and those whose box or filter key may have changed.
     pub(crate) modified: &'a [H],
     /// The modified colliders whose boxes are renewed without a margin, even if they have not left them: those that a pipeline has listed again.
-    /// A change of their key that [renews the box](FilterKey::renews_box) does the same elsewhere.
+    /// Empty outside of a pipeline; there, a change of the key that [renews the box](FilterKey::renews_box) does the same.
     pub(crate) reinserted: &'a [H],
     /// Colliders whose filter key may have changed, or whose volume may have changed in the same pose. Their boxes stay.
     pub(crate) unmoved: &'a [H],

@@ -135,8 +135,8 @@ impl Trial {
     /// Observes a world that runs on an unpatched Rapier: call this after each step. Computes in **O(colliders)** time, plus the updates.
     ///
     /// Both a second instance of Rapier's broad phase and unisize receive the boxes of all enabled colliders. The pairs are those that they
-    /// would have in the world. The times are those of a world that never sleeps. If a ball gets another shape, it keeps its former volume
-    /// at [`PairFilter::Shapes`].
+    /// would have in the world. The times are those of a world that never sleeps. At [`PairFilter::Shapes`], a collider keeps the kind of volume
+    /// that it had at first, even if it is a ball that gets another shape, gets hooks, or if its body gets soft CCD or its 33rd collider.
     pub fn observe(
         &mut self,
         params: &IntegrationParameters,

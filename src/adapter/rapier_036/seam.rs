@@ -156,10 +156,8 @@ macro_rules! impl_custom_broad_phase {
 }
 
 impl_custom_broad_phase! { UnisizeBroadPhase, run_in_pipeline,
-    fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
-        for &collider in &self.unreported {
-            visit(collider, None);
-        }
+    fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle)) {
+        self.unreported.iter().copied().for_each(visit);
     }
 
     fn bvh(&self) -> &Bvh {

@@ -54,7 +54,11 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
         }
         drop((pairs, states));
         self.extend(found);
-        self.candidates.retired.shrink_to(KEEP_SCRATCH_UP_TO);
+        let candidates = &mut *self.candidates;
+        candidates.retired.shrink_to(KEEP_SCRATCH_UP_TO);
+        candidates.unread.shrink_to(KEEP_SCRATCH_UP_TO);
+        let is_small = |changes: &Vec<_>| changes.capacity() <= KEEP_SCRATCH_UP_TO;
+        candidates.row_changes.retain(is_small);
     }
 
     /// Adds the candidates that were `found`. Those that were retired and still overlap are among them, or forbidden.
@@ -106,11 +110,11 @@ impl<R: Real, const D: usize, K: FilterKey, C: Colliders<R, D>> Comparing<'_, R,
                 }
             });
         } else {
-            candidates.warm(touched);
-            candidates.warm(&proxies.notes.revolumed);
+            candidates.warm_up(touched);
+            candidates.warm_up(&proxies.notes.revolumed);
             // Each candidate has two slots.
             let share_picked = (2 * touched.len()).min(slots) as u64;
-            let price = PICKED + COMPARED * share_picked / slots.max(1) as u64;
+            let price = PICKED + COMPARED * share_picked / slots as u64;
             let rows = 0..candidates.first_cold;
             self.ask_and_apply(rows, price, false, |proxies, pairs, states| {
                 let picked = gather(pairs, |&pair| proxies.touched.has_any(pair));

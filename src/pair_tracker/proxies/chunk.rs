@@ -79,7 +79,7 @@ impl<R: Real, const D: usize, K> ProxyChunk<'_, R, D, K> {
             VolumeKind::BoxUntilRead if has_only_moved => false,
             _ => {
                 volumes.are_stale[i] = true;
-                // The pairs of other volumes ask for them.
+                // The pairs of volumes without half axes do not look whether these are stale. Other pairs do, unless they are near already.
                 kind.axes::<D>() == 0 || volumes.near[i] > 0
             }
         };

@@ -202,6 +202,35 @@ fn queries_use_the_boxes_passed_last() {
     }
 }
 
+/// Threads note them in another order, and CCD visits leaves in the order of the tree.
+#[test]
+fn the_tree_does_not_depend_on_the_order_of_passed_boxes() {
+    let leaves = |is_reversed: bool| {
+        let mut desk = Desk::default();
+        let place = |i| 2.0 * i as Real;
+        let balls = (0..100).map(|i| desk.ball(0.5, [place(i), 0.0]));
+        let handles: Vec<_> = balls.collect();
+        desk.update(&handles, &[]);
+        assert_eq!(hit(&desk, 0.0), Some(handles[0]));
+        let mut moved: Vec<_> = handles.into_iter().step_by(17).collect();
+        for (i, &handle) in moved.iter().enumerate() {
+            desk.place(handle, [50.0, place(i)]);
+        }
+        if is_reversed {
+            moved.reverse();
+        }
+        desk.pass_boxes(&moved);
+        let (bodies, colliders) = (&desk.bodies, &desk.colliders);
+        let (dispatcher, filter) = (&DefaultQueryDispatcher, QueryFilter::default());
+        let broad_phase = &desk.broad_phase;
+        let scene = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, filter);
+        let everywhere = Aabb::new(Vector::splat(-1.0e9), Vector::splat(1.0e9));
+        scene.bvh.intersect_aabb(&everywhere).collect::<Vec<_>>()
+    };
+    assert_eq!(leaves(false).len(), 100);
+    assert_eq!(leaves(false), leaves(true));
+}
+
 /// The index of a removed collider may belong to another collider by now, whose box must not change.
 #[test]
 fn a_box_for_an_earlier_generation_is_ignored() {

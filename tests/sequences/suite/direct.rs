@@ -3,6 +3,8 @@
 use super::checked::CheckedBroadPhase;
 use super::world::{Ahead, World};
 use crate::ops::Sequence;
+#[cfg(test)]
+use crate::ops::{Groups, NewCollider, Op, Parent, Shape, Types};
 
 pub(super) fn play(sequence: &Sequence) {
     let mut broad_phase = CheckedBroadPhase::new(sequence);
@@ -49,4 +51,36 @@ fn list_silent_removals(world: &mut World, broad_phase: &CheckedBroadPhase) {
             removed.push(handle);
         }
     }
+}
+
+/// A cuboid is replaced by a ball, which moves by less than the skin of volumes. Where it was, it would have met the last ball.
+#[cfg(test)]
+#[test]
+fn the_volume_of_a_removed_collider_is_forgotten() {
+    let groups = Groups {
+        memberships: u32::MAX,
+        filter: u32::MAX,
+    };
+    let new = |shape, at| NewCollider {
+        shape,
+        at,
+        sensor: false,
+        enabled: true,
+        groups,
+        types: Types::All,
+    };
+    let cuboid = new(Shape::Cuboid([0.25; 3]), [0.0; 3]);
+    let [ball, last] = [(3.0, [0.0; 3]), (0.499, [-2.5, -2.65, 0.0])];
+    let [ball, last] = [ball, last].map(|(radius, at)| new(Shape::Ball(radius), at));
+    play(&Sequence {
+        length_unit: 10.0,
+        margin: 0.1,
+        filter: unisize::PairFilter::Shapes,
+        updates: vec![
+            vec![Op::Insert(cuboid, Parent::None)],
+            vec![Op::Replace(0, ball)],
+            vec![Op::Move(0, [0.01, 0.01, 0.0])],
+            vec![Op::Insert(last, Parent::None)],
+        ],
+    });
 }

@@ -217,7 +217,7 @@ impl<B: BroadPhase> BroadPhase for Observed<B> {
             self.inner.is_empty()
         }
 
-        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle)) {
             self.inner.visit_unreported(visit);
         }
 

@@ -80,7 +80,7 @@ impl<B: BroadPhase + Clone + 'static> BroadPhase for Seldom<B> {
             });
         }
 
-        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle)) {
             self.inner.visit_unreported(visit);
         }
 

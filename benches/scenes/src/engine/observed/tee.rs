@@ -101,7 +101,7 @@ impl<A: BroadPhase, B: BroadPhase> BroadPhase for Tee<A, B> {
             });
         }
 
-        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle, Option<ColliderHandle>)) {
+        fn visit_unreported(&self, visit: &mut dyn FnMut(ColliderHandle)) {
             self.heard.visit_unreported(visit);
         }
 
