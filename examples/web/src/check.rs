@@ -45,8 +45,7 @@ pub fn first_difference(
         candidate(ALL_PAIRS),
         candidate(PairFilter::Shapes).leaving_out_more(),
     ];
-    let mut runs = candidates.iter().map(|candidate| comparison.run(candidate));
-    Ok(runs.find_map(|run| run.first_difference))
+    Ok(comparison.run(&candidates).first_difference)
 }
 
 /// The hash of all events of a scene in hexadecimal digits, as `scenes_are_golden` computes it. It is the same on every platform.

@@ -25,7 +25,7 @@ use crate::{Both, Outcome, Rays, SceneKind, WholeSteps};
 use contacts::{Follower, Placed, Touching};
 use rays::RayCheck;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::thread::ScopedJoinHandle;
+use std::thread::Scope;
 
 mod alone;
 mod contacts;
@@ -114,11 +114,11 @@ impl Comparison {
     pub fn run<C: BroadPhase + 'static>(&self, candidates: &[Candidate<C>]) -> Outcome {
         let timed = candidates.last().expect("there is a candidate");
         let (mut checked, starts) = std::thread::scope(|scope| {
-            let check = |candidate| scope.spawn(move || self.check(candidate));
+            let check = |candidate| begun(scope, move || self.check(candidate));
             let checks: Vec<_> = candidates.iter().map(check).collect();
-            let start = |repeat| scope.spawn(move || self.start(timed, repeat));
+            let start = |repeat| begun(scope, move || self.start(timed, repeat));
             let starts: Vec<_> = (0..self.repeats).map(start).collect();
-            (joined(checks), joined(starts))
+            (results(checks), results(starts))
         });
         let mut outcome = checked.pop().expect("a check of each candidate");
         let earlier = checked.into_iter().find_map(|check| check.first_difference);
@@ -197,12 +197,24 @@ impl Comparison {
     }
 }
 
-/// What the threads return; a panic goes on.
-fn joined<T>(threads: Vec<ScopedJoinHandle<'_, T>>) -> Vec<T> {
-    let join = |thread: ScopedJoinHandle<'_, T>| {
-        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-    };
-    threads.into_iter().map(join).collect()
+/// Waits for a result.
+type Wait<'scope, T> = Box<dyn FnOnce() -> T + 'scope>;
+
+/// Begins some work on a thread of its own, whose panic goes on in whoever waits. WebAssembly has no threads, so there the work is done once
+/// its result is waited for.
+fn begun<'scope, T: Send + 'scope>(
+    scope: &'scope Scope<'scope, '_>,
+    work: impl FnOnce() -> T + Send + 'scope,
+) -> Wait<'scope, T> {
+    if cfg!(target_family = "wasm") {
+        return Box::new(work);
+    }
+    let thread = scope.spawn(work);
+    Box::new(|| thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
+}
+
+fn results<T>(begun: Vec<Wait<'_, T>>) -> Vec<T> {
+    begun.into_iter().map(|wait| wait()).collect()
 }
 
 /// A broad phase whose events and pairs are recorded.
